@@ -1,8 +1,10 @@
-# cloudmill: see README.md for what it is, HACKING.md for the map of the house.
+# cloudmill: see README.md for what it is, HACKING.md for the map of the house.  For GNU make, which
+# is `gmake` on a BSD.
 #
 # make              the tools, in build/bin             make demo     the main job on a real scan
 # make figures      pictures like the papers'
 # make check        all tests                            make deps     what the tests need (Debian)
+#                                                        make deps-all what else some tests use
 # make accuracy     gouges and material left, on surfaces known exactly
 # make install      PREFIX=/usr/local DESTDIR=           make bench    speed, beside bare C floors
 # make faults       every call of the C library fails in turn
@@ -11,13 +13,12 @@
 PREFIX  = /usr/local
 DESTDIR =
 CC      = cc
-CFLAGS  = -O2 -g
+CFLAGS  = -O2
 BUILD   = build
-VERSION = 0.1.0
+VERSION := $(shell cat VERSION)
 
 WARN  = -Wall -Wextra -Wshadow -Wconversion
 FLAGS = -std=c11 -D_XOPEN_SOURCE=700 -iquote include -ffp-contract=off -pthread $(WARN)
-DATADIR = $(PREFIX)/share/cloudmill
 LIBS  = -lm -pthread
 
 tool_src := $(wildcard src/*.c)
@@ -40,7 +41,7 @@ tools    := $(tool_src:src/%.c=$(BUILD)/bin/%) $(BUILD)/bin/cloudmill
 lib      := $(BUILD)/libcloudmill.a
 page_obj := $(page_src:%=$(BUILD)/%.o)
 control_obj := $(built_in:%=$(BUILD)/controls/%.o)
-lib_obj  := $(lib_src:%.c=$(BUILD)/%.o) $(page_obj) $(control_obj)
+lib_obj  := $(lib_src:%.c=$(BUILD)/%.o) $(page_obj) $(control_obj) $(BUILD)/version.o
 back_obj := $(back_src:%.c=$(BUILD)/%.o)
 help_obj := $(help_src:%.c=$(BUILD)/%.o)
 units    := $(unit_src:tests/%.c=$(BUILD)/tests/%)
@@ -49,11 +50,16 @@ readback := $(if $(back_src),$(BUILD)/tests/readback/readback)
 
 started := $(shell date +%s)
 
-# What `make deps` installs: for the tests, and for lint and fuzz.
-packages = check pkg-config mandoc python3 chromium locales clang clang-format clang-tidy libclang-rt-dev cppcheck \
-  shellcheck gcovr parallel
-# Its interpreter rs274 judges our programs where it is there; else those tests are skipped.
-judge = linuxcnc-uspace
+# Debian's packages, beside make and a C compiler.  `make deps`: the tests; tests that want more are
+# skipped, and say what they miss.
+packages = check pkg-config mandoc python3 locales
+# `make deps-all`: every test, make lint, fuzz, coverage, portability, deb.  A package that this
+# Debian does not have is told and left out.
+packages_all = $(packages) chromium linuxcnc-uspace parallel \
+  clang clang-format clang-tidy libclang-rt-dev cppcheck shellcheck gcovr \
+  musl-tools gcc-mingw-w64-x86-64-posix wine wine64 qemu-user-static gcc-aarch64-linux-gnu \
+  gcc-i686-linux-gnu lintian debhelper fakeroot zsh fish bash-completion
+apt_install = DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends
 
 all: $(tools)
 
@@ -62,12 +68,13 @@ $(BUILD)/%.o: %.c
 	@mkdir -p $(@D)
 	$(CC) $(FLAGS) $(CFLAGS) $(CPPFLAGS) -MD -MP -c -o $@ $<
 
-# One object holds the place of what is installed; another PREFIX compiles it again.
-$(BUILD)/src/base/library_file.o: FLAGS += -DCLOUDMILL_DATADIR='"$(DATADIR)"'
-$(BUILD)/src/base/library_file.o: $(BUILD)/datadir
-$(BUILD)/datadir: always
+# The file VERSION is what `--version`, the tarball and the packages say.
+$(BUILD)/version.c: VERSION
 	@mkdir -p $(@D)
-	@echo '$(DATADIR)' | cmp -s - $@ || echo '$(DATADIR)' >$@
+	echo '#include "base/cli.h"' >$@.new && echo 'const char cloudmill_version[] = "$(VERSION)";' >>$@.new && mv $@.new $@
+
+$(BUILD)/version.o: $(BUILD)/version.c
+	$(CC) $(FLAGS) $(CFLAGS) $(CPPFLAGS) -MD -MP -c -o $@ $<
 
 # The controls that are built in, as strings: controls/fanuc.txt is `const char control_text_fanuc[]`.
 $(BUILD)/controls/%.c: controls/%.txt
@@ -174,10 +181,16 @@ freeze: all
 	@BIN="$(abspath $(BUILD))/bin" sh tests/house/freeze.sh
 
 deps:
-	@echo 'The tests need some 380 Debian packages, 1.5 GB; make and make demo need none of them.'
+	@echo 'make deps: 38 Debian packages, 65 MB on disk; make and make demo need none of them.'
 	apt-get update
-	DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends $(packages)
-	-DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends $(judge)
+	$(apt_install) $(packages)
+
+deps-all:
+	@echo 'make deps-all: some 690 Debian packages, 3.5 GB on disk: browser, LinuxCNC, analysers, cross compilers.'
+	apt-get update
+	$(apt_install) $(packages_all) || for package in $(packages_all); do \
+	  $(apt_install) $$package || missing="$$missing $$package"; done; \
+	  [ -z "$$missing" ] || echo "not installed:$$missing"
 
 lint:
 	clang-format --dry-run --Werror $(c_files)
@@ -199,36 +212,37 @@ fuzz:
 	FUZZ="$(abspath $(BUILD))/fuzz/tests/fuzz/fuzz" OUT="$(abspath $(BUILD))/fuzz/out" \
 	  sh tests/fuzz/fuzz.sh $(READERS)
 
+# What is installed where, FILE=PLACE under PREFIX.  The tools find their data from where they lie, so
+# PREFIX is in none of them.
+share    := share/cloudmill
+installs  = $(foreach f,$(tools),$(f)=bin/$(notdir $(f))) \
+  $(foreach f,$(machines) $(controls) $(tool_files),$(f)=$(share)/$(f)) \
+  $(foreach f,$(manuals),$(f)=share/man/man$(subst .,,$(suffix $(f)))/$(notdir $(f)))
+
 install: all
-	mkdir -p $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(DATADIR)/machines $(DESTDIR)$(DATADIR)/controls \
-	  $(DESTDIR)$(DATADIR)/tools
-	install -m 755 $(tools) $(DESTDIR)$(PREFIX)/bin
-	if [ -n "$(machines)" ]; then \
-	  install -m 644 $(machines) $(DESTDIR)$(DATADIR)/machines; fi
-	install -m 644 $(controls) $(DESTDIR)$(DATADIR)/controls
-	if [ -n "$(tool_files)" ]; then \
-	  install -m 644 $(tool_files) $(DESTDIR)$(DATADIR)/tools; fi
-	for page in $(manuals); do \
-	  dir=$(DESTDIR)$(PREFIX)/share/man/man$${page##*.}; \
-	  mkdir -p $$dir && install -m 644 $$page $$dir || exit 1; done
+	@for pair in $(installs); do \
+	  to=$(DESTDIR)$(PREFIX)/$${pair#*=}; mkdir -p "$${to%/*}" || exit 1; \
+	  case $${pair#*=} in bin/*) mode=755 ;; *) mode=644 ;; esac; \
+	  install -m $$mode "$${pair%%=*}" "$$to" || exit 1; done
+	@echo 'installed in $(DESTDIR)$(PREFIX)'
 
+# Data that are not as they were installed are the user's, and stay; so do folders that hold any.
 uninstall:
-	rm -f $(tools:$(BUILD)/bin/%=$(DESTDIR)$(PREFIX)/bin/%)
-	for page in $(notdir $(manuals)); do \
-	  rm -f $(DESTDIR)$(PREFIX)/share/man/man$${page##*.}/$$page; done
-	rm -f $(machines:machines/%=$(DESTDIR)$(DATADIR)/machines/%)
-	rm -f $(controls:controls/%=$(DESTDIR)$(DATADIR)/controls/%)
-	rm -f $(tool_files:tools/%=$(DESTDIR)$(DATADIR)/tools/%)
-	-rmdir $(DESTDIR)$(DATADIR)/machines $(DESTDIR)$(DATADIR)/controls \
-	  $(DESTDIR)$(DATADIR)/tools $(DESTDIR)$(DATADIR) 2>/dev/null
+	@for pair in $(installs); do \
+	  to=$(DESTDIR)$(PREFIX)/$${pair#*=}; [ -e "$$to" ] || continue; \
+	  case $$to in \
+	  */$(share)/*) cmp -s "$${pair%%=*}" "$$to" || { echo "kept, as it was changed: $$to"; continue; } ;; \
+	  esac; rm "$$to" || exit 1; done
+	@for folder in /machines /controls /tools ''; do \
+	  rmdir '$(DESTDIR)$(PREFIX)/$(share)'$$folder 2>/dev/null || :; done
 
+# The sources as they lie here, without git, and the same bytes from the same files.
+sources = .ci .clang-format .clang-tidy .editorconfig .gitignore HACKING.md LICENSE Makefile NEWS.md \
+  README.md VERSION controls include machines man samples src tests tools
 dist:
-	if git rev-parse --git-dir >/dev/null 2>&1; then \
-	  git archive --prefix=cloudmill-$(VERSION)/ -o cloudmill-$(VERSION).tar.gz HEAD; \
-	else \
-	  mkdir -p $(BUILD) && tar --transform 's,^\.,cloudmill-$(VERSION),' --exclude='./$(BUILD)' --exclude=./demo \
-	    --exclude=./figures --exclude='./cloudmill-*.tar.gz' -czf $(BUILD)/dist.tar.gz . && \
-	  mv $(BUILD)/dist.tar.gz cloudmill-$(VERSION).tar.gz; fi
+	find $(sources) -type f ! -name '*~' ! -name '.*.sw?' ! -name '*.[od]' | LC_ALL=C sort | \
+	  tar --transform 's,^,cloudmill-$(VERSION)/,' --owner=0 --group=0 --numeric-owner \
+	  --mtime=@$(or $(SOURCE_DATE_EPOCH),0) --mode=u+w,go+r-w -cf - -T - | gzip -n9 >cloudmill-$(VERSION).tar.gz
 
 distcheck: dist
 	rm -rf $(BUILD)/distcheck && mkdir -p $(BUILD)/distcheck
@@ -238,8 +252,8 @@ distcheck: dist
 clean:
 	rm -rf $(BUILD) demo figures cloudmill-$(VERSION).tar.gz
 
-.PHONY: always all units check demo figures bench accuracy freeze deps lint sanitize fuzz faults \
-  check-seeds mutate coverage   nc-faults safety install uninstall dist distcheck clean
+.PHONY: always all units check demo figures bench accuracy freeze deps deps-all lint sanitize fuzz faults \
+  check-seeds mutate coverage nc-faults safety install uninstall dist distcheck clean
 .SECONDARY:
 
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

@@ -20,7 +20,7 @@
 
 #include "base/error.h"
 
-#define CLOUDMILL_VERSION "0.1.0"
+extern const char cloudmill_version[]; /* what the file VERSION says */
 
 enum { EXIT_DONE = 0, EXIT_FAILED = 1, EXIT_USAGE = 2, EXIT_UNMET = 3 };
 

@@ -14,6 +14,7 @@
 #include "base/array.h"
 #include "base/num.h"
 #include "base/out.h"
+#include "program_dir.h"
 
 /* ---- messages, and the end of the process */
 
@@ -477,6 +478,7 @@ void cli_parse(struct cli *cli, int argc, char **argv)
     static char *only_standard_input[] = {standard_input, NULL};
 
     hold_standard_files();
+    program_called(argv[0]);
     message_begin(cli->tool);
     struct table t = merge_tables(cli);
     struct old_names old = {0};
@@ -490,7 +492,7 @@ void cli_parse(struct cli *cli, int argc, char **argv)
         finish_stdout();
     }
     if (version) {
-        printf("%s (cloudmill) %s\n", cli->tool, CLOUDMILL_VERSION);
+        printf("%s (cloudmill) %s\n", cli->tool, cloudmill_version);
         finish_stdout();
     }
     array_free(&t);

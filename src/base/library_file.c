@@ -9,13 +9,26 @@
 
 #include "program_dir.h"
 
-#ifndef CLOUDMILL_DATADIR
-#define CLOUDMILL_DATADIR "/usr/local/share/cloudmill"
-#endif
-
 static bool is_file(const char *name)
 {
     return name[strcspn(name, "/.")] != '\0';
+}
+
+/* The folders of the tools and of what is installed with them: PREFIX/bin and
+ * PREFIX/share/cloudmill, or build/bin and the sources'; wherever they were moved to. */
+static void installed_folders(const char *what, char installed[LIBRARY_FILE],
+                              char built[LIBRARY_FILE])
+{
+    enum { LONGEST = 900 };
+    char prefix[LONGEST];
+    program_dir(prefix, sizeof prefix);
+    snprintf(built, LIBRARY_FILE, "%s/../../%s", prefix, what);
+    char *slash = strrchr(prefix, '/');
+    if (slash && strcmp(slash, "/.") != 0 && strcmp(slash, "/..") != 0)
+        *slash = '\0';
+    else
+        strcat(prefix, "/..");
+    snprintf(installed, LIBRARY_FILE, "%s/share/cloudmill/%s", prefix, what);
 }
 
 int library_file_find(const struct library *library, const char *name, const char *beside,
@@ -30,15 +43,9 @@ int library_file_find(const struct library *library, const char *name, const cha
             return error_set(error, "%.40s...: file name too long", name);
         return 0;
     }
-    char self[LIBRARY_FILE], beside_installed[LIBRARY_FILE + 32], beside_built[LIBRARY_FILE + 32];
-    char installed[LIBRARY_FILE];
-    program_dir(self, sizeof self);
-    snprintf(beside_installed, sizeof beside_installed, "%s/../share/cloudmill/%s", self,
-             library->folder);
-    snprintf(beside_built, sizeof beside_built, "%s/../../%s", self, library->folder);
-    snprintf(installed, sizeof installed, CLOUDMILL_DATADIR "/%s", library->folder);
-    const char *const places[] = {".", own && *own ? own : ".", beside_installed, beside_built,
-                                  installed};
+    char installed[LIBRARY_FILE], built[LIBRARY_FILE];
+    installed_folders(library->folder, installed, built);
+    const char *const places[] = {".", own && *own ? own : ".", installed, built};
     int n = snprintf(file, LIBRARY_FILE, "%.*s%s.txt", folder, folder ? beside : "", name);
     for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
         if (n < LIBRARY_FILE && access(file, R_OK) == 0)

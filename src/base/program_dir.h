@@ -6,6 +6,9 @@
 
 #include <stddef.h>
 
+/* The first word of the command line, for systems that do not tell where the program is. */
+void program_called(const char *word);
+
 /* The folder of the running program, without a slash at its end; "" if unknown. */
 void program_dir(char *folder, size_t size);
 

@@ -6,7 +6,7 @@
 # A make of its own: nothing of the one that runs the tests gets in.
 unset MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES
 build() { # TARGET VARIABLE=VALUE...
-	"${MAKE:-make}" -C "$SRC" -j2 BUILD="$TMP/build" CC="${CC:-cc}" CFLAGS=-O0 "$@"
+	"${MAKE:-make}" -C "$SRC" BUILD="$(dirname "$BIN")" "$@"
 }
 
 tools=$(for source in "$SRC"/src/*.c; do basename "$source" .c; done)
@@ -64,9 +64,14 @@ ok "-m table-bc finds the installed machine" \
 has "and turns its axes" '^[^(]*B[-0-9.]+' "$TMP/out"
 status 1 "-m of a machine that is not there" elsewhere ncpost -c fanuc -m no-such "$TMP/path.cl"
 
-echo 'include = table-bc' >"$prefix/share/cloudmill/machines/shop.txt"
+mine=$prefix/share/cloudmill/machines
+echo 'include = table-bc' >"$mine/shop.txt"
+echo '# B is slow on ours' >>"$mine/table-bc.txt"
 ok "make uninstall" build uninstall PREFIX="$prefix" DESTDIR=
-ok "a machine file of the user's is kept" test -s "$prefix/share/cloudmill/machines/shop.txt"
+has "says what it keeps" "kept.*table-bc.txt" "$TMP/out"
+ok "a machine file of the user's is kept" test -s "$mine/shop.txt"
+ok "and one that the user has changed" test -s "$mine/table-bc.txt"
+ok "but no other" test "$(files "$prefix/share/cloudmill" | wc -l)" -eq 2
 rm -r "$prefix/share/cloudmill"
 ok "make install again" build install PREFIX="$prefix" DESTDIR=
 ok "and make uninstall" build uninstall PREFIX="$prefix" DESTDIR=
@@ -84,18 +89,80 @@ for tool in $tools; do
 done
 files "$stage" | grep -v '^\./opt/mill/' >"$TMP/found"
 empty "nothing lies outside of PREFIX" "$TMP/found"
-status 1 "the prefix compiled in is the last one" \
+ok "a tool finds its data there" elsewhere "$stage/opt/mill/bin/ncpost" -c fanuc -m table-bc "$TMP/path.cl"
+status 1 "and says where it looks" \
 	elsewhere "$stage/opt/mill/bin/ncpost" -c fanuc -m no-such "$TMP/path.cl"
-has "not that of the build before" 'in /opt/mill/share/cloudmill/machines' "$TMP/err"
+has "beside the tool" "in $stage/opt/mill/share/cloudmill/machines" "$TMP/err"
+ln -s "$stage/opt/mill/bin/ncpost" "$TMP/elsewhere/post"
+ok "also through a link" elsewhere ./post -c fanuc -m table-bc "$TMP/path.cl"
+mv "$stage/opt" "$stage/moved"
+ok "and wherever it is moved to" \
+	elsewhere "$stage/moved/mill/bin/ncpost" -c fanuc -m table-bc "$TMP/path.cl"
+mv "$stage/moved" "$stage/opt"
+grep -rlE "/usr/local|$prefix|/opt/mill" "$stage/opt/mill" >"$TMP/found"
+empty "no prefix is in what is installed" "$TMP/found"
+
+# ---- small, quick, and content with what it may only read
+
+for tool in $tools; do
+	cp "$BIN/$tool" "$TMP/stripped"
+	strip "$TMP/stripped" 2>/dev/null
+	if nm "$BIN/$tool" 2>/dev/null | grep -Eq '__asan_init|__gcov'; then
+		skip "$tool has at most 1 MB" "a sanitizer is built in"
+	else
+		below "$tool has at most 1 MB" "$(wc -c <"$TMP/stripped")" 1000000
+	fi
+done
+chmod -R a-w "$stage/opt"
+cp "$TMP/path.cl" "$TMP/elsewhere/path.cl"
+chmod a-w "$TMP/elsewhere"
+chmod a+rx "$TMP"
+nobody=
+[ "$(id -u)" -ne 0 ] || nobody="setpriv --reuid 65534 --regid 65534 --clear-groups"
+if [ -n "$nobody" ] && ! $nobody true 2>/dev/null; then
+	skip "a tool in a folder that is only read" "no setpriv"
+else
+	# shellcheck disable=SC2086 # words
+	ok "a tool in a folder that is only read" \
+		elsewhere $nobody "$stage/opt/mill/bin/ncpost" -c siemens -m table-bc path.cl
+fi
+chmod -R u+w "$stage/opt" "$TMP/elsewhere"
 ok "make uninstall DESTDIR=" build uninstall PREFIX=/opt/mill DESTDIR="$stage"
 files "$stage" >"$TMP/found"
 empty "uninstall leaves no file there" "$TMP/found"
 
-# ---- a tarball of a tree that git does not know
+# ---- a tarball, with git or without
 
-cp -R "$SRC/Makefile" "$SRC/src" "$SRC/include" "$SRC/machines" "$SRC/controls" "$SRC/man" "$stage"
-ok "make dist without git" env GIT_DIR="$TMP/none" "${MAKE:-make}" -C "$stage" dist
-tar -tzf "$stage"/cloudmill-*.tar.gz >"$TMP/found"
-has "the tarball holds the sources" '^cloudmill-[0-9.]*/src/ncpost.c$' "$TMP/found"
+cp -R "$SRC"/[A-Z]* "$SRC"/.[a-z]* "$SRC/src" "$SRC/include" "$SRC/machines" "$SRC/tools" \
+	"$SRC/controls" "$SRC/man" "$SRC/samples" "$TMP/stage"
+rm -rf "$stage/.git"
+mkdir -p "$stage/tests"
+echo scratch >"$stage/notes"
+dist() { "${MAKE:-make}" -C "$stage" dist; }
+ok "make dist where git knows nothing" dist
+version=$(cat "$SRC/VERSION")
+ball=$stage/cloudmill-$version.tar.gz
+cp "$ball" "$TMP/first.tar.gz"
+touch "$stage"/src/*.c
+ok "make dist again" dist
+same "the same bytes from the same files" "$TMP/first.tar.gz" "$ball"
+tar -tzf "$ball" >"$TMP/found"
+has "the tarball holds the sources" "^cloudmill-$version/src/ncpost.c\$" "$TMP/found"
+hasnt "and nothing that lies about" 'notes|\.tar|/build/' "$TMP/found"
+if git -C "$SRC" ls-files >"$TMP/tracked" 2>/dev/null && [ -s "$TMP/tracked" ]; then
+	grep -v '^tests/' "$TMP/tracked" | sed "s,^,cloudmill-$version/," | LC_ALL=C sort >"$TMP/want"
+	LC_ALL=C sort "$TMP/found" | comm -23 "$TMP/want" - >"$TMP/missing"
+	empty "all that git knows is in it" "$TMP/missing"
+else
+	skip "all that git knows is in it" "no git here"
+fi
+
+# ---- one version
+
+for tool in "$BIN"/*; do
+	ok "${tool##*/} --version" "$tool" --version
+	has "is what the file VERSION says" "^${tool##*/} \(cloudmill\) $version\$" "$TMP/out"
+done
+has "NEWS begins with it" "^## $version( |\$)" "$SRC/NEWS.md"
 
 done_testing
