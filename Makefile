@@ -128,9 +128,10 @@ $(BUILD)/tests/fuzz/fuzz: $(BUILD)/tests/fuzz/fuzz.o
 $(BUILD)/tests/fuzz/fuzz $(BUILD)/tests/fuzz/replay: $(BUILD)/tests/fuzz/fuzz_reader.o \
   $(BUILD)/tests/lib/scratch.o $(lib)
 
-$(BUILD)/bench/%: $(BUILD)/tests/bench/%.o
+$(BUILD)/tests/bench/%.o: FLAGS += -iquote tests/lib
+$(BUILD)/bench/%: $(BUILD)/tests/bench/%.o $(BUILD)/tests/lib/decimals.o $(lib)
 	@mkdir -p $(@D)
-	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $< $(LIBS)
+	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBS)
 
 units: $(units)
 

@@ -3,7 +3,7 @@
  *
  * Reading: up to 19 digits are gathered in an integer.  When it is below 2^53 and the power of
  * ten within 10^22, both are exact doubles and one multiplication or division rounds once, which
- * is the nearest double (Clinger 1990).  All else goes to strtod, which the C locale makes exact.
+ * is the nearest double (Clinger 1990).  All else goes to num_exact.
  *
  * Writing: x * 10^digits is rounded to an integer, half away from zero, and its digits are set
  * down; beyond 2^53, where a double has no decimals to round, printf writes it.
@@ -16,28 +16,14 @@
 #include <string.h>
 #include <strings.h>
 
+#include "num_exact.h"
+
 const double num_ten[23] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
                             1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 
 static bool is_digit(char c)
 {
     return c >= '0' && c <= '9';
-}
-
-/* The number in [from, to) by strtod, its exponent letter made an `e`. */
-static double read_exactly(const char *from, const char *to)
-{
-    size_t n = (size_t)(to - from);
-    char small[64], *copy = n < sizeof small ? small : malloc(n + 1);
-    if (!copy)
-        return NAN;
-    for (size_t i = 0; i < n; i++)
-        copy[i] = from[i] == 'd' || from[i] == 'D' ? 'e' : from[i];
-    copy[n] = '\0';
-    double value = strtod(copy, NULL);
-    if (copy != small)
-        free(copy);
-    return value;
 }
 
 /* The value of an exponent at p (`e-3`, `D+05`), and its end; 0 and p if there is none. */
@@ -89,7 +75,7 @@ bool num_read(const char **s, double *value)
         m = exponent < 0 ? m / num_ten[-exponent] : m * num_ten[exponent];
         *value = negative ? -m : m;
     } else {
-        *value = read_exactly(*s, end);
+        *value = num_exact(*s, end);
     }
     *s = end;
     return true;
