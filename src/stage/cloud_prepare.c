@@ -17,9 +17,22 @@ static void say_skipped(const char *file, const struct cloud_count *c)
         say("%s: ignored %zu heading line%s", file, c->heads, c->heads == 1 ? "" : "s");
     if (c->comments > 0)
         say("%s: ignored %zu comment%s", file, c->comments, c->comments == 1 ? "" : "s");
-    if (c->columns > 3)
-        say("%s: ignored the columns after the third (up to %zu)", file, c->columns);
-    if (c->not_finite > 0)
+    if (c->indexed)
+        say("%s: the first column numbers the rows: x y z are the three after it", file);
+    if (c->columns > 3 + (size_t)c->indexed)
+        say("%s: ignored the columns after the %s (up to %zu)", file,
+            c->indexed ? "fourth" : "third", c->columns);
+    if (c->facets > 0)
+        say("%s: an STL file: the corners of its %zu facets are taken as points (planecut cuts the "
+            "facets)",
+            file, c->facets);
+    if (c->withheld > 0)
+        say("%s: left out %zu point%s that the file marks as withheld", file, c->withheld,
+            c->withheld == 1 ? "" : "s");
+    if (c->not_finite > 0 && c->first_not_finite == 0)
+        say("%s: left out %zu point%s with nan, inf or a number out of range", file, c->not_finite,
+            c->not_finite == 1 ? "" : "s");
+    else if (c->not_finite > 0)
         say("%s:%zu: left out %zu row%s with nan, inf or a number out of range, this is the first",
             file, c->first_not_finite, c->not_finite, c->not_finite == 1 ? "" : "s");
     if (c->not_measured > 0)
@@ -38,7 +51,7 @@ int cloud_prepare_read(char **file, int files, struct vec3s *points, struct scan
             return -1;
         say_skipped(file[i], &count);
         scan_sources_add(scan, file[i], points->item + from, points->n - from);
-        *left_out += count.not_finite + count.not_measured;
+        *left_out += count.not_finite + count.not_measured + count.withheld;
     }
     return 0;
 }

@@ -127,6 +127,7 @@ static const struct fuzz_reader {
 } readers[] = {{"cloud", read_cloud},
                {"ptx", read_cloud},
                {"pcd", read_cloud},
+               {"las", read_cloud},
                {"obj", read_cloud},
                {"cloud-ply", read_cloud},
                {"matrix", read_matrix},

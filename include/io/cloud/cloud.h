@@ -4,11 +4,13 @@
  *
  * In: a file.  Out: its points in the file's own units, and counts of what was left out.  The
  * stages: the format by its first lines (cloud.c); the rows, read by what the formats share
- * (cloud_source.h): free text and PTS (cloud_text.h), OBJ, PTX and PCD (cloud_formats.c), PLY
- * (io/mesh/ply.h).  Beside it matrix.h, the file that places a cloud.
+ * (cloud_source.h): free text and PTS (cloud_text.h), OBJ, PTX and PCD (cloud_formats.c), LAS
+ * (cloud_las.c), PLY and STL (io/mesh).  Beside it matrix.h, the file that places a cloud.
  */
 #ifndef CLOUDMILL_CLOUD_H
 #define CLOUDMILL_CLOUD_H
+
+#include <stdbool.h>
 
 #include "base/error.h"
 #include "math/vec.h"
@@ -20,6 +22,9 @@ struct cloud_count {
     size_t heads;            /* heading lines before the first point (names, prose, a count) */
     size_t not_finite;       /* rows with nan, inf or a number too large: left out */
     size_t not_measured;     /* empty cells of a PTX grid: left out */
+    size_t withheld;         /* points that a LAS file marks as deleted: left out */
+    size_t facets;           /* of an STL file, whose corners alone are taken */
+    bool indexed;            /* the first column numbers the rows: x y z are the next three */
     size_t columns;          /* most columns of a row, of those that were read one by one */
     size_t first_not_finite; /* line of the first of them, 0: the format has no lines */
 };

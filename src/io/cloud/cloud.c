@@ -9,6 +9,7 @@
 #include "base/array.h"
 #include "cloud_source.h"
 #include "io/mesh/ply.h"
+#include "io/mesh/stl.h"
 
 int cloud_error(const struct cloud_source *s, struct error *error, const char *format, ...)
 {
@@ -47,9 +48,29 @@ int cloud_take(struct cloud_source *s, const struct cloud_row *row, struct error
     return 0;
 }
 
+void cloud_take_point(struct cloud_source *s, struct vec3 p)
+{
+    if (!(fabs(p.x) <= CLOUD_TOO_LARGE && fabs(p.y) <= CLOUD_TOO_LARGE &&
+          fabs(p.z) <= CLOUD_TOO_LARGE)) {
+        s->count->not_finite++;
+        return;
+    }
+    *array_push(s->points) = p;
+    s->count->points++;
+}
+
 enum { HEAD = 4096 }; /* bytes that tell what a file is */
 
-enum format { FORMAT_TEXT, FORMAT_PTX, FORMAT_PCD, FORMAT_OBJ, FORMAT_PLY };
+enum format {
+    FORMAT_TEXT,
+    FORMAT_PTX,
+    FORMAT_OBJ,
+    FORMATS_OF_TEXT, /* those before it are text throughout */
+    FORMAT_PCD = FORMATS_OF_TEXT,
+    FORMAT_PLY,
+    FORMAT_STL,
+    FORMAT_LAS
+};
 
 /* Files that begin so are known, and are no text of points. */
 static const struct {
@@ -66,9 +87,9 @@ static const struct {
      "7zXZ",
      5, "compressed by xz, expected text: unxz it first"},
     {"\x28\xB5\x2F\xFD", 4, "compressed by zstd, expected text: unzstd it first"},
-    {"LASF", 4, "a LAS or LAZ file, expected text: export it as x y z"},
-    {"ASTM-E57", 8, "an E57 file, expected text: export it as x y z"},
-    {"solid ", 6, "an STL file, expected points: convert it to PLY"},
+    {"ASTM-E57", 8,
+     "an E57 file, expected text, PLY, PCD or LAS: convert it first, as by `pdal translate IN.e57 "
+     "OUT.las` or CloudCompare"},
     {"OFF", 3, "an OFF file, expected points: convert it to PLY"},
     {"COFF", 4, "an OFF file, expected points: convert it to PLY"},
     {"NOFF", 4, "an OFF file, expected points: convert it to PLY"},
@@ -169,14 +190,21 @@ static bool is_obj(const char *head, const char *end)
     return vertex;
 }
 
-static enum format find_format(const char *head, size_t n)
+static enum format find_format(const struct reader *r, const char *head, size_t n)
 {
     const char *end = head + n, *s = head, *line;
     size_t length;
+    if (n >= 4 && memcmp(head, "LASF", 4) == 0)
+        return FORMAT_LAS;
+    if (stl_is_binary(r, head, n))
+        return FORMAT_STL;
     if (!next_line(&s, end, &line, &length))
         return FORMAT_TEXT;
     if (line_begins(line, length, "ply"))
         return FORMAT_PLY;
+    if (line_begins(line, length, "solid") && next_line(&s, end, &line, &length) &&
+        (line_begins(line, length, "facet") || line_begins(line, length, "endsolid")))
+        return FORMAT_STL;
     if (line_begins(line, length, "VERSION") || line_begins(line, length, "FIELDS"))
         return FORMAT_PCD;
     if (is_whole_number(line, length) && next_line(&s, end, &line, &length) &&
@@ -188,20 +216,34 @@ static enum format find_format(const char *head, size_t n)
 /* The vertices of a PLY file, those that are not finite taken out again. */
 static int read_ply(struct cloud_source *s, struct error *error)
 {
-    size_t first = s->points->n, kept = first;
+    size_t first = s->points->n;
     if (ply_read_points(s->reader, s->points, error) < 0)
         return -1;
-    struct vec3 *p = s->points->item;
-    for (size_t i = first; i < s->points->n; i++) {
-        if (isfinite(p[i].x) && isfinite(p[i].y) && isfinite(p[i].z))
-            p[kept++] = p[i];
-        else
-            s->count->not_finite++;
-    }
-    s->points->n = kept;
-    s->count->points = kept - first;
+    size_t end = s->points->n;
+    s->points->n = first;
+    for (size_t i = first; i < end; i++)
+        cloud_take_point(s, s->points->item[i]);
     s->count->columns = 3;
     return 0;
+}
+
+/* The corners of an STL file's facets. */
+static int read_stl(struct cloud_source *s, struct error *error)
+{
+    const char *head;
+    struct mesh mesh = {0};
+    long n = reader_peek(s->reader, &head, HEAD, error);
+    if (n < 0)
+        return -1;
+    int status = stl_is_binary(s->reader, head, (size_t)n)
+                     ? stl_read_binary(s->reader, &mesh, error)
+                     : stl_read_text(s->reader, &mesh, error);
+    for (size_t i = 0; status == 0 && i < mesh.vertex.n; i++)
+        cloud_take_point(s, mesh.vertex.item[i]);
+    s->count->facets = mesh.face.n;
+    s->count->columns = 3;
+    mesh_free(&mesh);
+    return status;
 }
 
 static int read_source(struct cloud_source *s, struct error *error)
@@ -212,20 +254,21 @@ static int read_source(struct cloud_source *s, struct error *error)
         return -1;
     if (n == 0)
         return error_at(error, s->reader->name, 0, "is empty, expected rows of x y z");
-    enum format format = find_format(head, (size_t)n);
-    if (format != FORMAT_PLY && check_text(s->reader, head, (size_t)n, error) < 0)
+    enum format format = find_format(s->reader, head, (size_t)n);
+    if (format < FORMATS_OF_TEXT && check_text(s->reader, head, (size_t)n, error) < 0)
         return -1;
     static int (*const read[])(struct cloud_source *, struct error *) = {
         [FORMAT_TEXT] = cloud_text_read, [FORMAT_PTX] = cloud_ptx_read,
         [FORMAT_PCD] = cloud_pcd_read,   [FORMAT_OBJ] = cloud_obj_read,
-        [FORMAT_PLY] = read_ply,
+        [FORMAT_PLY] = read_ply,         [FORMAT_STL] = read_stl,
+        [FORMAT_LAS] = cloud_las_read,
     };
     if (read[format](s, error) < 0)
         return -1;
     if (s->count->points == 0)
         return error_at(error, s->reader->name, 0,
                         "no points (%zu rows left out), expected rows of x y z",
-                        s->count->not_finite + s->count->not_measured);
+                        s->count->not_finite + s->count->not_measured + s->count->withheld);
     return 0;
 }
 

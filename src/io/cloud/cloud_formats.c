@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/array.h"
+#include "base/bytes.h"
 #include "base/num.h"
 #include "cloud_source.h"
 
@@ -166,8 +167,11 @@ enum { FIELDS_MAX = 64 };
 struct pcd {
     char axis[FIELDS_MAX];  /* 'x', 'y' or 'z' for the fields of that name, else 0 */
     int counts[FIELDS_MAX]; /* how many columns a field has */
+    int sizes[FIELDS_MAX];  /* bytes of each, where the data are binary; 0: not said */
+    char types[FIELDS_MAX]; /* F, I or U */
     int fields;
     double points; /* how many the head says, -1: it does not */
+    bool binary;
 };
 
 /* The word at *s, cut off in place, or NULL. */
@@ -194,41 +198,69 @@ static int read_fields(struct cloud_source *s, struct pcd *pcd, char *rest, stru
     return 0;
 }
 
-static int read_counts(struct cloud_source *s, struct pcd *pcd, char *rest, struct error *error)
+/* A whole number up to `most` for each field, after the statement `name`. */
+static int read_counts(struct cloud_source *s, const struct pcd *pcd, const char *name, double most,
+                       char *rest, int *counts, struct error *error)
 {
     double value;
     for (int i = 0; i < pcd->fields; i++) {
         char *word = next_word(&rest);
-        if (!word || !num_whole(word, &value) || !(value >= 1 && value <= 1e6))
-            return cloud_error(s, error, "COUNT with '%.40s', expected a number for each field",
+        if (!word || !num_whole(word, &value) || !(value >= 1 && value <= most))
+            return cloud_error(s, error, "%s with '%.40s', expected a number for each field", name,
                                word ? word : "");
-        pcd->counts[i] = (int)value;
+        counts[i] = (int)value;
     }
     return 0;
+}
+
+static int read_types(struct cloud_source *s, struct pcd *pcd, char *rest, struct error *error)
+{
+    for (int i = 0; i < pcd->fields; i++) {
+        char *word = next_word(&rest);
+        if (!word || !strchr("FIU", *word) || word[1] != '\0')
+            return cloud_error(s, error, "TYPE with '%.40s', expected F, I or U for each field",
+                               word ? word : "");
+        pcd->types[i] = *word;
+    }
+    return 0;
+}
+
+static int read_data(struct cloud_source *s, struct pcd *pcd, char *rest, struct error *error)
+{
+    const char *word = next_word(&rest);
+    if (word && strcmp(word, "binary_compressed") == 0)
+        return cloud_error(s, error,
+                           "PCD with DATA binary_compressed, expected ascii or binary: convert it "
+                           "first, as by `pcl_convert_pcd_ascii_binary IN.pcd OUT.pcd 1`");
+    pcd->binary = word && strcmp(word, "binary") == 0;
+    if (!word || (!pcd->binary && strcmp(word, "ascii") != 0))
+        return cloud_error(s, error, "PCD with DATA %.40s, expected DATA ascii or binary",
+                           word ? word : "");
+    return 1;
 }
 
 /* One line of the head; 1 when it is DATA, the last. */
 static int read_statement(struct cloud_source *s, struct pcd *pcd, char *line, struct error *error)
 {
     char *rest = line, *word = next_word(&rest);
-    if (!word || *word == '#' || strcmp(word, "VERSION") == 0 || strcmp(word, "SIZE") == 0 ||
-        strcmp(word, "TYPE") == 0 || strcmp(word, "WIDTH") == 0 || strcmp(word, "HEIGHT") == 0 ||
-        strcmp(word, "VIEWPOINT") == 0)
+    if (!word || *word == '#' || strcmp(word, "VERSION") == 0 || strcmp(word, "WIDTH") == 0 ||
+        strcmp(word, "HEIGHT") == 0 || strcmp(word, "VIEWPOINT") == 0)
         return 0;
     if (strcmp(word, "FIELDS") == 0 || strcmp(word, "COLUMNS") == 0)
         return read_fields(s, pcd, rest, error);
     if (strcmp(word, "COUNT") == 0)
-        return read_counts(s, pcd, rest, error);
+        return read_counts(s, pcd, word, 1e6, rest, pcd->counts, error);
+    if (strcmp(word, "SIZE") == 0)
+        return read_counts(s, pcd, word, 8, rest, pcd->sizes, error);
+    if (strcmp(word, "TYPE") == 0)
+        return read_types(s, pcd, rest, error);
     if (strcmp(word, "POINTS") == 0)
         return num_whole(rest, &pcd->points) && pcd->points >= 0
                    ? 0
                    : cloud_error(s, error, "POINTS '%.40s', expected a number", rest);
     if (strcmp(word, "DATA") != 0)
         return cloud_error(s, error, "'%.40s' in a PCD head, expected FIELDS, POINTS, DATA", word);
-    word = next_word(&rest);
-    if (!word || strcmp(word, "ascii") != 0)
-        return cloud_error(s, error, "PCD with DATA %.40s, expected DATA ascii", word ? word : "");
-    return 1;
+    return read_data(s, pcd, rest, error);
 }
 
 /* Which columns are x, y and z. */
@@ -259,7 +291,65 @@ static int read_pcd_head(struct cloud_source *s, struct pcd *pcd, struct error *
         if (last)
             return last < 0 ? -1 : 0;
     }
-    return got < 0 ? -1 : cloud_error(s, error, "the file ends in a PCD head, expected DATA ascii");
+    return got < 0 ? -1 : cloud_error(s, error, "the file ends in a PCD head, expected DATA");
+}
+
+/* Where a record of a binary PCD has x, y and z, and how long it is. */
+struct record {
+    size_t at[3], size[3], length;
+};
+
+static int find_bytes(struct cloud_source *s, const struct pcd *pcd, struct record *record,
+                      struct error *error)
+{
+    *record = (struct record){0};
+    if (pcd->points < 0)
+        return cloud_error(s, error, "a binary PCD file without POINTS, expected their number");
+    for (int i = 0; i < pcd->fields; i++) {
+        size_t size = (size_t)pcd->sizes[i];
+        if (size == 0 || !pcd->types[i])
+            return cloud_error(s, error, "a binary PCD file without %s, expected it",
+                               size == 0 ? "SIZE" : "TYPE");
+        if (pcd->axis[i]) {
+            if (pcd->types[i] != 'F' || (size != 4 && size != 8))
+                return cloud_error(s, error, "field %c of type %c %zu, expected F 4 or F 8",
+                                   pcd->axis[i], pcd->types[i], size);
+            record->at[pcd->axis[i] - 'x'] = record->length;
+            record->size[pcd->axis[i] - 'x'] = size;
+        }
+        record->length += size * (size_t)pcd->counts[i];
+    }
+    return 0;
+}
+
+static double number_at(const struct record *record, const char *bytes, int axis)
+{
+    const char *p = bytes + record->at[axis];
+    return record->size[axis] == 4 ? bytes_float(p) : bytes_double(p);
+}
+
+static int read_records(struct cloud_source *s, const struct pcd *pcd, struct error *error)
+{
+    struct record record;
+    if (find_bytes(s, pcd, &record, error) < 0)
+        return -1;
+    char *bytes = mem_alloc(record.length, 1);
+    double rows = 0;
+    long got = (long)record.length;
+    while (rows < pcd->points && got == (long)record.length) {
+        got = reader_bytes(s->reader, bytes, record.length, error);
+        if (got < (long)record.length)
+            break;
+        cloud_take_point(s, vec(number_at(&record, bytes, 0), number_at(&record, bytes, 1),
+                                number_at(&record, bytes, 2)));
+        rows++;
+    }
+    free(bytes);
+    s->count->columns = 3;
+    if (got >= 0 && rows < pcd->points)
+        return error_at(error, s->reader->name, 0, "%.0f points, expected the %.0f of its PCD head",
+                        rows, pcd->points);
+    return got < 0 ? -1 : 0;
 }
 
 int cloud_pcd_read(struct cloud_source *s, struct error *error)
@@ -268,6 +358,8 @@ int cloud_pcd_read(struct cloud_source *s, struct error *error)
     struct cloud_options style = {.delimiter = ' ', .point = '.'};
     if (read_pcd_head(s, &pcd, error) < 0 || find_columns(s, &pcd, &style, error) < 0)
         return -1;
+    if (pcd.binary)
+        return read_records(s, &pcd, error);
     char *line;
     size_t n, rows = 0;
     int got;

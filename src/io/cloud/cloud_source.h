@@ -22,6 +22,9 @@ int cloud_line(struct cloud_source *s, char **line, size_t *n, struct error *err
  * three numbers. */
 int cloud_take(struct cloud_source *s, const struct cloud_row *row, struct error *error);
 
+/* The same of a point of a binary file: one that is not finite is counted and left out. */
+void cloud_take_point(struct cloud_source *s, struct vec3 p);
+
 /* An error at the last line. */
 int cloud_error(const struct cloud_source *s, struct error *error, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
@@ -29,7 +32,8 @@ int cloud_error(const struct cloud_source *s, struct error *error, const char *f
 /* The readers: each reads to the end of the input, with the errors of cloud_read. */
 int cloud_text_read(struct cloud_source *source, struct error *error);
 int cloud_obj_read(struct cloud_source *source, struct error *error); /* Wavefront, v lines */
-int cloud_pcd_read(struct cloud_source *source, struct error *error); /* of PCL, ASCII data */
+int cloud_pcd_read(struct cloud_source *source, struct error *error); /* of PCL */
+int cloud_las_read(struct cloud_source *source, struct error *error); /* not compressed */
 
 /*
  * PTX, the grid of a terrestrial scanner, one scan or several after each other:

@@ -283,8 +283,26 @@ static size_t parse_plain_rows(const struct cloud_options *style, const char *te
     return (size_t)(after - text);
 }
 
+/* A row whose first column may be its number and no coordinate. */
+struct numbered {
+    struct cloud_row row; /* as x y z in the columns after it */
+    size_t line;
+};
+
+enum {
+    SURELY = 4096, /* so many rows that count up from the first are numbers of rows, ... */
+    PERHAPS = 4    /* ... and so many, if there are no more */
+};
+
 struct text {
     struct cloud_source *source;
+    struct { /* rows so far, all of whose first columns count up; see numbered_row */
+        size_t n, cap;
+        struct numbered *item;
+    } numbered;
+    double number; /* the first of those */
+    size_t first;  /* point of the first of them */
+    bool counting; /* the next row may be one of them */
     struct cloud_options style;
     bool begun;         /* the first row was there */
     bool doubtful;      /* it had words after its numbers: a heading, unless the next has too */
@@ -295,6 +313,59 @@ struct text {
     size_t promised_at; /* line of the count */
     size_t columns;     /* fewest of a row that was read one by one */
 };
+
+/* The first column as a whole number without decimal point, or -1. */
+static double row_number(const struct cloud_options *style, char *line, size_t n)
+{
+    struct cloud_options first = *style;
+    for (int i = 0; i < 3; i++)
+        first.column[i] = 0;
+    struct cloud_row row = cloud_row_read(&first, line, n);
+    bool whole = row.kind == CLOUD_POINT && !row.point && row.p.x >= 0 && row.p.x <= 1e15;
+    return whole && row.p.x == floor(row.p.x) ? row.p.x : -1;
+}
+
+/*
+ * Files of points with their numbers, `1 x y z`, would be read as x = 1, 2, 3 ...  No surface has
+ * one point at each of so many x, so rows of four columns or more that count up from the first to
+ * the last, or SURELY of them, are such.  Until that is known each row stands among the points as
+ * x y z in its first columns, and here as numbered.
+ */
+static void numbered_row(struct text *t, char *line, size_t n)
+{
+    struct cloud_options style = t->style;
+    for (size_t i = 0; i < 3; i++)
+        style.column[i] = i + 1;
+    double number = row_number(&style, line, n);
+    struct cloud_row row = cloud_row_read(&style, line, n);
+    if (t->numbered.n == 0)
+        t->number = number;
+    t->counting = number >= 0 && number == t->number + (double)t->numbered.n &&
+                  (row.kind == CLOUD_POINT || row.kind == CLOUD_NOT_FINITE);
+    if (t->counting)
+        *array_push(&t->numbered) = (struct numbered){.row = row, .line = t->source->reader->line};
+}
+
+/* The first column does number the rows: they are taken anew. */
+static int take_numbered(struct text *t, struct error *error)
+{
+    struct cloud_count *count = t->source->count;
+    size_t line = t->source->reader->line;
+    int status = 0;
+
+    t->source->points->n = t->first;
+    count->points = count->not_finite = count->first_not_finite = 0;
+    for (size_t i = 0; i < t->numbered.n && status == 0; i++) {
+        t->source->reader->line = t->numbered.item[i].line;
+        status = cloud_take(t->source, &t->numbered.item[i].row, error);
+    }
+    t->source->reader->line = line;
+    for (size_t i = 0; i < 3; i++)
+        t->style.column[i] = i + 1;
+    t->counting = false;
+    count->indexed = true;
+    return status;
+}
 
 /* A whole number alone on its line may be a count of rows. */
 static bool is_count(const struct cloud_row *row)
@@ -366,8 +437,14 @@ static int first_line(struct text *t, char *line, size_t n, struct error *error)
 {
     struct cloud_row row;
     if (sniff_row(t->heading, line, n, &t->style, &row)) {
+        const size_t *column = t->style.column;
         t->begun = true;
         t->doubtful = row.numbers < row.columns;
+        t->numbered.n = 0;
+        t->counting = false;
+        t->first = t->source->points->n;
+        if (row.columns > 3 && column[0] == 0 && column[1] == 1 && column[2] == 2)
+            numbered_row(t, line, n);
         return take_row(t, &row, error);
     }
     if (row.kind == CLOUD_COMMENT)
@@ -412,7 +489,11 @@ static int next_line(struct text *t, char *line, size_t n, struct error *error)
         begin_block(t, &row);
         return 0;
     }
-    return take_row(t, &row, error);
+    if (t->counting)
+        numbered_row(t, line, n);
+    if (take_row(t, &row, error) < 0)
+        return -1;
+    return t->counting && t->numbered.n == SURELY ? take_numbered(t, error) : 0;
 }
 
 /* Room for the rest of the file, if it goes on as it began: so many rows in so many bytes, and some
@@ -467,9 +548,12 @@ int cloud_text_read(struct cloud_source *source, struct error *error)
             got = -1;
             break;
         }
-        if (t.begun && !t.doubtful)
+        if (t.begun && !t.doubtful && !t.counting)
             read_plain_rows(&t);
     }
+    if (got == 0 && t.counting && t.numbered.n >= PERHAPS)
+        got = take_numbered(&t, error);
+    array_free(&t.numbered);
     free(t.heading);
     return got < 0 ? -1 : at_end(&t, error);
 }

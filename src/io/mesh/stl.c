@@ -7,32 +7,15 @@
 #include <string.h>
 #include <strings.h>
 
+#include "base/bytes.h"
 #include "base/num.h"
 #include "mesh/mesh_weld.h"
 
 enum { HEAD = 84, FACET = 50 }; /* bytes of a binary file: head with the count, each facet */
 
-static uint32_t little_endian(const char *p)
-{
-    uint32_t value = 0;
-
-    for (int i = 3; i >= 0; i--)
-        value = value << 8 | (unsigned char)p[i];
-    return value;
-}
-
-static double number_at(const char *p)
-{
-    uint32_t bits = little_endian(p);
-    float value;
-
-    memcpy(&value, &bits, sizeof value);
-    return (double)value + 0.0; /* -0 is 0 */
-}
-
 bool stl_is_binary(const struct reader *r, const char *head, size_t n)
 {
-    return n >= HEAD && r->size > 0 && (r->size - HEAD) / FACET == little_endian(head + 80) &&
+    return n >= HEAD && r->size > 0 && (r->size - HEAD) / FACET == bytes_whole(head + 80, 4) &&
            (r->size - HEAD) % FACET == 0;
 }
 
@@ -73,7 +56,7 @@ int stl_read_binary(struct reader *r, struct mesh *mesh, struct error *error)
     if (got < HEAD)
         return error_at(error, r->name, 0,
                         "%ld bytes that are no text, expected a mesh: PLY, STL or OFF", got);
-    uint32_t facets = little_endian(head + 80);
+    uint32_t facets = (uint32_t)bytes_whole(head + 80, 4);
 
     for (uint32_t i = 0; i < facets; i++) {
         struct vec3 corner[3];
@@ -87,7 +70,7 @@ int stl_read_binary(struct reader *r, struct mesh *mesh, struct error *error)
                             mesh->face.n, (unsigned long)facets);
         for (int k = 0; k < 3; k++) {
             const char *p = facet + 12 * (k + 1);
-            corner[k] = vec(number_at(p), number_at(p + 4), number_at(p + 8));
+            corner[k] = vec(bytes_float(p), bytes_float(p + 4), bytes_float(p + 8));
         }
         if (add_facet(r, 0, corner, mesh, error) < 0)
             return -1;
