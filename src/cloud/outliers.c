@@ -19,6 +19,9 @@ enum { FEATURE = OUTLIERS_FEATURE, FEW = 4, MARKED = 1, GROUPED, DONE };
 
 static const double TUKEY = 4.685; /* in standard deviations */
 
+/* Seen from above, where a surface ends there is so wide an angle without points: 135 degrees. */
+static const double RIM = 0.75 * PI;
+
 struct search {
     const struct point_grid *point_grid;
     double sigma, spacing;
@@ -330,9 +333,24 @@ static bool is_cliff(const struct point_grid *b, const struct vec3 *near, size_t
     return high - low > steep;
 }
 
+/* The widest angle about p, seen from above, without a point; 2 pi where there is none. */
+static double widest_gap(const struct vec3 *near, size_t n, struct vec3 p)
+{
+    double angle[MOST_BLOCK];
+
+    for (size_t k = 0; k < n; k++)
+        angle[k] = atan2(near[k].y - p.y, near[k].x - p.x);
+    doubles_sort(angle, n);
+    double widest = n > 0 ? angle[0] + 2 * PI - angle[n - 1] : 2 * PI;
+    for (size_t k = 1; k < n; k++)
+        widest = fmax(widest, angle[k] - angle[k - 1]);
+    return widest;
+}
+
 /* A point of a step or a cliff that was seen from above has few others on the wall near to it: but
  * the surface comes from below it and goes on above it, and those points go up a cliff, or are
- * about as little on one smooth surface as it is. */
+ * about as little on one smooth surface as it is; or the surface ends above it, as at the outline of
+ * a part, where the wall goes on down to where nothing was seen. */
 static bool is_on_step(const struct point_grid *b, const unsigned char *out, size_t i)
 {
     enum { EACH_SIDE = 2 };
@@ -342,7 +360,11 @@ static bool is_on_step(const struct point_grid *b, const unsigned char *out, siz
     size_t above = 0, below = 0, n = gather_seen_from_above(b, out, i, near, &above, &below);
     double squares = 0;
 
-    if (above < EACH_SIDE || below < EACH_SIDE)
+    if (above < EACH_SIDE)
+        return false;
+    if (widest_gap(near, n, b->point[i]) > RIM)
+        return true;
+    if (below < EACH_SIDE)
         return false;
     if (is_cliff(b, near, n) || quadric_fit(near, n, b->point[i], vec(0, 0, 1), &q) < 0)
         return true;
@@ -354,7 +376,8 @@ static bool is_on_step(const struct point_grid *b, const unsigned char *out, siz
 }
 
 /* Unmarks points that others bear out: several in a row from the surface on, as on a needle;
- * points on the surface that others make, as on one side of a thin edge; and points of a step. */
+ * points on the surface that others make, as on one side of a thin edge; and points of a step or
+ * below a rim. */
 static void keep_borne_out(const struct point_grid *b, double sigma, unsigned char *out)
 {
     const double reach = 1.5 * spacing_of(b);
