@@ -16,6 +16,7 @@ struct settings {
     struct machine_options machine;
     double tolerance;      /* of the whole ledger, 0: none */
     double axis_tolerance; /* degrees */
+    bool feed_given;
     bool vectors, rotary, strict, self_test, accept;
     int unit, insert; /* -u; --insert: enum post_insert */
     bool unit_given;
@@ -59,7 +60,7 @@ static void read_options(struct settings *s, struct cli *cli, int argc, char **a
         {0, "axis-tolerance", "DEG", "largest deviation of the tool axis (default 0.05)",
          CLI_NUMBER, &s->axis_tolerance, 1e-5, 10, 0, NULL},
         {0, "feed", "MM/MIN", "feed where the path gives none (default 500)", CLI_NUMBER,
-         &s->post.feed, 0.1, 1e6, 0, NULL},
+         &s->post.feed, 0.1, 1e6, 0, &s->feed_given},
         {0, "vectors", NULL,
          "tool axis as vectors (Fanuc G43.5, Heidenhain LN; default for Siemens)", CLI_FLAG,
          &s->vectors, 0, 0, 0, NULL},
@@ -167,12 +168,18 @@ static void read_path(const struct settings *s, const char *file, struct path *p
 }
 
 /* What was assumed or added. */
-static void say_report(const struct path *path, const struct post_report *r, double feed)
+static void say_report(const struct settings *s, const struct path *path,
+                       const struct post_report *r)
 {
+    double feed = s->post.feed;
     if (path->head.track == TRACK_CENTRE)
         say("X Y Z of the program are the ball's centre: measure the tool to it");
     if (r->feed_assumed)
         say("the path cuts before it gives a feed: used %g mm/min (--feed)", feed);
+    else if (s->feed_given)
+        say("the path has feeds of its own: --feed %g is not used (--feed of meshnorm and planecut "
+            "sets them)",
+            feed);
     if (r->approach_made)
         say("the path starts with a cut: added an approach along the tool axis");
     if (r->retract_made)
@@ -234,7 +241,7 @@ int main(int argc, char **argv)
         say("%zu programs", files);
 
     struct post_report report = post_report(post);
-    say_report(&path, &report, s.post.feed);
+    say_report(&s, &path, &report);
     bool unmet = say_unmet(&s, &path.head.unmet);
     bool missing = report.no_spindle_on || report.no_tool || report.no_coolant;
     post_free(post);

@@ -47,6 +47,13 @@ int keys_set(struct keys *keys, char *text, const char *name, size_t line, struc
 /* The key of that name, NULL: none. */
 struct key *keys_find(const struct keys *keys, const char *name);
 
+/* The text has a # before a digit or [, as the parameters of controls do: it would start a comment
+ * that may not have been meant as one. */
+bool keys_hash_meant(const char *text);
+#define KEYS_HASH_MEANT                                                                         \
+    "found # before a digit or [, expected {hash} where a block is to have that sign, a blank " \
+    "after it where a comment starts"
+
 /* The text without blanks around and without a `#` comment, ended in place. */
 char *keys_trim(char *text);
 

@@ -24,6 +24,12 @@ char *keys_trim(char *text)
     return text;
 }
 
+bool keys_hash_meant(const char *text)
+{
+    const char *hash = strchr(text, '#');
+    return hash && hash[1] && strchr("0123456789[", hash[1]);
+}
+
 struct key *keys_add(struct keys *keys, const char *name, enum key_kind kind, void *value)
 {
     struct key *key = array_push(keys);

@@ -202,6 +202,8 @@ static struct keys machine_keys(struct machine *m)
 
 int machine_set(struct machine *machine, const char *setting, struct error *error)
 {
+    if (keys_hash_meant(setting))
+        return error_at(error, "--set", 0, KEYS_HASH_MEANT);
     struct keys keys = machine_keys(machine);
     char *text = mem_string(setting, strlen(setting));
     int result = machine_tables_set(machine, text, "--set", 0, error);
@@ -452,12 +454,15 @@ static int read_line(struct machine_file *f, char *line, size_t n, struct error 
             return error_at(error, f->name, f->line,
                             "found a binary character (code %d), expected key = value",
                             (unsigned char)line[i]);
+    bool section = f->section != CONTROL_SECTIONS;
+    if (keys_hash_meant(line) && (section || line[strspn(line, " \t")] != '#'))
+        return error_at(error, f->name, f->line, KEYS_HASH_MEANT);
     char *text = keys_trim(line);
     if (!*text)
         return 0;
     if (*text == '[')
         return begin_section(f, text, error);
-    if (f->section != CONTROL_SECTIONS) {
+    if (section) {
         if (control_section_add(&f->machine->text, f->section, text, &wrong) == 0)
             return 0;
         return error_at(error, f->name, f->line, "%s", wrong.text);

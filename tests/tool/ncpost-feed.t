@@ -200,4 +200,14 @@ for said in MMPM,508 IPM,20 MMPR,0.0635 IPR,0.0025; do
 	grep -Eq 'F508\.$|F5\.08$' unit.nc || echo "$said inverse: $(grep F unit.nc | tail -n 1)"
 done >units
 empty "mm and inches, a minute and a turn" units
+
+# --feed and a path that has feeds
+printf 'FEDRAT/100\nGOTO/0,0,9\nGOTO/0,0,8\nFINI\n' >has.cl
+ncpost --no-spindle -c fanuc --feed 1500 has.cl >has.nc 2>said
+has "--feed beside feeds of the path is told" 'has feeds of its own: --feed 1500 is not used' said
+hasnt "and not used" 'F1500' has.nc
+printf 'GOTO/0,0,9\nGOTO/0,0,8\nFINI\n' >none.cl
+ncpost --no-spindle -c fanuc --feed 1500 none.cl >none.nc 2>said
+hasnt "where the path has none it is" 'not used' said
+has "in the program" 'F1500' none.nc
 done_testing

@@ -206,4 +206,20 @@ done
 status 2 "a clamp's blocks are checked" ncpost -c fanuc --set 'clamp.on={nonsense}' planes.cl
 has "and named" 'clamp.on.*nonsense' err
 
+
+# A parameter of the control in a block: # alone would start a comment
+printf 'GOTO/0,0,9\nFEDRAT/100\nGOTO/0,0,8\nFINI\n' >short.cl
+printf 'include = table-ac # as it comes\nstart = {hash}500=1 #a note\n' >par.txt
+status 0 "start = {hash}500=1" ncpost --no-spindle -q -c fanuc -m ./par.txt short.cl
+has "is the block #500=1" '^N[0-9]+ #500=1$' out
+for bad in 'start = #500=1' 'start = G65 #[1]' 'x.max = 100 #2nd'; do
+	printf 'include = table-ac\n%s\n' "$bad" >par.txt
+	status 1 "$bad is refused" ncpost --no-spindle -q -c fanuc -m ./par.txt short.cl
+	has "and says what to write" 'par.txt:2: found # before a digit or \[, expected \{hash\}' err
+done
+printf 'base = fanuc\n[start]\n#500=1\n' >par.txt
+status 1 "nor in a section" ncpost --no-spindle -q -c ./par.txt short.cl
+status 2 "nor with --set" ncpost --no-spindle -q -c fanuc --set 'start=#500=1' short.cl
+printf '#500 is ours\ninclude = table-ac\n' >par.txt
+status 0 "a line of comment may begin so" ncpost --no-spindle -q -c fanuc -m ./par.txt short.cl
 done_testing
