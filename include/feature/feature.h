@@ -25,8 +25,8 @@
 
 /* The points, as wall_points_part put them in order. */
 struct feature_scan {
-    const struct vec3 *point;
-    size_t n, flat; /* the first `flat` of them are on no wall */
+    struct vec3 *point;
+    size_t n, flat; /* the first `flat` of them are on no wall: these get sorted (point_grid.h) */
     double spacing; /* mean spacing of the points, mm */
     double noise;   /* one standard deviation, mm */
 };
@@ -84,10 +84,10 @@ struct crests {
  * the order from an edge's first vertex to its second; those of an edge along a row get its row and
  * the column of its first vertex, the others row and column -1.
  *
- * The n points of the cloud are on no wall.  The mesh must have normals.  Where a look needs more
+ * The n points of the cloud are on no wall, and get sorted.  The mesh must have normals.  Where a look needs more
  * edges than EFFORT_CRESTS, or on large scans EFFORT_CRESTS_LARGE, has left it is the end.
  */
-struct crests crest_mesh_keep(struct mesh *mesh, size_t first, const struct vec3 *point, size_t n,
+struct crests crest_mesh_keep(struct mesh *mesh, size_t first, struct vec3 *point, size_t n,
                               const struct crest_mesh_options *options);
 
 #endif

@@ -2,8 +2,7 @@
  * point_grid - a cloud sorted in place into square cells seen from above: what is near, and what
  * lies over a place.
  *
- * The points are sorted within their own array, with room for a copy meanwhile: row by row of
- * cells, in each cell by x, y, z.  So their order, and whatever is computed in it, does not depend
+ * The points are sorted within their own array: row by row of cells, in each cell by x, y, z.  So their order, and whatever is computed in it, does not depend
  * on the order of the file, and equal points are neighbours.  Besides the points there are four
  * bytes a cell.
  */
@@ -42,6 +41,10 @@ size_t point_grid_row(const struct point_grid *point_grid, double y);
  * counter-clockwise seen from above; `border` mm2 (twice an area): how far beside it counts yet. */
 void point_grid_over(const struct point_grid *point_grid, struct vec3 a, struct vec3 b,
                      struct vec3 c, double border, struct sizes *found);
+
+/* Appends the indices of all points within `radius` of q (<=), in their order. */
+void point_grid_within(const struct point_grid *point_grid, struct vec3 q, double radius,
+                       struct sizes *found);
 
 /* Removes the points i with out[i] not 0; the others close up. */
 void point_grid_remove(struct point_grid *point_grid, const unsigned char *out);

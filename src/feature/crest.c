@@ -464,9 +464,9 @@ static size_t insert_crests(struct search *s)
     return found;
 }
 
-/* Looks once at the edges of the vertices from `fresh` on.  The tree is made when it is needed. */
-static size_t search_once(struct search *s, size_t fresh, size_t n, struct kdtree **tree,
-                          const struct crest_mesh_options *options)
+/* Looks once at the edges of the vertices from `fresh` on.  The points are sorted when it is needed. */
+static size_t search_once(struct search *s, size_t fresh, struct vec3 *point, size_t n,
+                          struct point_grid *scan, const struct crest_mesh_options *options)
 {
     struct mesh_edges edges = mesh_edges_find(s->mesh);
     size_t found = 0;
@@ -481,8 +481,10 @@ static size_t search_once(struct search *s, size_t fresh, size_t n, struct kdtre
     s->looked += s->edge.n;
     s->bound = s->looked > s->most;
     if (s->edge.n > 0 && !s->bound) {
-        *tree = *tree ? *tree : kdtree_new_by(s->cloud.point, n, options->threads);
-        s->cloud.tree = *tree;
+        struct error error;
+        if (!scan->first &&
+            point_grid_make(point, n, options->spacing, options->threads, scan, &error) < 0)
+            *scan = (struct point_grid){.n = 0};
         s->crest = mem_alloc(s->edge.n, sizeof *s->crest);
         s->vertex = mem_alloc(s->edge.n, sizeof *s->vertex);
         parallel_for(options->threads, s->edge.n, find_crests, s);
@@ -496,31 +498,30 @@ static size_t search_once(struct search *s, size_t fresh, size_t n, struct kdtre
     return found;
 }
 
-struct crests crest_mesh_keep(struct mesh *mesh, size_t first, const struct vec3 *point, size_t n,
+struct crests crest_mesh_keep(struct mesh *mesh, size_t first, struct vec3 *point, size_t n,
                               const struct crest_mesh_options *options)
 {
     bool large = !effort_covers(EFFORT_CREST_POINTS, options->effort, n);
     struct crests all = {.bound = large ? EFFORT_CRESTS_LARGE : EFFORT_CRESTS};
+    struct point_grid scan = {.n = 0};
     struct search s = {
         .mesh = mesh,
-        .cloud = {.point = point, .spacing = options->spacing, .noise = options->noise},
+        .cloud = {.scan = &scan, .spacing = options->spacing, .noise = options->noise},
         .first = first,
         .last = mesh->vertex.n,
         .most = effort_most(all.bound, options->effort)};
-    struct kdtree *tree = NULL;
     size_t fresh = 0, found = 1;
 
     /* the edges between new points may cut off the crest where one is missing */
     for (int i = 0; i < LOOKS && found > 0; i++) {
         size_t next = mesh->vertex.n;
-        found = search_once(&s, fresh, n, &tree, options);
+        found = search_once(&s, fresh, point, n, &scan, options);
         all.found += found;
         fresh = next;
     }
     all.edges = s.widest;
     all.wanted = s.bound ? s.looked : 0;
-    if (tree)
-        kdtree_free(tree);
+    point_grid_free(&scan);
     array_free(&s.edge);
     return all;
 }

@@ -235,16 +235,16 @@ static bool better_than_one(const struct division *p, const struct feature_cloud
 static bool gather_points(const struct feature_cloud *cloud, struct vec3 at, size_t k,
                           struct vec3 a, struct vec3 b, bool divided, struct division *p)
 {
-    size_t index[MOST];
+    struct vec3 near[MOST];
 
-    p->n = kdtree_nearest(cloud->tree, at, k, index, NULL);
+    p->n = feature_near(cloud, at, k, near);
     p->count[0] = p->count[1] = 0;
     if (p->n < 2 * FEWEST)
         return false;
     bool a_above = divided && step_at(p, a) > 0;
     struct vec3 way = vec_sub(b, a);
     for (size_t i = 0; i < p->n; i++) {
-        struct vec3 q = p->point[i] = cloud->point[index[i]];
+        struct vec3 q = p->point[i] = near[i];
         bool first = divided ? (step_at(p, q) > 0) == a_above : vec_dot(vec_sub(q, at), way) <= 0;
         p->side[i] = first ? 0 : 1;
         p->count[p->side[i]]++;
@@ -270,10 +270,12 @@ size_t feature_reach(const struct feature_cloud *cloud)
 
 size_t feature_near(const struct feature_cloud *cloud, struct vec3 at, size_t k, struct vec3 *near)
 {
-    size_t index[FEATURE_MOST], n = kdtree_nearest(cloud->tree, at, k, index, NULL);
+    uint32_t index[FEATURE_MOST];
+    double distance2[FEATURE_MOST];
+    size_t n = point_grid_nearest(cloud->scan, at, k, index, distance2);
 
     for (size_t i = 0; i < n; i++)
-        near[i] = cloud->point[index[i]];
+        near[i] = cloud->scan->point[index[i]];
     return n;
 }
 

@@ -23,7 +23,8 @@ static const double NOISY = 0.01;               /* spacings: less noise does not
 struct search {
     struct mesh *mesh;
     const struct mesh_edges *edges;
-    struct kdtree *tree, *walls; /* of the cloud; NULL: it has no walls */
+    struct point_grid scan; /* what is on no wall */
+    struct kdtree *walls;   /* of the cloud; NULL: it has no walls */
     struct feature_cloud cloud;
     unsigned char *rough;  /* vertices where one quadric does not fit */
     unsigned char *active; /* look only at the edges of these vertices */
@@ -172,7 +173,7 @@ static void copy_places(const struct mesh *from, struct mesh *to)
 /* Cuts the mesh open along those features that bring it closer to the points; `before` is where
  * its vertices were. */
 static struct feature_mesh keep_better(struct search *s, const struct mesh *before, size_t n,
-                                       int threads)
+                                       const struct vec3 *points, int threads)
 {
     struct mesh *m = s->mesh, trial = {0}, whole = *before;
     double reach = 3 * s->cloud.spacing;
@@ -182,7 +183,7 @@ static struct feature_mesh keep_better(struct search *s, const struct mesh *befo
         *array_push(&trial.face) = m->face.item[f];
     whole.face = m->face;
     feature_cut(&trial, s->edges, s->feature);
-    feature_accept(&whole, &trial, s->cloud.point, n, reach, s->cloud.noise, threads, s->feature,
+    feature_accept(&whole, &trial, points, n, reach, s->cloud.noise, threads, s->feature,
                    s->edges->n);
     mesh_free(&trial);
     struct feature_relocate relocation = relocation_of(s);
@@ -206,21 +207,24 @@ static void add_places(const struct search *s, struct vec3s *place)
 }
 
 /* The search on a mesh with these edges. */
-static struct search search_begin(struct mesh *mesh, const struct mesh_edges *edges,
-                                  const struct feature_scan *scan, int threads)
+static void search_begin(struct search *s, struct mesh *mesh, const struct mesh_edges *edges,
+                         const struct feature_scan *scan, int threads)
 {
     size_t n = scan->n - scan->flat;
-    struct search s = {.mesh = mesh,
-                       .edges = edges,
-                       .tree = kdtree_new_by(scan->point, scan->flat, threads),
-                       .walls = n > 0 ? kdtree_new_by(scan->point + scan->flat, n, threads) : NULL,
-                       .rough = mem_alloc(mesh->vertex.n, 1),
-                       .active = mem_alloc(mesh->vertex.n, 1),
-                       .feature = mem_alloc(edges->n, sizeof *s.feature)};
+    struct error error;
 
-    s.cloud = (struct feature_cloud){s.tree,        scan->point, s.walls, scan->point + scan->flat,
-                                     scan->spacing, scan->noise};
-    return s;
+    *s =
+        (struct search){.mesh = mesh,
+                        .edges = edges,
+                        .walls = n > 0 ? kdtree_new_by(scan->point + scan->flat, n, threads) : NULL,
+                        .rough = mem_alloc(mesh->vertex.n, 1),
+                        .active = mem_alloc(mesh->vertex.n, 1),
+                        .feature = mem_alloc(edges->n, sizeof *s->feature)};
+
+    if (point_grid_make(scan->point, scan->flat, scan->spacing, threads, &s->scan, &error) < 0)
+        s->scan = (struct point_grid){.n = 0}; /* all of them are on walls */
+    s->cloud = (struct feature_cloud){&s->scan, s->walls, scan->point + scan->flat, scan->spacing,
+                                      scan->noise};
 }
 
 static void search_end(struct search *s)
@@ -228,7 +232,7 @@ static void search_end(struct search *s)
     free(s->rough);
     free(s->active);
     free(s->feature);
-    kdtree_free(s->tree);
+    point_grid_free(&s->scan);
     if (s->walls)
         kdtree_free(s->walls);
 }
@@ -254,7 +258,8 @@ struct feature_walls feature_mesh_walls(const struct mesh *mesh, const struct fe
         return walls;
     struct mesh_edges edges = mesh_edges_find(mesh);
     struct mesh same = *mesh; /* which stays as it is */
-    struct search s = search_begin(&same, &edges, scan, threads);
+    struct search s;
+    search_begin(&s, &same, &edges, scan, threads);
     parallel_for(threads, edges.n, find_walls, &s);
     size_t longest = feature_link_longest(&edges, s.feature);
     if (effort_covers(EFFORT_WALLS, effort, edges.n) || longest >= CHAIN_LARGE)
@@ -270,10 +275,11 @@ struct feature_mesh feature_mesh_keep(struct mesh *mesh, const struct feature_sc
                                       double effort, int threads)
 {
     struct mesh_edges edges = mesh_edges_find(mesh);
-    struct search s = search_begin(mesh, &edges, scan, threads);
+    struct search s;
     struct mesh before = {0};
     struct feature_mesh found = {0};
 
+    search_begin(&s, mesh, &edges, scan, threads);
     copy_places(mesh, &before);
     mark_turns(&s);
     parallel_for(threads, mesh->vertex.n, test_vertices, &s);
@@ -286,7 +292,7 @@ struct feature_mesh feature_mesh_keep(struct mesh *mesh, const struct feature_sc
     if (found.creases + found.walls > 0 && scan->noise > NOISY * scan->spacing)
         feature_relocate_feet(&relocation);
     if (found.creases + found.walls > 0)
-        found = keep_better(&s, &before, scan->n, threads);
+        found = keep_better(&s, &before, scan->n, scan->point, threads);
     else
         feature_relocate_back(&relocation, &before);
     add_places(&s, &found.place);

@@ -9,6 +9,7 @@
 #include <stdbool.h>
 
 #include "math/kdtree.h"
+#include "math/point_grid.h"
 #include "math/side_fit.h"
 #include "math/vec.h"
 #include "mesh/mesh.h"
@@ -23,9 +24,8 @@
 
 /* The cloud, as wall_points_part put it in order. */
 struct feature_cloud {
-    const struct kdtree *tree;  /* of the points that lie on no wall ... */
-    const struct vec3 *point;   /* ... which are these */
-    const struct kdtree *walls; /* of those that do, NULL: there are none */
+    const struct point_grid *scan; /* the points that lie on no wall */
+    const struct kdtree *walls;    /* of those that do, NULL: there are none */
     const struct vec3 *wall;
     double spacing; /* mean spacing of the points, mm */
     double noise;   /* standard deviation of it, mm */

@@ -54,9 +54,9 @@ static bool find_level(const struct feature_cloud *cloud, struct vec3 end, struc
 {
     struct sizes found = {0};
 
-    kdtree_within(cloud->tree, end, reach, &found);
+    point_grid_within(cloud->scan, end, reach, &found);
     for (size_t i = 0; i < found.n; i += found.n / ENOUGH + 1) {
-        struct vec3 p = cloud->point[found.item[i]];
+        struct vec3 p = cloud->scan->point[found.item[i]];
         if (fabs(p.z - end.z) < fabs(p.z - other.z))
             *array_push(&l->point) = p;
     }

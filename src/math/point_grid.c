@@ -9,8 +9,6 @@
 #include "base/array.h"
 #include "base/parallel.h"
 
-enum { PARTS = 4 }; /* of the cells, for threads to fill */
-
 static const double CELLS_WIDE = 3; /* a cell, in spacings */
 
 static double coordinate(struct vec3 p, int axis)
@@ -95,47 +93,26 @@ static size_t cell_of(const struct point_grid *b, struct vec3 p)
     return point_grid_row(b, p.y) * b->columns + point_grid_column(b, p.x);
 }
 
-/* What threads share to sort points into cells. */
-struct sorting {
-    const struct point_grid *b;
-    uint32_t *cell, *next; /* of each point; where the next point of each cell goes */
-    struct vec3 *sorted;
-};
-
-static void find_cells(void *context, size_t from, size_t to)
-{
-    const struct sorting *s = context;
-    for (size_t i = from; i < to; i++)
-        s->cell[i] = (uint32_t)cell_of(s->b, s->b->point[i]);
-}
-
-/* A part of the cells takes its points, from all of them. */
-static void take_points(void *context, size_t from, size_t to)
-{
-    const struct sorting *s = context;
-    size_t cells = s->b->columns * s->b->rows;
-    size_t low = cells * from / PARTS, high = cells * to / PARTS;
-    for (size_t i = 0; i < s->b->n; i++)
-        if (s->cell[i] >= low && s->cell[i] < high)
-            s->sorted[s->next[s->cell[i]]++] = s->b->point[i];
-}
-
-static void sort_into_cells(struct point_grid *b, int threads)
+/* Each point is put where its cell has room, in exchange for what stands there (McIlroy, Bostic and
+ * McIlroy 1993, American flag sort): no copy of the cloud, and little to do where it is sorted. */
+static void sort_into_cells(struct point_grid *b)
 {
     size_t cells = b->columns * b->rows;
-    struct sorting s = {b, mem_alloc(b->n, sizeof *s.cell), mem_alloc(cells, sizeof *s.next),
-                        mem_alloc(b->n, sizeof *s.sorted)};
+    uint32_t *next = mem_alloc(cells, sizeof *next); /* of each cell, where its next point goes */
+
     b->first = mem_alloc(cells + 1, sizeof *b->first);
-    parallel_for(threads, b->n, find_cells, &s);
     for (size_t i = 0; i < b->n; i++)
-        b->first[s.cell[i] + 1]++;
+        b->first[cell_of(b, b->point[i]) + 1]++;
     for (size_t c = 0; c < cells; c++)
-        b->first[c + 1] += s.next[c] = b->first[c];
-    parallel_for(threads, PARTS, take_points, &s);
-    memcpy(b->point, s.sorted, b->n * sizeof *b->point);
-    free(s.cell);
-    free(s.next);
-    free(s.sorted);
+        b->first[c + 1] += next[c] = b->first[c];
+    for (size_t c = 0; c < cells; c++)
+        while (next[c] < b->first[c + 1]) {
+            struct vec3 *here = &b->point[next[c]], p = *here;
+            struct vec3 *there = &b->point[next[cell_of(b, p)]++];
+            *here = *there;
+            *there = p;
+        }
+    free(next);
 }
 
 static void sort_cells(void *context, size_t from, size_t to)
@@ -167,7 +144,7 @@ int point_grid_make(struct vec3 *point, size_t n, double spacing, int threads,
                          (unsigned long)UINT32_MAX);
     *point_grid = (struct point_grid){.point = point, .n = n};
     lay_out(point_grid, spacing);
-    sort_into_cells(point_grid, threads);
+    sort_into_cells(point_grid);
     parallel_for(threads, point_grid->columns * point_grid->rows, sort_cells, point_grid);
     return 0;
 }
@@ -206,6 +183,23 @@ void point_grid_over(const struct point_grid *k, struct vec3 a, struct vec3 b, s
                 vec_orient_xy(b, c, k->point[i]) >= -border &&
                 vec_orient_xy(c, a, k->point[i]) >= -border)
                 *array_push(found) = i;
+}
+
+void point_grid_within(const struct point_grid *b, struct vec3 q, double radius,
+                       struct sizes *found)
+{
+    if (b->n == 0)
+        return;
+    size_t left = point_grid_column(b, q.x - radius), right = point_grid_column(b, q.x + radius);
+    size_t low = point_grid_row(b, q.y - radius), high = point_grid_row(b, q.y + radius);
+
+    for (size_t row = low; row <= high; row++)
+        for (uint32_t i = b->first[row * b->columns + left];
+             i < b->first[row * b->columns + right + 1]; i++) {
+            struct vec3 d = vec_sub(b->point[i], q);
+            if (vec_dot(d, d) <= radius * radius)
+                *array_push(found) = i;
+        }
 }
 
 /* ---- the nearest points

@@ -7,13 +7,21 @@
 #include "feature/feature.h"
 #include "mesh/mesh_edges.h"
 
+static struct point_grid sorted(const struct vec3s *p, double spacing)
+{
+    struct point_grid scan;
+    struct error error;
+    ck_assert_int_eq(point_grid_make(p->item, p->n, spacing, 1, &scan, &error), 0);
+    return scan;
+}
+
 /* Edges 0.6 mm long across the crest at several places; nearly half of the rib is off their
  * middle. */
 static void crosses(double high, double noise)
 {
     struct vec3s p = rib_cloud(high, noise);
-    struct kdtree *tree = kdtree_new(p.item, p.n);
-    struct feature_cloud cloud = {.tree = tree, .point = p.item, .spacing = 0.2, .noise = noise};
+    struct point_grid scan = sorted(&p, 0.2);
+    struct feature_cloud cloud = {.scan = &scan, .spacing = 0.2, .noise = noise};
     for (int i = -5; i <= 5; i++) {
         double y = 0.6 * i, x = -y * RIB_SIN / RIB_COS, part = 0.5 + 0.05 * i;
         struct vec3 a = rib_point(high, x - 0.6 * part, y);
@@ -27,7 +35,7 @@ static void crosses(double high, double noise)
         for (int k = 0; k < c.n; k++)
             ck_assert_double_eq_tol(c.place[k].y, y, 0.05);
     }
-    kdtree_free(tree);
+    point_grid_free(&scan);
     array_free(&p);
 }
 
@@ -50,8 +58,8 @@ END_TEST
 START_TEST(a_long_edge)
 {
     struct vec3s p = rib_cloud(0.8, 0);
-    struct kdtree *tree = kdtree_new(p.item, p.n);
-    struct feature_cloud cloud = {.tree = tree, .point = p.item, .spacing = 0.2};
+    struct point_grid scan = sorted(&p, 0.2);
+    struct feature_cloud cloud = {.scan = &scan, .spacing = 0.2};
     struct vec3 a = rib_point(0.8, -2, 0.3), b = rib_point(0.8, 2, 0.3);
     struct crest c = crest_find(&cloud, a, b);
     ck_assert_int_ge(c.n, 3);
@@ -62,7 +70,7 @@ START_TEST(a_long_edge)
             ck_assert_double_le(fabs(q.z - rib_point(0.8, q.x, q.y).z), 0.15);
         }
     }
-    kdtree_free(tree);
+    point_grid_free(&scan);
     array_free(&p);
 }
 END_TEST
@@ -71,20 +79,20 @@ END_TEST
 START_TEST(nothing_there)
 {
     struct vec3s p = rib_cloud(0.8, 0.02), ball = {0};
-    struct kdtree *tree = kdtree_new(p.item, p.n);
-    struct feature_cloud cloud = {.tree = tree, .point = p.item, .spacing = 0.2, .noise = 0.02};
+    struct point_grid scan = sorted(&p, 0.2);
+    struct feature_cloud cloud = {.scan = &scan, .spacing = 0.2, .noise = 0.02};
     struct vec3 at = rib_point(0.8, 0, 0), on = rib_point(0.8, -0.6 * RIB_SIN, 0.6 * RIB_COS);
     ck_assert_int_eq(crest_find(&cloud, at, on).n, 0);
     ck_assert_int_eq(crest_find(&cloud, vec(2, 2, 0), vec(2.6, 2, 0)).n, 0);
-    kdtree_free(tree);
+    point_grid_free(&scan);
     for (int i = 0; i < 2500; i++) {
         double x = 6 * uniform() - 3, y = 6 * uniform() - 3;
         *array_push(&ball) = vec(x, y, sqrt(25 - x * x - y * y));
     }
-    tree = kdtree_new(ball.item, ball.n);
-    cloud = (struct feature_cloud){.tree = tree, .point = ball.item, .spacing = 0.12};
+    scan = sorted(&ball, 0.12);
+    cloud = (struct feature_cloud){.scan = &scan, .spacing = 0.12};
     ck_assert_int_eq(crest_find(&cloud, vec(-0.3, 0, 4.991), vec(0.3, 0, 4.991)).n, 0);
-    kdtree_free(tree);
+    point_grid_free(&scan);
     array_free(&p);
     array_free(&ball);
 }

@@ -7,17 +7,17 @@
 
 static struct feature_cloud cloud_of(const struct vec3s *p, size_t flat, double noise)
 {
-    return (struct feature_cloud){kdtree_new(p->item, flat),
-                                  p->item,
+    static struct point_grid scan; /* one cloud at a time */
+    struct error error;
+    ck_assert_int_eq(point_grid_make(p->item, flat, 0.4, 1, &scan, &error), 0);
+    return (struct feature_cloud){&scan,
                                   p->n > flat ? kdtree_new(p->item + flat, p->n - flat) : NULL,
-                                  p->item + flat,
-                                  0.4,
-                                  noise};
+                                  p->item + flat, 0.4, noise};
 }
 
 static void free_cloud(struct feature_cloud *c)
 {
-    kdtree_free((struct kdtree *)c->tree);
+    point_grid_free((struct point_grid *)c->scan);
     if (c->walls)
         kdtree_free((struct kdtree *)c->walls);
 }

@@ -11,8 +11,10 @@
 static int sharp_places(const struct vec3s *p, double noise, double slope, double high,
                         struct vec3 along)
 {
-    struct kdtree *tree = kdtree_new(p->item, p->n);
-    struct feature_cloud cloud = {.tree = tree, .point = p->item, .spacing = 0.2, .noise = noise};
+    struct point_grid scan;
+    struct error error;
+    ck_assert_int_eq(point_grid_make(p->item, p->n, 0.2, 1, &scan, &error), 0);
+    struct feature_cloud cloud = {.scan = &scan, .spacing = 0.2, .noise = noise};
     struct vec3 up = {0, 0, 1}, across = {along.y, -along.x, 0};
     int sharp = 0;
     for (int i = -2; i <= 2; i++) {
@@ -24,7 +26,7 @@ static int sharp_places(const struct vec3s *p, double noise, double slope, doubl
         }
         sharp += feature_test_sharp(&cloud, sheet, up, at, along);
     }
-    kdtree_free(tree);
+    point_grid_free(&scan);
     return sharp;
 }
 
