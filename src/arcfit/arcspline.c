@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "arcfit/arcfit.h"
+#include "arcspline_normal.h"
 #include "math/pnorm.h"
 
 struct arcspline arcspline_new(size_t arcs)
@@ -70,8 +71,6 @@ void arcspline_pieces(const struct arcspline *spline, const struct reference *re
 
 /* ---- residuals */
 
-static const double BLUNT = 0.05; /* cosine of half a turn: more of a turn is taken as its chord */
-
 /* Two unit vectors across the path of a row of points at point k. */
 static void unit_across(const struct vec3 *p, size_t n, size_t k, struct vec3 *u, struct vec3 *v)
 {
@@ -104,12 +103,12 @@ void arc_feet_free(struct arc_feet *feet)
     *feet = (struct arc_feet){0};
 }
 
-/* A point of the arc between two joints; see arcspline_residual_slope. */
+/* A point of the arc between two joints; see arcspline_normal.h. */
 static struct vec3 conic_at(const struct joint *from, const struct joint *to, double b)
 {
     struct vec3 e = vec_sub(to->p, from->p);
     double ahead = vec_dot(e, from->tangent), l = vec_length(e), c = l > 0 ? ahead / l : 0;
-    if (c < BLUNT)
+    if (c < ARCSPLINE_BLUNT)
         return vec_along(from->p, b, e);
     double middle = 2 * b * (1 - b) * c, end = b * b, sum = (1 - b) * (1 - b) + middle + end;
     struct vec3 p = vec_along(from->p, middle * l / (2 * c * sum), from->tangent);
@@ -167,25 +166,6 @@ void arcspline_residual(const struct arcspline *spline, double offset, struct ar
     }
 }
 
-void arcspline_residual_slope(const struct arcspline *moved, double offset,
-                              const struct arc_feet *feet, size_t from, size_t to, double by,
-                              double *slope)
-{
-    double *other = slope + 2 * feet->n, part = -1 / by;
-    for (size_t i = from; i < to; i++) {
-        const struct arc_foot *q = &feet->item[i];
-        const struct joint *a = &moved->joint[q->arc], *b = a + 1;
-        struct vec3 d = vec_sub(conic_at(a, b, q->conic), q->at);
-        slope[2 * i] = part * vec_dot(d, q->u);
-        slope[2 * i + 1] = part * vec_dot(d, q->v);
-        if (offset == 0)
-            continue;
-        d = vec_along(d, offset, vec_sub(axis_between(a, b, q->part), q->axis));
-        other[2 * i] = part * vec_dot(d, q->s);
-        other[2 * i + 1] = part * vec_dot(d, q->w);
-    }
-}
-
 size_t arc_feet_first(const struct arc_feet *feet, size_t arc)
 {
     size_t lo = 0, hi = feet->n;
@@ -203,7 +183,6 @@ size_t arc_feet_first(const struct arc_feet *feet, size_t arc)
 
 enum { TRIES = 7 }; /* of a damping */
 
-static const double MOVED = 1e-6;   /* mm or radians, for differences */
 static const double SETTLED = 1e-4; /* part of the cost: a step that gains less is the last */
 
 /*
@@ -223,98 +202,75 @@ enum { N_STAGES = sizeof STAGES / sizeof *STAGES };
 
 struct optimizer {
     struct arcspline_fit *fit;
-    struct pnorm sum; /* of the distances in tolerances, and the end's tangent in stage->turned */
-    double *next, *step;
+    struct arcspline_normal sum;
+    size_t pairs; /* of distances, in tolerances: those of all points, then of the other ones */
+    double *room, *off, *next; /* now, and after a step; both in `room` */
+    double *step;
     struct arcspline kept;
     struct band factor;
 };
 
 static struct optimizer optimizer_new(struct arcspline_fit *m)
 {
-    size_t inner = m->spline.n - 1, n = (m->start_held ? 0 : 2) + (m->offset != 0 ? 4 : 3) * inner;
-    struct optimizer w = {.fit = m, .sum = pnorm_new(m->feet.n, m->offset != 0, n)};
-    w.next = mem_alloc(2 * w.sum.pairs, sizeof *w.next);
-    w.step = mem_alloc(n, sizeof *w.step);
+    struct optimizer w = {.fit = m, .sum = arcspline_normal_new(m)};
+    w.pairs = m->feet.n * (m->offset != 0 ? 2 : 1);
+    w.off = w.room = mem_alloc(4 * w.pairs + 1, sizeof *w.room);
+    w.next = w.off + 2 * w.pairs;
+    w.step = mem_alloc(w.sum.unknowns + 1, sizeof *w.step);
     w.kept = arcspline_new(m->spline.n);
-    w.factor = band_new(n, w.sum.normal.width);
+    w.factor = band_new(w.sum.unknowns, w.sum.normal.width);
     return w;
 }
 
 static void optimizer_free(struct optimizer *w)
 {
-    pnorm_free(&w->sum);
-    free(w->next);
+    arcspline_normal_free(&w->sum);
+    free(w->room);
     free(w->step);
     arcspline_free(&w->kept);
     band_free(&w->factor);
 }
 
-static void scale_by_tolerances(const struct arcspline_fit *m, size_t from, size_t to, double *off)
+/* By how much a radian of the end's tangent counts. */
+static double end_weight(const struct arcspline_fit *m)
 {
-    double *other = off + 2 * m->feet.n;
-    for (size_t i = 2 * from; i < 2 * to; i++) {
-        off[i] /= m->tolerance;
-        if (m->offset != 0)
-            other[i] /= m->other;
-    }
+    return m->end_held ? 1 / STAGES[m->stage].turned : 0;
 }
 
 static void set_residuals(struct arcspline_fit *m, double *off, double held[3])
 {
+    double *other = off + 2 * m->feet.n, part = end_weight(m);
     arcspline_residual(&m->spline, m->offset, &m->feet, off);
-    scale_by_tolerances(m, 0, m->feet.n, off);
+    for (size_t i = 0; i < 2 * m->feet.n; i++) {
+        off[i] /= m->tolerance;
+        if (m->offset != 0)
+            other[i] /= m->other;
+    }
     struct vec3 d = vec_sub(m->spline.joint[m->spline.n].tangent, m->end);
-    double part = m->end_held ? 1 / STAGES[m->stage].turned : 0;
     held[0] = part * d.x;
     held[1] = part * d.y;
     held[2] = part * d.z;
 }
 
-/* Moves unknown k; the arcs [from, to) change. */
-static void move_unknown(struct arcspline_fit *m, size_t k, double by, size_t *from, size_t *to)
+/* Goes by the step, in the order of arcspline_unknowns. */
+static void move_joints(struct arcspline_fit *m, const double *step)
 {
     size_t inner = m->spline.n - 1;
-    *from = 0;
-    *to = m->spline.n;
     if (!m->start_held) {
-        struct vec3 *t = &m->spline.joint[0].tangent, u = vec_perpendicular(*t);
-        if (k < 2) {
-            *t = vec_unit(vec_along(*t, by, k ? vec_cross(*t, u) : u));
-            return;
-        }
-        k -= 2;
+        struct vec3 *t = &m->spline.joint[0].tangent, u = vec_perpendicular(*t),
+                    v = vec_cross(*t, u);
+        *t = vec_unit(vec_along(vec_along(*t, step[0], u), step[1], v));
+        step += 2;
     }
-    struct joint *j = &m->spline.joint[1 + (k < 3 * inner ? k / 3 : k - 3 * inner)];
-    *from = (size_t)(j - m->spline.joint) - 1;
-    if (k >= 3 * inner) {
-        j->side += by;
-        *to = *from + 2;
-    } else {
-        *(k % 3 == 0 ? &j->p.x : k % 3 == 1 ? &j->p.y : &j->p.z) += by;
+    for (size_t i = 0; i < inner; i++) {
+        struct joint *j = &m->spline.joint[i + 1];
+        j->p = vec_add(j->p, vec(step[3 * i], step[3 * i + 1], step[3 * i + 2]));
+        if (m->offset == 0)
+            continue;
+        j->side += step[3 * inner + i];
+        arcspline_set_axis(&m->spline, m->reference, i + 1);
     }
-    if (m->offset != 0)
-        arcspline_set_axis(&m->spline, m->reference, *from + 1);
-}
-
-/* The slopes of unknown k. */
-static void set_column(struct optimizer *w, size_t k)
-{
-    struct arcspline_fit *m = w->fit;
-    struct pnorm_column *c = &w->sum.column[k];
-    size_t from, to;
-    move_unknown(m, k, MOVED, &from, &to);
-    arcspline_set_tangents(&m->spline, from);
-    c->from = arc_feet_first(&m->feet, from);
-    c->to = arc_feet_first(&m->feet, to);
-    arcspline_residual_slope(&m->spline, m->offset, &m->feet, c->from, c->to, MOVED, c->slope);
-    scale_by_tolerances(m, c->from, c->to, c->slope);
-    struct vec3 turned =
-        vec_sub(m->spline.joint[m->spline.n].tangent, w->kept.joint[m->spline.n].tangent);
-    double part = m->end_held ? 1 / (STAGES[m->stage].turned * MOVED) : 0;
-    c->held[0] = part * turned.x;
-    c->held[1] = part * turned.y;
-    c->held[2] = part * turned.z;
-    arcspline_copy(&m->spline, &w->kept);
+    arcspline_set_tangents(&m->spline, 0);
 }
 
 /* Goes by the step, or back; false when the cost has not become less. */
@@ -322,41 +278,33 @@ static bool try_step(struct optimizer *w, const struct stage *stage, double scal
 {
     struct arcspline_fit *m = w->fit;
     double held[3];
-    size_t from, to;
-    for (size_t k = 0; k < w->sum.unknowns; k++)
-        move_unknown(m, k, w->step[k], &from, &to);
-    arcspline_set_tangents(&m->spline, 0);
+    move_joints(m, w->step);
     set_residuals(m, w->next, held);
-    double then = pnorm_cost(&w->sum, w->next, held, stage->half, scale);
+    double then = pnorm_cost(w->next, w->pairs, held, stage->half, scale), *before = w->off;
     if (!(then < *now)) {
         arcspline_copy(&m->spline, &w->kept);
         return false;
     }
     *now = then;
-    for (size_t i = 0; i < 2 * w->sum.pairs; i++)
-        w->sum.off[i] = w->next[i];
-    for (int i = 0; i < 3; i++)
-        w->sum.held[i] = held[i];
+    w->off = w->next;
+    w->next = before;
     arcspline_copy(&w->kept, &m->spline);
     return true;
 }
 
-/* One step of Levenberg and Marquardt; false when none makes the cost less. */
+/* One step of Levenberg and Marquardt from the distances at w->off and their feet; false when none
+ * makes the cost less. */
 static bool take_step(struct optimizer *w, const struct stage *stage, double scale, double *damping,
                       double *now)
 {
-    set_residuals(w->fit, w->sum.off, w->sum.held);
-    for (size_t k = 0; k < w->sum.unknowns; k++)
-        set_column(w, k);
-    pnorm_equations(&w->sum, stage->half, scale);
+    size_t n = w->sum.unknowns;
+    arcspline_normal_set(w->fit, w->off, stage->half, scale, end_weight(w->fit), &w->sum);
     bool better = false;
     for (int i = 0; i < TRIES && !better; i++) {
-        for (size_t k = 0; k < w->sum.unknowns * w->sum.unknowns; k++)
-            w->factor.item[k] = w->sum.normal.item[k];
-        for (size_t k = 0; k < w->sum.unknowns; k++) {
+        memcpy(w->factor.item, w->sum.normal.item, n * n * sizeof *w->factor.item);
+        memcpy(w->step, w->sum.right, n * sizeof *w->step);
+        for (size_t k = 0; k < n; k++)
             *band_at(&w->factor, k, k) += *damping * *band_at(&w->sum.normal, k, k) + 1e-12;
-            w->step[k] = w->sum.right[k];
-        }
         if (band_factor(&w->factor)) {
             band_solve(&w->factor, w->step, 1);
             better = try_step(w, stage, scale, now);
@@ -369,8 +317,8 @@ static bool take_step(struct optimizer *w, const struct stage *stage, double sca
 static double largest(const struct optimizer *w)
 {
     double worst = 0;
-    for (size_t i = 0; i < w->sum.pairs; i++) {
-        double x = w->sum.off[2 * i], y = w->sum.off[2 * i + 1];
+    for (size_t i = 0; i < w->pairs; i++) {
+        double x = w->off[2 * i], y = w->off[2 * i + 1];
         worst = fmax(worst, x * x + y * y);
     }
     return sqrt(worst);
@@ -394,10 +342,11 @@ double arcspline_optimize(struct arcspline_fit *m, double enough)
     for (;; m->stage++) {
         const struct stage *stage = &STAGES[m->stage];
         int steps = m->start_held || m->end_held ? stage->held : stage->free;
-        set_residuals(m, w.sum.off, w.sum.held);
+        double held[3];
+        set_residuals(m, w.off, held);
         worst = largest(&w);
         double scale = fmax(worst, 1e-3),
-               now = pnorm_cost(&w.sum, w.sum.off, w.sum.held, stage->half, scale);
+               now = pnorm_cost(w.off, w.pairs, held, stage->half, scale);
         for (int k = 0; k < steps && w.sum.unknowns > 0 && (worst > enough || ends_kinked(m));
              k++) {
             double before = now;

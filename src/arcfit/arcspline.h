@@ -44,7 +44,7 @@ struct arc_foot {
     struct vec3 s, w;     /* unit, across the path of the other point */
     size_t arc;           /* the foot is on this arc, */
     double part;          /* at this fraction of it, */
-    double conic;         /* or this one, as a conic (arcspline_residual_slope) */
+    double conic;         /* or this one, as a conic (arcspline_normal.h) */
     struct vec3 at, axis; /* there */
 };
 
@@ -68,15 +68,8 @@ size_t arc_feet_first(const struct arc_feet *feet, size_t arc);
 void arcspline_residual(const struct arcspline *spline, double offset, struct arc_feet *feet,
                         double *off);
 
-/*
- * How much that changes for points [from, to) when the spline becomes `moved`, to first order: the
- * feet are kept, for along the arc nothing changes.  An arc is taken as a conic,
- * ((1 - b)^2 P0 + 2 b (1 - b) c M + b^2 P1) / sum, with M where its tangents meet and c the cosine
- * of half its turn: no angle functions are needed.  The change is divided by `by`.
- */
-void arcspline_residual_slope(const struct arcspline *moved, double offset,
-                              const struct arc_feet *feet, size_t from, size_t to, double by,
-                              double *slope);
+/* Cosine of half a turn: an arc that turns by more is taken as its chord where it is a conic. */
+#define ARCSPLINE_BLUNT 0.05
 
 /* A spline whose joints are moved until its largest distance from the reference is small. */
 struct arcspline_fit {

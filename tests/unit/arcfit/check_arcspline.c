@@ -1,11 +1,10 @@
-/* Tests of arcspline.h: joints and tangents, residuals and their slopes, joints that are moved. */
+/* Tests of arcspline.h: joints and tangents, residuals, joints that are moved. */
 #include "arcfit/arcspline.h"
 
 #include <check.h>
 #include <stdlib.h>
 
 #include "arcfit/arcspline.h"
-#include "trial.h"
 
 /* Joints on a helix, which arcs of three points can't be taken from. */
 static struct arcspline chain_of(size_t n)
@@ -81,21 +80,6 @@ START_TEST(the_axis_leans_sideways_by_what_it_is_told)
 }
 END_TEST
 
-/* n arcs near the reference. */
-static struct arcspline chain_on(const struct reference *t, size_t n)
-{
-    struct arcspline c = arcspline_new(n);
-    for (size_t i = 0; i <= n; i++) {
-        double place = (double)(i * (t->n - 1)) / (double)n;
-        c.joint[i] = (struct joint){.p = reference_point(t, place), .place = place, .side = 0.003};
-        c.joint[i].p.y += i % 2 ? 0.004 : 0;
-        arcspline_set_axis(&c, t, i);
-    }
-    c.joint[0].tangent = t->tangent[0];
-    arcspline_set_tangents(&c, 0);
-    return c;
-}
-
 START_TEST(points_about_a_circle_are_off_by_their_radius)
 {
     struct run run = {.radius = 5};
@@ -130,40 +114,6 @@ START_TEST(points_about_a_circle_are_off_by_their_radius)
     arcspline_free(&c);
     reference_free(&t);
     array_free(&run);
-}
-END_TEST
-
-START_TEST(slopes_are_what_the_distances_do)
-{
-    struct reference t = trial_wave(161, 0.25, 0.2, 0);
-    struct arcspline c = chain_on(&t, 9), moved = arcspline_new(9);
-    struct arc_feet feet = arc_feet_of(&t, 0, t.n - 1, 100);
-    size_t all = 4 * feet.n;
-    double *off = mem_alloc(3 * all, sizeof *off), *then = off + all, *slope = then + all;
-    for (int k = 0; k < 4; k++) {
-        double by = 1e-6;
-        arcspline_copy(&moved, &c);
-        struct joint *j = &moved.joint[4];
-        *(k == 0 ? &j->p.x : k == 1 ? &j->p.y : k == 2 ? &j->p.z : &j->side) += by;
-        arcspline_set_axis(&moved, &t, 4);
-        arcspline_set_tangents(&moved, 3);
-        arcspline_residual(&moved, t.offset, &feet, then);
-        arcspline_residual(&c, t.offset, &feet, off);
-        size_t from = arc_feet_first(&feet, 3);
-        ck_assert_uint_eq(feet.item[from].arc, 3);
-        ck_assert_uint_eq(feet.item[from - 1].arc, 2);
-        arcspline_residual_slope(&moved, t.offset, &feet, from, feet.n, by, slope);
-        for (size_t i = 2 * from; i < 2 * feet.n; i++) {
-            ck_assert_double_eq_tol(slope[i], (then[i] - off[i]) / by, 0.05);
-            size_t o = i + 2 * feet.n;
-            ck_assert_double_eq_tol(slope[o], (then[o] - off[o]) / by, 0.1);
-        }
-    }
-    free(off);
-    arc_feet_free(&feet);
-    arcspline_free(&c);
-    arcspline_free(&moved);
-    reference_free(&t);
 }
 END_TEST
 
@@ -253,7 +203,6 @@ int main(void)
     tcase_add_test(t, a_joint_turns_all_behind_it_and_nothing_before);
     tcase_add_test(t, the_axis_leans_sideways_by_what_it_is_told);
     tcase_add_test(t, points_about_a_circle_are_off_by_their_radius);
-    tcase_add_test(t, slopes_are_what_the_distances_do);
     tcase_add_test(t, a_joint_goes_to_where_the_bend_changes);
     tcase_add_test(t, held_tangents_stay);
     tcase_add_test(t, one_arc_for_both_is_hopeless);
