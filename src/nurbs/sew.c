@@ -73,10 +73,11 @@ struct sewing {
     const struct patches *patches;
     struct boundary border;
     struct boundary_match match;
-    double gap;   /* mm: what is nearer meets */
-    double slack; /* mm: how far border edges of trimmed patches may be off the true border */
-    double same;  /* mm: vertices so near are one */
-    bool slits;   /* T-vertices are those that an open edge joins to an end of their edge */
+    double gap;         /* mm: what is nearer meets */
+    double slack;       /* mm: how far border edges of trimmed patches may be off the true border */
+    double off_surface; /* mm: how far T-vertices may be off the surface of their edge */
+    double same;        /* mm: vertices so near are one */
+    bool slits;         /* T-vertices are those that an open edge joins to an end of their edge */
     size_t
         *next; /* of each place, when it is about slits: a place beside it along an open edge ... */
     size_t *last; /* ... and another one; NOWHERE: there is none, or there are more than two */
@@ -251,7 +252,7 @@ static void find_t_vertices(const struct sewing *s, const struct nurbs *part,
         if (!(t > 1e-6 && t < 1 - 1e-6) || off > 1.5 * bulge + s->slack + s->gap)
             continue;
         struct uv at = nurbs_foot(part, p->point, uv_mix(a->at, b->at, t));
-        if (vec_distance(nurbs_point(part, at), p->point) <= s->gap)
+        if (vec_distance(nurbs_point(part, at), p->point) <= s->off_surface)
             *array_push(on_edge) = (struct t_vertex){t, i, at};
     }
     if (on_edge->n > 1)
@@ -683,12 +684,13 @@ static void find_beside(struct sewing *s)
 
 /* What two borders within the gap have left open is short: no run tells that they belong together,
  * but where an edge and the next one from its end lie side by side there is nothing between. */
-static size_t close_slits(struct sewing *s)
+static size_t close_slits(struct sewing *s, double off_surface)
 {
     enum { ROUNDS = 12 };
     size_t first = s->mesh->vertex.n, before = first + 1;
 
     s->slits = true;
+    s->off_surface = off_surface;
     for (int i = 0; i < ROUNDS && s->mesh->vertex.n != before; i++) {
         before = s->mesh->vertex.n;
         boundary_find(s->mesh, &s->border);
@@ -758,6 +760,7 @@ struct sew_count sew(struct patch_mesh *q, const struct patches *patches, double
     join_poles(&s);
     for (s.gap = fmin(fmax(FIRST * size, LEAST * gap), gap);; s.gap = fmin(WIDER * s.gap, gap)) {
         size_t before = q->vertex.n;
+        s.off_surface = s.gap;
         boundary_find(q, &s.border);
         match_boundaries(&s, &s.match);
         count.joined += join_pairs(&s);
@@ -765,10 +768,12 @@ struct sew_count sew(struct patch_mesh *q, const struct patches *patches, double
         count.inserted += q->vertex.n - before;
         boundary_free(&s.border);
         array_free(&s.match);
-        count.inserted += close_slits(&s);
+        count.inserted += close_slits(&s, s.gap);
         if (s.gap >= gap)
             break;
     }
+    /* A vertex of a trimmed border lies on a chord of it, off the neighbour's surface by the slack. */
+    count.inserted += close_slits(&s, gap + slack);
     count.moved = move_to_middles(q, s.same);
     return count;
 }

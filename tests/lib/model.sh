@@ -79,3 +79,51 @@ f3 510 1 {lid},1,1,{l3}
 shell 514 1 3,{f1},1,{f2},0,{f3},1
 END
 }
+
+# dprism R X H: a cylinder of radius R about z, of which what is at less than x = X is cut off
+dprism() {
+	awk -v r="$1" -v x="$2" -v h="$3" 'BEGIN { y = sqrt(r * r - x * x)
+		printf "va VERTEX_POINT(\047\047,{p %.17g %.17g 0})\nvb VERTEX_POINT(\047\047,{p %.17g %.17g 0})\n", x, -y, x, y
+		printf "vc VERTEX_POINT(\047\047,{p %.17g %.17g %d})\nvd VERTEX_POINT(\047\047,{p %.17g %.17g %d})\n", x, -y, h, x, y, h
+		printf "ga LINE(\047\047,{p %.17g %.17g 0},{wy})\ngb LINE(\047\047,{p %.17g %.17g %d},{wy})\n", x, -y, x, -y, h
+		printf "gc LINE(\047\047,{p %.17g %.17g 0},{wz})\ngd LINE(\047\047,{p %.17g %.17g 0},{wz})\n", x, -y, x, y
+		printf "ka CIRCLE(\047\047,{a 0,0,0 0,0,1 1,0,0},%d.)\nkb CIRCLE(\047\047,{a 0,0,%d 0,0,1 1,0,0},%d.)\n", r, h, r
+		printf "s1 CYLINDRICAL_SURFACE(\047\047,{a 0,0,0 0,0,1 1,0,0},%d.)\ns2 PLANE(\047\047,{a 0,0,0 0,0,-1 1,0,0})\n", r
+		printf "s3 PLANE(\047\047,{a 0,0,%d 0,0,1 1,0,0})\ns4 PLANE(\047\047,{a %.17g,0,0 -1,0,0 0,1,0})\n", h, x }'
+	cat <<'END'
+wy VECTOR('',{d 0 1 0},1.)
+wz VECTOR('',{d 0 0 1},1.)
+ea EDGE_CURVE('',{va},{vb},{ka},.T.)
+eb EDGE_CURVE('',{vc},{vd},{kb},.T.)
+ec EDGE_CURVE('',{va},{vc},{gc},.T.)
+ed EDGE_CURVE('',{vb},{vd},{gd},.T.)
+ee EDGE_CURVE('',{va},{vb},{ga},.T.)
+ef EDGE_CURVE('',{vc},{vd},{gb},.T.)
+o1 ORIENTED_EDGE('',*,*,{ea},.T.)
+o2 ORIENTED_EDGE('',*,*,{ed},.T.)
+o3 ORIENTED_EDGE('',*,*,{eb},.F.)
+o4 ORIENTED_EDGE('',*,*,{ec},.F.)
+o5 ORIENTED_EDGE('',*,*,{ea},.F.)
+o6 ORIENTED_EDGE('',*,*,{ee},.T.)
+o7 ORIENTED_EDGE('',*,*,{eb},.T.)
+o8 ORIENTED_EDGE('',*,*,{ef},.F.)
+o9 ORIENTED_EDGE('',*,*,{ec},.T.)
+oa ORIENTED_EDGE('',*,*,{ef},.T.)
+ob ORIENTED_EDGE('',*,*,{ed},.F.)
+oc ORIENTED_EDGE('',*,*,{ee},.F.)
+l1 EDGE_LOOP('',({o1},{o2},{o3},{o4}))
+l2 EDGE_LOOP('',({o5},{o6}))
+l3 EDGE_LOOP('',({o7},{o8}))
+l4 EDGE_LOOP('',({o9},{oa},{ob},{oc}))
+b1 FACE_OUTER_BOUND('',{l1},.T.)
+b2 FACE_OUTER_BOUND('',{l2},.T.)
+b3 FACE_OUTER_BOUND('',{l3},.T.)
+b4 FACE_OUTER_BOUND('',{l4},.T.)
+f1 ADVANCED_FACE('',({b1}),{s1},.T.)
+f2 ADVANCED_FACE('',({b2}),{s2},.T.)
+f3 ADVANCED_FACE('',({b3}),{s3},.T.)
+f4 ADVANCED_FACE('',({b4}),{s4},.T.)
+shell CLOSED_SHELL('',({f1},{f2},{f3},{f4}))
+SOLID MANIFOLD_SOLID_BREP('',{shell})
+END
+}
