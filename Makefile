@@ -197,7 +197,8 @@ lint:
 	clang-format --dry-run --Werror $(c_files)
 	! grep -nE '^.{101}' $(c_files)
 	cppcheck -j 2 --quiet --std=c11 --enable=warning,performance,portability --inline-suppr \
-	  --suppress=missingIncludeSystem --suppress=objectIndex --error-exitcode=1 -I include -I src -I tests/lib -i tests/data src tests
+	  --suppress=missingIncludeSystem --suppress=objectIndex --error-exitcode=1 -I include -I src -I tests/lib -i tests/data \
+	  -i tests/fuzz/seeds -i tests/fuzz/found src tests
 	clang-tidy --quiet --warnings-as-errors='*' $(tool_src) $(lib_src) -- $(FLAGS)
 	shellcheck -S warning -x -P tests/lib src/*.sh tests/*.sh tests/*/*.sh tests/*/*.t tests/house/bare/* \
 	  samples/*.sh .ci/run

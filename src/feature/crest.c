@@ -285,6 +285,7 @@ enum { LOOKS = 3, CORNERS = 3 * (CREST_MOST + 1) };
 static const double TURN = 0.99452189536827333; /* cos 6 degrees between normals */
 static const double OFF = 0.10452846326765347;  /* sin 6 degrees between an edge and the surface */
 static const double LONG = 4.5;                 /* mean spacings */
+static const double CLOSE = 0.25;               /* mean spacings: the corner opposite lies on it */
 
 struct search {
     struct mesh *mesh;
@@ -330,12 +331,29 @@ static bool is_free(const struct search *s, const struct mesh_edge *e)
     return e->facet[0] >= 0 && (size_t)e->v[1] >= s->fresh;
 }
 
+/* The corner opposite, on one side, lies so close to the edge that a point put on the edge may come
+ * to lie beyond it, and fold the facet over: it is on the crest by now. */
+static bool is_taken(const struct search *s, const struct mesh_edge *e)
+{
+    const struct vec3 *p = s->mesh->vertex.item;
+    double close = CLOSE * s->cloud.spacing;
+
+    for (int i = 0; i < 2 && e->facet[i] >= 0; i++) {
+        const int *v = s->mesh->face.item[e->facet[i]].v;
+        int opposite = v[0] ^ v[1] ^ v[2] ^ e->v[0] ^ e->v[1];
+        struct vec3 at = p[opposite];
+        if (vec_distance(at, vec_segment_nearest(p[e->v[0]], p[e->v[1]], at)) < close)
+            return true;
+    }
+    return false;
+}
+
 static void choose_edges(struct search *s)
 {
     for (size_t e = 0; e < s->edges->n; e++) {
         const struct mesh_edge *edge = &s->edges->edge[e];
         s->of[e] = -1;
-        if (!is_free(s, edge) || !may_cross(s, edge))
+        if (!is_free(s, edge) || !may_cross(s, edge) || is_taken(s, edge))
             continue;
         s->of[e] = (int)s->edge.n;
         *array_push(&s->edge) = e;

@@ -152,8 +152,12 @@ static void read_scan(const char *file)
     while (f && fgets(line, sizeof line, f)) {
         if (sscanf(line, "%lf%*[ ,]%lf%*[ ,]%lf", &p.x, &p.y, &p.z) != 3)
             continue;
-        if (points == cap)
-            point = realloc(point, (cap = cap ? 2 * cap : 1024) * sizeof *point);
+        if (points == cap) {
+            struct v *more = realloc(point, (cap = cap ? 2 * cap : 1024) * sizeof *point);
+            if (!more)
+                exit(2);
+            point = more;
+        }
         point[points++] = p;
     }
     if (f)

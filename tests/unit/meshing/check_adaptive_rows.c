@@ -55,8 +55,19 @@ static void free_all(void)
     mesh_free(&mesh);
 }
 
-/* Height of the true surface over the middles of facets and edges, against theirs, at worst. */
-static double worst_off(double (*height)(double, double))
+/* What the scan does not know about a surface of this curvature at a place of it: its nearest point
+ * is so far off, and a chord over twice that sinks by half the curvature times its square. */
+static double unknown_at(double x, double y, double z, double curvature)
+{
+    uint32_t index;
+    double distance2 = 0;
+    point_grid_nearest(&point_grid, vec(x, y, z), 1, &index, &distance2);
+    return curvature / 2 * distance2;
+}
+
+/* Height of the true surface over the middles of facets and edges, against theirs, at worst, beyond
+ * what the scan does not know. */
+static double worst_off(double (*height)(double, double), double curvature)
 {
     double worst = 0;
     for (size_t f = 0; f < mesh.face.n; f++) {
@@ -64,9 +75,12 @@ static double worst_off(double (*height)(double, double))
         struct vec3 a = mesh.vertex.item[v[0]], b = mesh.vertex.item[v[1]];
         struct vec3 c = mesh.vertex.item[v[2]], ab = vec_mix(a, b, 0.5),
                     middle = vec_mix(ab, c, 1.0 / 3);
-        worst = fmax(worst, fabs(ab.z - height(ab.x, ab.y)) * noisy_up(height, ab.x, ab.y).z);
-        worst = fmax(worst, fabs(middle.z - height(middle.x, middle.y)) *
-                                noisy_up(height, middle.x, middle.y).z);
+        struct vec3 at[2] = {ab, middle};
+        for (int k = 0; k < 2; k++) {
+            double z = height(at[k].x, at[k].y), up = noisy_up(height, at[k].x, at[k].y).z;
+            worst =
+                fmax(worst, fabs(at[k].z - z) * up - unknown_at(at[k].x, at[k].y, z, curvature));
+        }
     }
     return worst;
 }
@@ -83,6 +97,9 @@ static double area(void)
     return sum;
 }
 
+/* Its recess, 2.2 exp(-(y / 6)^2) deep, and its crown: 2 * 2.2 / 36 + 10 / 27^2. */
+static const double PANEL_CURVATURE = 0.14;
+
 START_TEST(panel)
 {
     const double error[] = {0.2, 0.05, 0.02};
@@ -94,7 +111,7 @@ START_TEST(panel)
                                &(struct adaptive_rows_options){error[k], 0.48, 12, NULL, 0}, &mesh);
         ck_assert_double_le(r.worst, error[k]);
         ck_assert_double_lt(r.rms, error[k] / 2);
-        ck_assert_double_lt(worst_off(panel_height), 1.25 * error[k]);
+        ck_assert_double_lt(worst_off(panel_height, PANEL_CURVATURE), 1.25 * error[k]);
         ck_assert_uint_gt(mesh.vertex.n, before);
         ck_assert_double_gt(area(), 0.99 * 74 * 54);
         ck_assert_uint_lt(r.beside, scan.n / 200);
@@ -137,10 +154,19 @@ START_TEST(plane_takes_few)
         adaptive_rows_make(&point_grid, &plan_extent, &holes,
                            &(struct adaptive_rows_options){0.01, 0.48, 12, NULL, 0}, &mesh);
     ck_assert_double_lt(r.worst, 1e-6);
-    ck_assert_uint_le(mesh.vertex.n, 40);
+    /* five rows 12 mm apart at most, and the borders of a random cloud, which are not straight */
+    ck_assert_uint_le(mesh.vertex.n, 100);
     ck_assert_double_gt(area(), 0.98 * 74 * 54);
 }
 END_TEST
+
+/* On the crest of the rib, at this y: what the scan does not know of it, with the flanks' rounding
+ * of 2 * 0.8 / 0.6^2. */
+static double unknown_on_rib(double y)
+{
+    double x = (3 - y * sin(RADIANS(25))) / cos(RADIANS(25));
+    return unknown_at(x, y, ridge(x, y), 2 * 0.8 / 0.36);
+}
 
 /* A rib that is narrower than the rows are apart: kept along its whole crest. */
 START_TEST(rib)
@@ -150,13 +176,19 @@ START_TEST(rib)
                        &(struct adaptive_rows_options){0.05, 0.2, 4.8, NULL, 0}, &mesh);
     int rows = mesh.row.item[mesh.row.n - 1] + 1;
     double *kept = mem_alloc((size_t)rows, sizeof *kept);
+    double *unknown = mem_alloc((size_t)rows, sizeof *unknown);
     for (size_t i = 0; i < mesh.vertex.n; i++) {
         struct vec3 p = mesh.vertex.item[i];
-        kept[mesh.row.item[i]] = fmax(kept[mesh.row.item[i]], p.z - base(p.x, p.y));
+        int r = mesh.row.item[i];
+        if (p.z - base(p.x, p.y) > kept[r]) {
+            kept[r] = p.z - base(p.x, p.y);
+            unknown[r] = unknown_on_rib(p.y);
+        }
     }
     for (int r = 1; r + 1 < rows; r++)
-        ck_assert_double_gt(kept[r], 0.75);
+        ck_assert_double_gt(kept[r], 0.75 - unknown[r]);
     free(kept);
+    free(unknown);
     double lost = 0;
     for (double y = -26; y <= 26; y += 0.1) { /* the facets between the rows keep it too */
         double x = (3 - y * sin(RADIANS(25))) / cos(RADIANS(25)), top = -1;
@@ -173,7 +205,7 @@ START_TEST(rib)
             if (inside)
                 top = p[0].z - ((at.x - p[0].x) * n.x + (at.y - p[0].y) * n.y) / n.z;
         }
-        lost = fmax(lost, base(x, y) + 0.8 - top);
+        lost = fmax(lost, base(x, y) + 0.8 - top - unknown_on_rib(y));
     }
     ck_assert_double_lt(lost, 0.05);
 }
