@@ -48,6 +48,13 @@ static size_t marked_off(double (*height)(double, double))
     return n;
 }
 
+/* What happens n times in the mean happens no more often than this: four deviations of the law of
+ * rare events, and one for its skew. */
+static size_t by_chance(double n)
+{
+    return (size_t)(n + 4 * sqrt(n) + 1);
+}
+
 /* 100 points 0.5 to 20 mm above or below, on clean and noisy scans of every pattern. */
 START_TEST(outliers)
 {
@@ -60,8 +67,10 @@ START_TEST(outliers)
     }
     sort();
     size_t found = outliers_isolated(&point_grid, sigma, 2, out), right = marked_off(panel_height);
-    ck_assert_uint_ge(right, 96); /* two may lie beside others, two below the border */
-    ck_assert_uint_le(found - right, 1);
+    /* one of a hundred lies beside another or below the border: four deviations; and the same for
+     * the points that those beside them make look wrong */
+    ck_assert_uint_ge(right, 100 - by_chance(1));
+    ck_assert_uint_le(found - right, by_chance(0.3));
 }
 END_TEST
 
@@ -77,7 +86,7 @@ START_TEST(clumps_in_the_air)
     for (size_t i = 0; i < point_grid.n; i++)
         right += out[i] && point_grid.point[i].z > 25;
     ck_assert_uint_eq(right, 24);
-    ck_assert_uint_le(found - right, 2);
+    ck_assert_uint_le(found - right, by_chance(0.5)); /* of the points at the steps */
 }
 END_TEST
 
@@ -108,9 +117,12 @@ START_TEST(sparse_walls)
                                  40 * noisy_uniform(), 14 + 26 * noisy_uniform());
     sort();
     size_t found = outliers_isolated(&point_grid, 0.02, 2, out), right = 0;
-    for (size_t i = 0; i < point_grid.n; i++)
+    for (size_t i = 0; i < point_grid.n; i++) {
         right += out[i] && point_grid.point[i].z > 10;
-    ck_assert_uint_eq(right, STRAYS);
+        /* over the wall it may lie in the wall's plane, or on a cliff with two others */
+        ck_assert(out[i] || point_grid.point[i].z < 10 || fabs(point_grid.point[i].x) < 2);
+    }
+    ck_assert_uint_ge(right, STRAYS - by_chance(1));
     ck_assert_uint_le(found - right, WALL / 8);
 }
 END_TEST
@@ -143,7 +155,7 @@ START_TEST(walls_seen_from_above)
     }
     sort();
     size_t found = find(&point_grid, 0, 2, out);
-    ck_assert_uint_eq(found, STRAYS);
+    ck_assert_uint_le(found, STRAYS + by_chance(0.05)); /* some 400 on the wall */
     for (size_t i = 0; i < point_grid.n; i++)
         right += out[i] && fabs(point_grid.point[i].z - 5.5) > 9;
     ck_assert_uint_eq(right, STRAYS);
@@ -232,7 +244,7 @@ START_TEST(needles)
     for (size_t i = 0; i < point_grid.n; i++)
         right += out[i] && fabs(point_grid.point[i].y + 11) < 1e-9;
     ck_assert_uint_eq(right, NEEDLES);
-    ck_assert_uint_le(found - right, 3); /* of the 54 of needles */
+    ck_assert_uint_le(found - right, by_chance(1)); /* of the 54 of needles */
 }
 END_TEST
 
