@@ -2,7 +2,7 @@
 # is `gmake` on a BSD.
 #
 # make              the tools, in build/bin             make demo     the main job on a real scan
-# make figures      pictures like the papers'
+# make figures      pictures like the papers'       make samples  the tasks of the gallery
 # make check        all tests                            make deps     what the tests need (Debian)
 #                                                        make deps-all what else some tests use
 # make accuracy     gouges and material left, on surfaces known exactly
@@ -143,6 +143,12 @@ check: all $(units) $(readback) $(cloud) $(BUILD)/tests/fuzz/replay
 demo: all
 	@BIN="$(abspath $(BUILD))/bin" sh samples/demo.sh demo
 
+# The tasks of the gallery (samples/tasks), the face with all its points, and the ways side by side.
+samples: all
+	@set -e; for task in face blade foreign old-control batch watch shop normals papers; do \
+	  echo "== $$task"; BIN="$(abspath $(BUILD))/bin" POINTS=26493 sh samples/tasks/$$task.sh; done
+	@echo "== ways"; BIN="$(abspath $(BUILD))/bin" sh samples/ways.sh
+
 figures: all
 	@BIN="$(abspath $(BUILD))/bin" sh samples/figures.sh figures
 
@@ -254,7 +260,7 @@ distcheck: dist
 clean:
 	rm -rf $(BUILD) demo figures cloudmill-$(VERSION).tar.gz
 
-.PHONY: always all units check demo figures bench accuracy freeze deps deps-all lint sanitize fuzz faults \
+.PHONY: always all units check demo samples figures bench accuracy freeze deps deps-all lint sanitize fuzz faults \
   check-seeds mutate coverage nc-faults safety install uninstall dist distcheck clean
 .SECONDARY:
 
