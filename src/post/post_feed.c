@@ -6,9 +6,10 @@
 #include "base/array.h"
 #include "base/num.h"
 
-enum { PIECES = 12, SPAN_PIECES = 8, MORE_DIGITS = 3, DIGITS_MAX = 9 };
+enum { PIECES = 12, PIECES_MOST = 240, SPAN_PIECES = 8, MORE_DIGITS = 3, DIGITS_MAX = 9 };
 
-static const double NOTHING = 1e-6; /* mm and degrees */
+static const double NOTHING = 1e-6;  /* mm and degrees */
+static const double SHORTEST = 0.02; /* mm: of a block that is made to be slow alone */
 
 static inline double larger(double a, double b)
 {
@@ -124,6 +125,14 @@ static bool axes_keep_up(const struct nc_planner *planner, const struct block_po
            4 * great * great <= sine2 * minutes * minutes * slowest * slowest;
 }
 
+/* In how many pieces a block with vectors is looked at: beside the singular direction a peak is
+ * narrow, but one narrower than SHORTEST is none to a control. */
+static int pieces_of_vector(const struct nc_planner *planner, double length)
+{
+    double n = ceil(length * planner->options.unit / SHORTEST);
+    return (int)fmin(fmax(n, 2), PIECES_MOST);
+}
+
 double post_feed_minutes(const struct nc_planner *planner, const struct machine_pose *to,
                          double length, const struct nc_along *along, double least)
 {
@@ -142,6 +151,8 @@ double post_feed_minutes(const struct nc_planner *planner, const struct machine_
     if (curve && along->motion->curve->poles > poles)
         poles = along->motion->curve->poles;
     int n = curve ? (int)poles * SPAN_PIECES : PIECES * (1 + (int)(3 * turn));
+    if (!curve && planner->follow.mode == INTERPOLATE_VECTOR)
+        n = pieces_of_vector(planner, length);
     struct sample a = sample_at(planner, &to->at, along, 0, from->q);
     for (int i = 1; i <= n; i++) {
         struct sample b = sample_at(planner, &to->at, along, (double)i / n, a.q);
@@ -222,6 +233,63 @@ double post_feed_divide(const struct nc_planner *planner, const struct motion *m
     double s = best_division(&spans);
     array_free(&spans);
     return s;
+}
+
+/* As post_feed_divide, over even spans of a motion from s0 to s1, none shorter than may be. */
+static struct span_speeds even_spans(const struct nc_planner *planner, const struct motion *motion,
+                                     double s0, double s1, double length)
+{
+    enum { SPANS = 24 };
+    const struct pose end = motion_at(motion, s1);
+    const struct block_pose to = {.p = end.p, .a = end.a};
+    const struct nc_along along = {motion, s0, s1, NULL, 0};
+    double most = floor(length * planner->options.unit / SHORTEST);
+    int n = (int)fmin(SPANS, most), looks = (int)fmax(1, fmin(8, most / n));
+    struct span_speeds spans = {0};
+    struct sample a = sample_at(planner, &to, &along, 0, planner->state.at.q);
+    for (int i = 0; i < n; i++) {
+        struct span_speed span = {.length = length / n,
+                                  .rate = 1 / (planner->state.feed * planner->state.faster)};
+        double minutes = 0;
+        for (int k = 1; k <= looks; k++) {
+            span.s = (i + (double)k / looks) / n;
+            struct sample b = sample_at(planner, &to, &along, span.s, a.q);
+            minutes = larger(minutes, looks * piece_minutes(planner->machine, &a, &b));
+            a = b;
+        }
+        span.rate = larger(span.rate, minutes / span.length);
+        *array_push(&spans) = span;
+    }
+    return spans;
+}
+
+/* A vector turns an axis no faster than the tool over the sine of its angle to the pole: nowhere
+ * from one direction to the other does it take one longer than `minutes`. */
+static bool turns_slowly(const struct nc_planner *planner, struct vec3 a, struct vec3 b,
+                         double minutes)
+{
+    const struct machine *m = planner->machine;
+    struct vec3 pole = m->chain.rotary[0].axis;
+    double off = fmin(vec_length(vec_cross(pole, a)), vec_length(vec_cross(pole, b)));
+    double turn = vec_distance(a, b), slowest = HUGE_VAL;
+    for (int i = 0; i < m->chain.n; i++)
+        slowest = fmin(slowest, m->rapid[m->letter[i]]);
+    return turn == 0 || (off > turn && 2 * DEGREES(turn) <= (off - turn) * minutes * slowest);
+}
+
+double post_feed_divide_even(const struct nc_planner *planner, const struct motion *motion,
+                             double s0, double s1)
+{
+    double length = (s1 - s0) * motion_length(motion);
+    double minutes = length / (planner->state.feed * planner->state.faster);
+    if (planner->follow.mode != INTERPOLATE_VECTOR || planner->machine->chain.n != 2 ||
+        !(length * planner->options.unit >= 2 * SHORTEST) ||
+        turns_slowly(planner, motion_at(motion, s0).a, motion_at(motion, s1).a, minutes))
+        return s1;
+    struct span_speeds spans = even_spans(planner, motion, s0, s1, length);
+    double s = best_division(&spans);
+    array_free(&spans);
+    return s < 1 ? s0 + s * (s1 - s0) : s1;
 }
 
 int post_feed_digits(const struct nc_ability *ability, double feed)

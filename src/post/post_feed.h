@@ -37,6 +37,11 @@ double post_feed_minutes(const struct nc_planner *planner, const struct machine_
  */
 double post_feed_divide(const struct nc_planner *planner, const struct motion *motion);
 
+/* The same for a straight motion or an arc from s0, where the program is, to s1, with vectors, none
+ * of whose blocks becomes shorter than 0.02 mm: s in (s0, s1); s1: nowhere. */
+double post_feed_divide_even(const struct nc_planner *planner, const struct motion *motion,
+                             double s0, double s1);
+
 /*
  * F of the block of that length, *minutes what it takes: never 0, never beyond the control's, and
  * rounded down where an axis would be too fast else.  Where the tip stays, as printed, F counts

@@ -171,6 +171,7 @@ int post_motion_one_block(struct nc_planner *planner, const struct pose *to)
     if (planner->follow.mode == INTERPOLATE_VECTOR) {
         struct motion line = motion_line(planner->state.pose, *to);
         if (post_ik_pole_between(planner, &line, 0, 1) < 1 ||
+            post_feed_divide_even(planner, &line, 0, 1) < 1 ||
             !post_ik_follow(planner, &line, 0, 1, &target))
             return 1;
     }
@@ -550,11 +551,13 @@ int post_motion_along(struct nc_planner *planner, const struct motion *motion, d
 {
     if (motion->kind == MOTION_SPLINE)
         return spline_along(planner, motion, s0, s1);
-    double pole = post_ik_pole_between(planner, motion, s0, s1);
-    if (pole < s1)
-        return post_motion_along(planner, motion, s0, pole) != 0
+    double end = post_ik_pole_between(planner, motion, s0, s1);
+    if (end == s1)
+        end = post_feed_divide_even(planner, motion, s0, s1);
+    if (end < s1)
+        return post_motion_along(planner, motion, s0, end) != 0
                    ? -1
-                   : post_motion_along(planner, motion, pole, s1);
+                   : post_motion_along(planner, motion, end, s1);
     if (motion->kind == MOTION_ARC && planner->plan->ability.arcs != NC_ARCS_NONE)
         return whole_arc(planner, motion, s0, s1);
     planner->plan->total.chorded += motion->kind == MOTION_ARC;

@@ -8,6 +8,7 @@
 enum { WINDOW = 4 }; /* steps in the length that is smoothed */
 
 #define STEP_LEAST 0.02 /* mm */
+#define TIP_STANDS 1e-5 /* mm */
 #define TURN_WAY 0.05   /* mm of way for each degree that the tool turns where the tip stands */
 
 struct step {
@@ -62,6 +63,8 @@ static void add_piece(struct timing *t, size_t piece, double *carry)
     const struct nc_piece *p = &t->motion->piece.item[piece];
     double tip, way = piece_way(t, piece, &tip);
     double feed = (p->inverse ? p->feed * way : p->feed) / 60;
+    if (!p->inverse) /* F is the tip's; where that stands it counts degrees */
+        feed *= tip > TIP_STANDS ? way / tip : TURN_WAY;
     for (double at = t->step - *carry; at <= way; at += t->step) {
         struct axis_place place = axis_limits_place(&t->follow, piece, way > 0 ? at / way : 1);
         struct step *step = array_push(&t->steps);

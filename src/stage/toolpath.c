@@ -516,6 +516,7 @@ static struct toolpath_parts plan_parts(struct toolpath *t)
 
     if (t->lift.guard)
         toolpath_order(t, &parts);
+    toolpath_calm(t, &parts, link_options(t).longest);
     parallel_for(t->threads, parts.n, find_ways, &finder);
     return parts;
 }

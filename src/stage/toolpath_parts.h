@@ -42,4 +42,8 @@ size_t toolpath_drop_slivers(const struct toolpath *t, struct toolpath_parts *pa
  */
 void toolpath_order(const struct toolpath *t, struct toolpath_parts *parts);
 
+/* Makes the axes of parts alike that are cut one after the other, and calm along them
+ * (axis_calm.h): parts in their order, and no further apart than `longest`, mm. */
+void toolpath_calm(const struct toolpath *t, const struct toolpath_parts *parts, double longest);
+
 #endif

@@ -235,12 +235,59 @@ START_TEST(arc_or_chords)
 }
 END_TEST
 
+/* Past the singular direction beside it, vectors turn an axis far in a short part of the way: that
+ * part is slow by itself.  At the F of each block no axis is too fast over any 0.02 mm or half of a
+ * block, by small steps. */
+START_TEST(slow_beside_pole)
+{
+    struct bench b;
+    const double q[2] = {0.3, RADIANS(6)};
+    bench_begin(&b, KIND_TABLE_AC, INTERPOLATE_VECTOR, vec(10, 0, 5), q);
+    struct pose from = b.planner.state.pose;
+    struct vec3 aside = vec_unit(vec(-from.a.y, from.a.x, 0));
+    struct pose to = {vec(14, 1, 5),
+                      vec_unit(vec_along(vec(-from.a.x, -from.a.y, from.a.z), 0.006, aside))};
+    struct motion motion = motion_line(from, to);
+    double feed = 3000, minutes = 0, slowest = HUGE_VAL;
+    b.planner.state.feed = feed;
+    b.plan.ability.feed_max = 1e9;
+    b.planner.allowed.axis = RADIANS(0.001);
+    ck_assert_int_eq(post_motion_along(&b.planner, &motion, 0, 1), 0);
+    struct block_pose at = {.p = from.p, .a = from.a, .q = {q[0], q[1]}};
+    double turned = PI / 2 - atan2(from.a.y, from.a.x);
+    double rapid = b.machine.rapid[b.machine.letter[0]];
+    for (size_t k = 0; k < b.plan.move.n; k++) {
+        struct block_pose end = end_of(&b, k);
+        double length = vec_distance(at.p, end.p), f = b.plan.move.item[k].feed;
+        int looks = (int)fmax(2, ceil(length / 0.02));
+        ck_assert_double_ge(length, 0.0199);
+        for (int i = 1; i <= looks; i++) {
+            double last = turned;
+            for (int j = 1; j <= 50; j++) { /* the bearing of the tool, in small steps */
+                struct vec3 a = vec_slerp(at.a, end.a, (i - 1 + j / 50.0) / looks);
+                double now = PI / 2 - atan2(a.y, a.x);
+                turned += remainder(now - turned, PI); /* of either solution */
+            }
+            double least = DEGREES(fabs(turned - last)) / rapid;
+            ck_assert_double_le(least, 1.02 * length / looks / f);
+        }
+        minutes += length / f;
+        slowest = fmin(slowest, f);
+        at = end;
+    }
+    ck_assert_int_gt((int)b.plan.move.n, 2);
+    ck_assert_double_le(minutes, 0.3 * vec_distance(from.p, to.p) / slowest);
+    bench_free(&b);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("post_motion");
     TCase *tests = tcase_create("motions");
 
     tcase_set_timeout(tests, 60);
+    tcase_add_test(tests, slow_beside_pole);
     tcase_add_loop_test(tests, divided, 0, KINDS * MODES);
     tcase_add_loop_test(tests, one_block, 0, KINDS * MODES);
     tcase_add_loop_test(tests, turned_in_place, 0, KINDS);

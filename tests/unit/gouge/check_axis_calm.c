@@ -1,0 +1,168 @@
+/* axis_calm - rows cut to and fro, each with axes of its own: where one ends and the next begins
+ * they become alike, as near to their rule as they may be, and the flute stays clear of a wall. */
+#include "gouge/axis_calm.h"
+
+#include <check.h>
+#include <stdlib.h>
+
+#include "machine/machine.h"
+#include "machine/rotary_cost.h"
+
+enum { RADIUS = 5, FLUTE = 30, ROWS = 6, POINTS = 61 };
+
+static const double PLAY = RADIANS(15), TOLERANCE = 0.01, SLACK = 1e-6;
+static const struct holder flute = {1, {{RADIUS, RADIUS, FLUTE}}};
+
+/* A floor and, beside the rows, a wall at y = -6 from x = 10 to 20 up to this height. */
+static struct gouge_check *floor_and_wall(double height, struct vec3s *copy)
+{
+    struct vec3s points = {0};
+
+    for (int i = 0; i <= 120; i++)
+        for (int k = -10; k <= 30; k++)
+            *array_push(&points) = vec(i * 0.25, k * 0.5, 0);
+    for (int i = 0; i <= 40; i++)
+        for (int k = 1; k <= height * 4; k++)
+            *array_push(&points) = vec(10 + i * 0.25, -6, k * 0.25);
+    for (size_t i = 0; i < points.n; i++)
+        *array_push(copy) = points.item[i];
+    return gouge_new(points, 1);
+}
+
+struct rows {
+    struct run_point point[ROWS * POINTS];
+    struct vec3 rule[ROWS * POINTS];
+    struct axis_calm_run run[ROWS];
+};
+
+/* Rows along X 1 mm apart, zig-zag; the rule leans 20 degrees to y, the axes to either side of it
+ * by turns. */
+static void make_rows(struct rows *r)
+{
+    for (int k = 0; k < ROWS; k++) {
+        r->run[k] = (struct axis_calm_run){r->point + k * POINTS, r->rule + k * POINTS, POINTS};
+        for (int i = 0; i < POINTS; i++) {
+            int at = k * POINTS + i;
+            double x = 0.5 * (k % 2 ? POINTS - 1 - i : i), off = k % 2 ? 0.2 : -0.2;
+            struct run_point p = {.contact = vec(x, k, 0), .normal = vec(0, 0, 1)};
+            p.ball = vec(x, k, RADIUS);
+            p.axis = vec_unit(vec(off, tan(RADIANS(20)), 1));
+            p.tip = vec_along(p.ball, -RADIUS, p.axis);
+            r->point[at] = p;
+            r->rule[at] = vec_unit(vec(0, tan(RADIANS(20)), 1));
+        }
+    }
+}
+
+static struct axis_calm_options options_of(const struct gouge_check *guard)
+{
+    struct machine machine = machine_default();
+    struct error error;
+
+    ck_assert_int_eq(machine_finish(&machine, &error), 0);
+    return (struct axis_calm_options){guard, &flute, machine.chain, RADIUS, TOLERANCE, PLAY};
+}
+
+/* How far the axis turns from each row's end to the next one's start, all together. */
+static double turn_of_links(const struct rows *r)
+{
+    double sum = 0;
+
+    for (int k = 1; k < ROWS; k++)
+        sum += vec_angle(r->point[k * POINTS - 1].axis, r->point[k * POINTS].axis);
+    return sum;
+}
+
+static double travel_of(const struct rows *r)
+{
+    double sum = 0;
+
+    for (int i = 1; i < ROWS * POINTS; i++)
+        sum += rotary_travel(r->point[i - 1].axis, r->point[i].axis);
+    return sum;
+}
+
+/* How deep a point of the scan is in the flute, at most. */
+static double deepest(const struct vec3s *scan, const struct run_point *p)
+{
+    double most = -HUGE_VAL;
+
+    for (size_t i = 0; i < scan->n; i++) {
+        struct vec3 off = vec_sub(scan->item[i], p->ball);
+        double up = vec_dot(off, p->axis);
+        if (up >= 0 && up <= FLUTE)
+            most = fmax(most, RADIUS - vec_length(vec_along(off, -up, p->axis)));
+    }
+    return most;
+}
+
+START_TEST(alike)
+{
+    struct vec3s scan = {0};
+    struct gouge_check *guard = floor_and_wall(0, &scan);
+    struct axis_calm_options options = options_of(guard);
+    struct rows r, was;
+
+    make_rows(&r);
+    was = r;
+    axis_calm_chain(&options, r.run, ROWS);
+    ck_assert_double_gt(turn_of_links(&was), RADIANS(100));
+    ck_assert_double_le(turn_of_links(&r), 0.1 * turn_of_links(&was));
+    ck_assert_double_le(travel_of(&r), 0.3 * travel_of(&was));
+    for (int i = 0; i < ROWS * POINTS; i++) {
+        ck_assert_double_le(vec_angle(r.point[i].axis, r.rule[i]), PLAY + SLACK);
+        ck_assert_double_eq_tol(vec_length(r.point[i].axis), 1, 1e-9);
+        ck_assert_double_le(vec_distance(r.point[i].ball, was.point[i].ball), 0);
+        ck_assert_double_le(
+            vec_distance(r.point[i].tip, vec_along(r.point[i].ball, -RADIUS, r.point[i].axis)),
+            1e-9);
+    }
+    gouge_free(guard);
+    array_free(&scan);
+}
+END_TEST
+
+/* Beside the wall the first rows' axes may not lean to where calm ones would. */
+START_TEST(clear_of_wall)
+{
+    struct vec3s scan = {0};
+    struct gouge_check *guard = floor_and_wall(25, &scan);
+    struct axis_calm_options options = options_of(guard);
+    struct rows r;
+    int in_wall = 0;
+
+    make_rows(&r);
+    for (int k = 0; k < ROWS; k++) /* all but the first lean to the wall as far as may be */
+        for (int i = 0; i < POINTS && k > 0; i++) {
+            struct run_point *p = &r.point[k * POINTS + i];
+            r.rule[k * POINTS + i] = vec_unit(vec(0, -tan(RADIANS(k > 3 ? 6 : 0)), 1));
+            p->axis = k > 3 ? r.rule[k * POINTS + i] : vec_unit(vec(0, 0.02, 1));
+            p->tip = vec_along(p->ball, -RADIUS, p->axis);
+        }
+    for (int i = 0; i < ROWS * POINTS; i++)
+        in_wall += deepest(&scan, &r.point[i]) > TOLERANCE / 2 + SLACK;
+    ck_assert_int_eq(in_wall, 0); /* as they were */
+    axis_calm_chain(&options, r.run, ROWS);
+    for (int i = 0; i < ROWS * POINTS; i++)
+        ck_assert_double_le(deepest(&scan, &r.point[i]), TOLERANCE / 2 + SLACK);
+    gouge_free(guard);
+    array_free(&scan);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("axis_calm");
+    TCase *tests = tcase_create("rows");
+
+    tcase_set_timeout(tests, 60);
+    tcase_add_test(tests, alike);
+    tcase_add_test(tests, clear_of_wall);
+    suite_add_tcase(suite, tests);
+
+    SRunner *runner = srunner_create(suite);
+    srunner_run_all(runner, CK_NORMAL);
+    int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
