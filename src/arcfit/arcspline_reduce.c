@@ -6,10 +6,11 @@
 #include "arcspline.h"
 
 enum {
-    EACH = 8,       /* points looked at for each arc, */
-    EACH_MOST = 80, /* and where these hold */
-    RESPACED = 5,   /* times that joints are spaced anew by what the arcs are off */
-    LEFT_OUT = 6,   /* arcs tried without, or more, where the axis turns; else all of them */
+    EACH = 8,         /* points looked at for each arc, */
+    EACH_MOST = 80,   /* and where these hold */
+    RESPACED = 5,     /* times that joints are spaced anew by what the arcs are off */
+    RESPACED_FEW = 2, /* so many where none of them came near */
+    LEFT_OUT = 6,     /* arcs tried without, or a few more */
     AXIS_DIGITS = 9
 };
 
@@ -26,6 +27,8 @@ struct refit {
 };
 
 static const double POWER = 0.5; /* of an arc's residual, when joints are spaced by it */
+static const double NEAR =
+    1.25; /* tolerances: no spacing of the joints has come from farther off */
 
 static double length_at(const struct reference *t, double place)
 {
@@ -178,12 +181,16 @@ static void use_all_points(const struct refit *part, struct arcspline_fit *m)
     m->feet = arc_feet_of(part->reference, from, to, EACH_MOST * part->n);
 }
 
-/* From the joints as they are spaced now. */
-static bool fit_and_prove(const struct refit *part, struct arcspline_fit *m, struct pieces *out)
+/* From the joints as they are spaced now.  Where that fails, *nearest becomes no more than what it
+ * came to, in tolerances. */
+static bool fit_and_prove(const struct refit *part, struct arcspline_fit *m, double *nearest,
+                          struct pieces *out)
 {
     m->stage = 0;
     for (int i = 0; i < 4; i++) {
-        if (arcspline_optimize(m, ARC_ENOUGH - ARC_ENOUGH_STEP * i) > 1)
+        double worst = arcspline_optimize(m, ARC_ENOUGH - ARC_ENOUGH_STEP * i);
+        *nearest = fmin(*nearest, worst);
+        if (worst > 1)
             return false;
         if (prove_rounded(part, m, out))
             return true;
@@ -194,21 +201,21 @@ static bool fit_and_prove(const struct refit *part, struct arcspline_fit *m, str
     return false;
 }
 
-/* Other spacings of the joints one after the other, until one does. */
+/* Other spacings of the joints one after the other, until one does; `nearest` so far. */
 static bool settle_from_other_spacings(const struct refit *part, struct arcspline_fit *m,
-                                       struct pieces *out)
+                                       double nearest, struct pieces *out)
 {
-    bool good = false;
-    size_t stride = m->offset == 0 ? 1 : 1 + part->n / LEFT_OUT;
+    bool good = false, held = part->start_held || part->end_held;
+    size_t stride = 1 + part->n / LEFT_OUT;
 
-    for (int i = 0; i < RESPACED && !good; i++) {
+    for (int i = 0; i < RESPACED && !good && (i < RESPACED_FEW || nearest < NEAR); i++) {
         space_by_residual(part, m);
-        good = fit_and_prove(part, m, out);
+        good = fit_and_prove(part, m, &nearest, out);
     }
-    bool held = part->start_held || part->end_held;
-    for (size_t i = (stride + 1) / 2; i < part->n && !good && !held; i += stride) {
+    for (size_t i = (stride + 1) / 2; i < part->n && !good && !held && nearest < NEAR;
+         i += stride) {
         space_without(part, i, &m->spline);
-        good = fit_and_prove(part, m, out);
+        good = fit_and_prove(part, m, &nearest, out);
     }
     return good;
 }
@@ -243,9 +250,10 @@ static bool refit_with(const struct refit *part, size_t arcs, struct pieces *out
         space_by_length(part, &m.spline);
     else
         space_evenly(part, &m.spline);
-    bool good = fit_and_prove(part, &m, out);
+    double nearest = HUGE_VAL;
+    bool good = fit_and_prove(part, &m, &nearest, out);
     if (!good && arcs + 1 == part->n && (free || part->thorough))
-        good = settle_from_other_spacings(part, &m, out);
+        good = settle_from_other_spacings(part, &m, nearest, out);
     arcspline_free(&m.spline);
     arc_feet_free(&m.feet);
     return good;
@@ -306,7 +314,7 @@ static size_t reduce_smooth_part(const struct refit *like, size_t from, size_t e
                                       (size_t)pieces->item[end - 1].to);
     size_t stride = 1, window = still ? WIDE : WINDOW;
 
-    for (size_t i = from; end - from > window && i < end;) {
+    for (size_t i = from; end - from > ALL_AT_ONCE && i < end;) {
         size_t n = end - i < window ? end - i : window;
         if (reduce_window(like, from, end, i, n, pieces)) {
             end--;

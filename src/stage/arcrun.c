@@ -86,14 +86,14 @@ static bool is_proven(struct fit *f, const struct deviation *within)
 static bool fit_once(struct fit *f, const struct deviation *within, const struct deviation *less)
 {
     struct pieces back = {0};
-    bool good = false;
+    bool good = false, tried = !f->options->hurried;
 
     f->pieces.n = 0;
     arcfit_beam(&f->reference, less, PATH_COORDINATE, effort_of(f), &f->pieces);
-    if (!f->options->hurried)
+    if (tried)
         arcfit_reduce(&f->reference, less, PATH_COORDINATE, false, &f->pieces);
     bool thorough = is_smooth(f);
-    if (thorough)
+    if (thorough && !(tried && reference_axis_still(&f->reference, 0, f->reference.n - 1)))
         arcfit_reduce(&f->reference, less, PATH_COORDINATE, true, &f->pieces);
     if (thorough && fit_from_end(f, less, &back)) {
         swap_pieces(&f->pieces, &back);
