@@ -71,6 +71,8 @@ void arcspline_pieces(const struct arcspline *spline, const struct reference *re
 
 /* ---- residuals */
 
+static const double TURN_SIMPLE = 2; /* radians: no point is beside its end the other way round */
+
 /* Two unit vectors across the path of a row of points at point k. */
 static void unit_across(const struct vec3 *p, size_t n, size_t k, struct vec3 *u, struct vec3 *v)
 {
@@ -103,18 +105,6 @@ void arc_feet_free(struct arc_feet *feet)
     *feet = (struct arc_feet){0};
 }
 
-/* A point of the arc between two joints; see arcspline_normal.h. */
-static struct vec3 conic_at(const struct joint *from, const struct joint *to, double b)
-{
-    struct vec3 e = vec_sub(to->p, from->p);
-    double ahead = vec_dot(e, from->tangent), l = vec_length(e), c = l > 0 ? ahead / l : 0;
-    if (c < ARCSPLINE_BLUNT)
-        return vec_along(from->p, b, e);
-    double middle = 2 * b * (1 - b) * c, end = b * b, sum = (1 - b) * (1 - b) + middle + end;
-    struct vec3 p = vec_along(from->p, middle * l / (2 * c * sum), from->tangent);
-    return vec_along(p, end / sum, e);
-}
-
 /* The axis at a place between two joints: nearly on the great circle, and cheap. */
 static struct vec3 axis_between(const struct joint *from, const struct joint *to, double part)
 {
@@ -126,17 +116,31 @@ static bool is_after(const struct joint *joint, struct vec3 p)
     return vec_dot(vec_sub(p, joint->p), joint->tangent) > 0;
 }
 
-/* Where the arc passes the point. */
-static void set_foot(const struct arcspline *spline, const struct arc *arc, double offset,
-                     struct arc_foot *q)
+/* Where the arc passes the point: with the angle there, which the axis turns by. */
+static void set_foot_by_angle(const struct arc *arc, struct arc_foot *q)
 {
-    const struct joint *from = &spline->joint[q->arc], *to = from + 1;
     q->part = arc_foot(arc, q->p);
     double a = sin(q->part * arc->angle / 2), b = sin((1 - q->part) * arc->angle / 2);
     q->conic = a + b > 0 ? a / (a + b) : q->part;
-    q->at = conic_at(from, to, q->conic);
-    if (offset != 0)
-        q->axis = axis_between(from, to, q->part);
+    q->at = arc_at(arc, q->part);
+}
+
+/* The same without: a tenth of the time.  `end` is the tangent at the arc's end. */
+static void set_foot(const struct arc *arc, struct vec3 end, struct arc_foot *q)
+{
+    struct vec3 w = vec_sub(q->p, arc->from), beyond = vec_sub(q->p, arc->to);
+    double x = vec_dot(w, arc->tangent), rest = arc->radius - vec_dot(w, arc->inward);
+    double far = sqrt(x * x + rest * rest); /* from the centre, in the plane of the arc */
+
+    if (x <= 0 || vec_dot(beyond, end) >= 0) {
+        q->conic = x <= 0 ? 0 : 1;
+        q->at = x <= 0 ? arc->from : arc->to;
+        return;
+    }
+    q->at = vec_along(arc->from, arc->radius * x / far, arc->tangent);
+    q->at = vec_along(q->at, arc->radius * x * x / (far * (far + rest)), arc->inward);
+    double a = vec_distance(arc->from, q->at), b = vec_distance(q->at, arc->to);
+    q->conic = a / (a + b);
 }
 
 void arcspline_residual(const struct arcspline *spline, double offset, struct arc_feet *feet,
@@ -153,14 +157,18 @@ void arcspline_residual(const struct arcspline *spline, double offset, struct ar
         if (k > before)
             arc = arcspline_arc(spline, k);
         q->arc = k;
-        set_foot(spline, &arc, offset, q);
-        struct vec3 at = arc_at(&arc, q->part), d = vec_sub(q->p, at);
+        if (offset == 0 && arc.angle > 0 && arc.angle < TURN_SIMPLE)
+            set_foot(&arc, spline->joint[k + 1].tangent, q);
+        else
+            set_foot_by_angle(&arc, q);
+        struct vec3 d = vec_sub(q->p, q->at);
         off[2 * i] = vec_dot(d, q->u);
         off[2 * i + 1] = vec_dot(d, q->v);
         if (offset == 0)
             continue;
+        q->axis = axis_between(&spline->joint[k], &spline->joint[k + 1], q->part);
         struct vec3 axis = vec_slerp(spline->joint[k].axis, spline->joint[k + 1].axis, q->part);
-        d = vec_sub(q->other, vec_along(at, offset, axis));
+        d = vec_sub(q->other, vec_along(q->at, offset, axis));
         other[2 * i] = vec_dot(d, q->s);
         other[2 * i + 1] = vec_dot(d, q->w);
     }

@@ -24,6 +24,23 @@ static size_t first_column(const struct band *band, size_t i)
     return i > band->width ? i - band->width : 0;
 }
 
+/* The sum of a[k] b[k], in four at a time: each of them waits for itself alone. */
+static double dot(const double *a, const double *b, size_t n)
+{
+    double s = 0, t = 0, u = 0, v = 0;
+    size_t k = 0;
+
+    for (; k + 4 <= n; k += 4) {
+        s += a[k] * b[k];
+        t += a[k + 1] * b[k + 1];
+        u += a[k + 2] * b[k + 2];
+        v += a[k + 3] * b[k + 3];
+    }
+    for (; k < n; k++)
+        s += a[k] * b[k];
+    return (s + t) + (u + v);
+}
+
 bool band_factor(struct band *band)
 {
     for (size_t i = 0; i < band->n; i++) {
@@ -31,10 +48,11 @@ bool band_factor(struct band *band)
         double diagonal = *band_at(band, i, i), pivot = diagonal;
 
         for (size_t j = from; j < i; j++) {
-            double sum = *band_at(band, i, j);
             size_t both = first_column(band, j) > from ? first_column(band, j) : from;
-            for (size_t k = both; k < j; k++)
-                sum -= *band_at(band, i, k) * *band_at(band, j, k);
+            /* columns j - 1 down to `both`: they lie upwards */
+            double sum = *band_at(band, i, j);
+            if (j > both)
+                sum -= dot(band_at(band, i, j - 1), band_at(band, j, j - 1), j - both);
             sum /= *band_at(band, j, j);
             *band_at(band, i, j) = sum;
             pivot -= sum * sum;
@@ -59,8 +77,32 @@ static void divide_row(double *x, size_t columns, size_t i, double by)
         x[i * columns + c] /= by;
 }
 
+/* One right-hand side. */
+static void solve_one(const struct band *factor, double *x)
+{
+    for (size_t i = 0; i < factor->n; i++) {
+        size_t from = first_column(factor, i);
+        const double *row = band_at(factor, i, i);
+        double sum = x[i];
+        for (size_t j = from; j < i; j++)
+            sum -= row[i - j] * x[j];
+        x[i] = sum / row[0];
+    }
+    for (size_t i = factor->n; i-- > 0;) {
+        size_t from = first_column(factor, i);
+        const double *row = band_at(factor, i, i);
+        x[i] /= row[0];
+        for (size_t j = from; j < i; j++)
+            x[j] -= row[i - j] * x[i];
+    }
+}
+
 void band_solve(const struct band *factor, double *x, size_t columns)
 {
+    if (columns == 1) {
+        solve_one(factor, x);
+        return;
+    }
     for (size_t i = 0; i < factor->n; i++) {
         for (size_t j = first_column(factor, i); j < i; j++)
             take_row(x, columns, i, *band_at(factor, i, j), j);
