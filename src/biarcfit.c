@@ -118,8 +118,8 @@ static void report_totals(const struct arcrun_report *r, const struct path *in, 
             ball, DEGREES(r->worst.axis));
 }
 
-static double report(const void *settings, const struct path *in, const struct fitted_runs *runs,
-                     struct unmets *unmet)
+static void report(const void *settings, const struct path *in, const struct fitted_runs *runs,
+                   struct unmets *unmet)
 {
     const struct settings *s = settings;
     struct arcrun_report sum = {0};
@@ -132,7 +132,11 @@ static double report(const void *settings, const struct path *in, const struct f
     if (!s->common.paper && sum.spent > s->common.tolerance)
         unmet_say(unmet, "%s: arcs and lines are %.6f mm off the path, expected at most %g (-e)",
                   in->name, sum.spent, s->common.tolerance);
-    return sum.spent;
+}
+
+static double spent(const void *result)
+{
+    return ((const struct arcrun_report *)result)->spent;
 }
 
 int main(int argc, char **argv)
@@ -169,6 +173,7 @@ int main(int argc, char **argv)
                                   .prepare = prepare,
                                   .fit = fit_run,
                                   .report = report,
+                                  .spent = spent,
                                   .result_size = sizeof(struct arcrun_report)};
     struct cli cli = {.tool = "biarcfit",
                       .usual = "tolerance guard axis-tolerance table quiet verbose",
@@ -184,6 +189,8 @@ int main(int argc, char **argv)
         die_usage("found %d files, expected one path", cli.files);
     if (s.common.gouge.scan.none && s.common.gouge.scan.files.n > 0)
         die_usage("found -g and --no-guard, expected one of them");
+    if (s.common.part_text && path_part_read(s.common.part_text, &s.common.part, &error) < 0)
+        die_given(&error);
     int status = fitter_run(&fitter, &cli, &error);
     if (status < 0)
         die_error(&error);

@@ -1,4 +1,5 @@
 /* bsplfit - the points of a path's cutting runs as B-splines within a tolerance (paper 2). */
+#include <math.h>
 #include <stdio.h>
 
 #include "base/cli.h"
@@ -104,8 +105,8 @@ static void say_unmet(const struct path *in, const struct fitted_runs *runs, str
     }
 }
 
-static double report(const void *settings, const struct path *in, const struct fitted_runs *runs,
-                     struct unmets *unmet)
+static void report(const void *settings, const struct path *in, const struct fitted_runs *runs,
+                   struct unmets *unmet)
 {
     const struct settings *s = settings;
     FILE *table = s->common.report ? stderr : NULL;
@@ -137,7 +138,16 @@ static double report(const void *settings, const struct path *in, const struct f
         note("%zu curves reached the bound of work: they might do with fewer control points",
              r.cut);
     say_unmet(in, runs, unmet);
-    return r.spent;
+}
+
+static double spent(const void *result)
+{
+    const struct spline_run *pieces = &((const struct result *)result)->pieces;
+    double most = 0;
+    for (size_t k = 0; k < pieces->n; k++)
+        if (!pieces->item[k].still)
+            most = fmax(most, spline_report_spent(&pieces->item[k]));
+    return most;
 }
 
 static struct settings s = {.degree = 3};
@@ -201,6 +211,7 @@ int main(int argc, char **argv)
                                   .prepare = prepare,
                                   .fit = fit_run,
                                   .report = report,
+                                  .spent = spent,
                                   .result_size = sizeof(struct result),
                                   .result_free = result_free};
     struct cli cli = {.tool = "bsplfit",
@@ -217,6 +228,8 @@ int main(int argc, char **argv)
     check_interpolate();
     if (s.common.gouge.scan.none && s.common.gouge.scan.files.n > 0)
         die_usage("found -g and --no-guard, expected one of them");
+    if (s.common.part_text && path_part_read(s.common.part_text, &s.common.part, &error) < 0)
+        die_given(&error);
     int status = fitter_run(&fitter, &cli, &error);
     if (status < 0)
         die_error(&error);

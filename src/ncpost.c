@@ -20,7 +20,7 @@ struct settings {
     bool vectors, rotary, strict, self_test, accept;
     int unit, insert; /* -u; --insert: enum post_insert */
     bool unit_given;
-    const char *split;
+    const char *split, *part;
     struct post_options post;
     struct post_extract extract;
 };
@@ -41,6 +41,15 @@ static void read_limit(struct settings *s, const struct cli *cli)
         die_usage("option --split: found no -o FILE, expected one to name the parts after");
     if (s->extract.explain >= 0)
         die_usage("found --split and --explain, expected one of them");
+}
+
+static void read_part(struct settings *s)
+{
+    struct error error;
+    if (path_part_read(s->part, &s->extract.part, &error) != 0)
+        die_given(&error);
+    if (s->split || s->extract.explain >= 0)
+        die_usage("found --part and %s, expected one of them", s->split ? "--split" : "--explain");
 }
 
 static void read_options(struct settings *s, struct cli *cli, int argc, char **argv)
@@ -78,6 +87,9 @@ static void read_options(struct settings *s, struct cli *cli, int argc, char **a
          "divide into programs of at most N blocks, or bytes: 500k, 2M;\n"
          "their files are -o's with -1, -2 ... in the name",
          CLI_TEXT, &s->split, 0, 0, 0, NULL},
+        {0, "part", "K/N",
+         "only part K of N of the program's text: whole passes, to be joined by cat", CLI_TEXT,
+         &s->part, 0, 0, 0, NULL},
         {0, "explain", "N", "explain the origin of block number N instead of writing a program",
          CLI_COUNT, &s->extract.explain, 0, 2e9, 0, NULL},
         {0, "self-test", NULL,
@@ -117,6 +129,8 @@ static void read_options(struct settings *s, struct cli *cli, int argc, char **a
     s->post.axis_tolerance = RADIANS(s->axis_tolerance);
     if (s->split)
         read_limit(s, cli);
+    if (s->part)
+        read_part(s);
 }
 
 static struct machine read_machine(const struct settings *s)

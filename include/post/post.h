@@ -39,6 +39,7 @@
 #define CLOUDMILL_POST_H
 
 #include "io/path/path.h"
+#include "io/path/path_part.h"
 #include "machine/control.h"
 #include "machine/machine.h"
 
@@ -67,6 +68,7 @@ struct post_extract {
     int from;    /* the pass to begin with, -1: the start */
     int explain; /* number of a block whose origin is explained instead, -1: none */
     size_t blocks, bytes;
+    struct path_part part; /* only the text of these passes, to be joined; n 0: all */
 };
 
 /* What was assumed, added, and kept; lengths in mm. */

@@ -16,16 +16,19 @@
 #include "base/cli.h"
 #include "base/effort.h"
 #include "io/path/path.h"
+#include "io/path/path_part.h"
 #include "stage/gouge_options.h"
 
 /* The options that all fitters have; a fitter's table of options fills them. */
 struct fitter_options {
     double tolerance; /* -e, mm: of the tip and the ball's centre */
     bool tolerance_given;
-    double angle; /* --axis-tolerance, degrees */
-    bool paper;   /* --paper: as published */
-    bool report;  /* --report: a table on standard error */
-    double least; /* --min-length: of a piece, mm; 0: any */
+    double angle;          /* --axis-tolerance, degrees */
+    bool paper;            /* --paper: as published */
+    bool report;           /* --report: a table on standard error */
+    double least;          /* --min-length: of a piece, mm; 0: any */
+    const char *part_text; /* --part: K/N; NULL: the whole path */
+    struct path_part part; /* what it says */
     struct gouge_options gouge;
 };
 
@@ -42,6 +45,11 @@ struct fitter_options {
          0,          10,                                                                \
          0,          NULL},                                                             \
         EFFORT_OPTION(&(common)->gouge.effort),                                         \
+        {0,        "part",                                                              \
+         "K/N",    "only part K of N: whole passes, to be joined by cat",               \
+         CLI_TEXT, &(common)->part_text,                                                \
+         0,        0,                                                                   \
+         0,        NULL},                                                               \
     {                                                                                   \
         0, "min-length", "MM",                                                          \
             "no piece and no knot span shorter, unless the tolerance forbids it (any)", \
@@ -91,10 +99,12 @@ struct fitter {
     void (*fit)(const void *settings, const struct fit_request *request, struct run *points,
                 struct fitted_run *run);
 
-    /* Reports on all runs: the table where it is asked for, the totals, and what is unmet.  Returns
-     * what was spent of the tolerance, mm. */
-    double (*report)(const void *settings, const struct path *in, const struct fitted_runs *runs,
-                     struct unmets *unmet);
+    /* Reports on all runs: the table where it is asked for, the totals, and what is unmet. */
+    void (*report)(const void *settings, const struct path *in, const struct fitted_runs *runs,
+                   struct unmets *unmet);
+
+    /* What a result spent of the tolerance, mm. */
+    double (*spent)(const void *result);
 
     size_t result_size;
     void (*result_free)(void *result); /* what a result holds; NULL: nothing */

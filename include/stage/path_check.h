@@ -49,6 +49,9 @@ struct path_check {
 /* Follows items [from, to) of the path, after those before. */
 void path_check_items(struct path_check *check, const struct path *path, size_t from, size_t to);
 
+/* Follows items [from, to) without a look at them: they are somebody else's. */
+void path_check_follow(struct path_check *check, const struct path *path, size_t from, size_t to);
+
 /* Says with say() what is too deep and too slow, kind by kind: how many motions, the deepest with
  * place, pass, depth and part of the tool; they are added to `unmet`.  EXIT_DONE or EXIT_UNMET. */
 int path_check_conclude(const struct path_check *check, struct unmets *unmet);

@@ -34,4 +34,7 @@ void spline_report_totals(const struct spline_report *report, FILE *table);
 /* Percentage of reduction. */
 double spline_report_fewer(size_t points, size_t poles);
 
+/* What a piece spent of the tolerance, mm. */
+double spline_report_spent(const struct spline_run_piece *piece);
+
 #endif

@@ -349,6 +349,38 @@ static void write_program(struct nc_program *p, const char *file)
     out_close(out);
 }
 
+/* The first pass that begins at this move or after it. */
+static size_t next_pass(const struct nc_plan *plan, size_t at)
+{
+    while (at < plan->move.n && plan->move.item[at].kind != NC_PASS)
+        at++;
+    return at;
+}
+
+/* The text of some passes, as it is in the whole program: that is written from its start, to
+ * nowhere, since what is modal and the numbers of blocks come from there. */
+static void write_passes(struct nc_program *p, struct path_part part, const char *file)
+{
+    const struct nc_plan *plan = p->plan;
+    struct out *out = out_open(file);
+    size_t from, to;
+    path_part_share(part, plan->move.n, &from, &to);
+    from = path_part_first(part) ? 0 : next_pass(plan, from);
+    to = path_part_last(part) ? plan->move.n : next_pass(plan, to);
+    begin_text(p, path_part_first(part) ? out : NULL);
+    post_program_start(p);
+    for (size_t i = 0; i < to; i++) {
+        if (i == from)
+            nc_writer_divert(&p->w, out);
+        post_program_move(p, &plan->move.item[i]);
+    }
+    if (path_part_last(part)) {
+        nc_writer_divert(&p->w, out);
+        post_program_finish(p);
+    }
+    out_close(out);
+}
+
 /* part.nc: part-2.nc */
 static char *part_name(const char *file, size_t part)
 {
@@ -419,6 +451,8 @@ int nc_output(struct nc_program *p, struct post_extract extract, const char *fil
         result = explain(p, extract.explain, file, error);
     else if (result == 0 && (extract.blocks || extract.bytes))
         result = write_parts(p, extract, file, files, error);
+    else if (result == 0 && extract.part.n > 0)
+        write_passes(p, extract.part, file);
     else if (result == 0)
         write_program(p, file);
     p->plan = whole;

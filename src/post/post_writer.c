@@ -20,6 +20,12 @@ void nc_writer_begin(struct nc_writer *w, struct out *out, struct nc_format_opti
                             .most = most,
                             .number = style.count_all ? -1 : 0,
                             .wanted = -1};
+    nc_writer_divert(w, out);
+}
+
+void nc_writer_divert(struct nc_writer *w, struct out *out)
+{
+    w->out = out;
     w->line = out ? out_room(out, NC_LINE_MAX) : w->own;
 }
 

@@ -56,6 +56,9 @@ struct nc_writer {
 void nc_writer_begin(struct nc_writer *w, struct out *out, struct nc_format_options style, int step,
                      long most);
 
+/* From this block on the text goes there; NULL: to nowhere. */
+void nc_writer_divert(struct nc_writer *w, struct out *out);
+
 /* Adds a word to the block: a text as it is; an address with a number; with a whole number. */
 void nc_code(struct nc_writer *w, const char *word);
 void nc_number(struct nc_writer *w, const char *address, double value, int digits);

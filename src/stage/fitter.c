@@ -6,6 +6,7 @@
 
 #include "base/out.h"
 #include "base/parallel.h"
+#include "io/path/path_part.h"
 #include "io/path/path_run.h"
 #include "stage/path_check.h"
 
@@ -31,6 +32,11 @@ struct workload {
     struct fit_request request;
     const struct fitted_runs *runs; /* as they were found */
     struct fitted_runs *fitted;     /* by run: its parts, fitted */
+};
+
+/* A part of the path: items [from, to). */
+struct range {
+    size_t from, to;
 };
 
 static struct fitted_runs find_runs(const struct path *in)
@@ -194,15 +200,33 @@ static void fit_runs(void *context, size_t from, size_t to)
     }
 }
 
-/* All runs fitted, in parts where it takes that. */
+/* Leaves the runs that are in the range, numbered anew. */
+static void keep_runs(struct fitted_runs *runs, struct range range)
+{
+    size_t n = 0;
+
+    for (size_t i = 0; i < runs->n; i++) {
+        if (runs->item[i].from < range.from || runs->item[i].from >= range.to)
+            continue;
+        runs->item[n] = runs->item[i];
+        runs->item[n].number = n;
+        n++;
+    }
+    runs->n = n;
+}
+
+/* All runs of the range fitted, in parts where it takes that.  How much work each may be depends on
+ * the whole path. */
 static struct fitted_runs fit_all(const struct fitter *fitter, const struct path *in,
-                                  const struct gouge_refit_options *gouge, int threads)
+                                  struct range range, const struct gouge_refit_options *gouge,
+                                  int threads)
 {
     struct fitted_runs runs = find_runs(in), all = {0};
     double points = 1;
 
     for (size_t i = 0; i < runs.n; i++)
         points += (double)(runs.item[i].to - runs.item[i].from);
+    keep_runs(&runs, range);
     struct fit_request request = {
         .gouge = gouge, .in = in, .axis_share = 1, .work = fmin(1, USUAL_POINTS / points)};
     struct workload workload = {fitter, request, &runs,
@@ -220,21 +244,39 @@ static struct fitted_runs fit_all(const struct fitter *fitter, const struct path
     return all;
 }
 
-/* The path with the fitted items in the place of the runs; all else goes over as it is. */
-static struct path assemble(const struct path *in, const struct fitted_runs *runs)
+/* Items up to `to`, and after each pass that ends before there what was spent in it. */
+static void add_as_they_are(const struct fitter *fitter, struct path *out, const struct path *in,
+                            struct range range, double *spent)
+{
+    for (size_t i = range.from; i < range.to; i++) {
+        if (in->item.item[i].kind == PATH_PASS && *spent >= 0) {
+            path_spend_pass(out, fitter->name, *spent, out->item.n);
+            *spent = -1;
+        }
+        path_add_items(out, in, i, i + 1);
+    }
+}
+
+/* The range with the fitted items in the place of the runs; all else goes over as it is. */
+static struct path assemble(const struct fitter *fitter, const struct path *in,
+                            const struct fitted_runs *runs, struct range range)
 {
     struct path out = {.name = in->name};
-    size_t done = 0;
+    size_t done = range.from;
+    double spent = -1; /* in this pass so far; below 0: no run in it */
 
     path_head_copy(&out.head, &in->head);
     out.head.chord = NAN;
     for (size_t i = 0; i < runs->n; i++) {
         const struct fitted_run *run = &runs->item[i];
-        path_add_items(&out, in, done, run->from + 1);
+        add_as_they_are(fitter, &out, in, (struct range){done, run->from + 1}, &spent);
         path_add_items(&out, &run->fitted, 0, run->fitted.item.n);
+        spent = fmax(spent, fitter->spent(run->result) + run->gouge.lift);
         done = run->to;
     }
-    path_add_items(&out, in, done, in->item.n);
+    add_as_they_are(fitter, &out, in, (struct range){done, range.to}, &spent);
+    if (spent >= 0)
+        path_spend_pass(&out, fitter->name, spent, out.item.n);
     return out;
 }
 
@@ -260,11 +302,32 @@ static int read_path(const struct fitter *fitter, const char *file, struct path 
     return 0;
 }
 
-static void write_path(const char *file, const struct path *path)
+/* What the stages before could not keep is in the last part. */
+static void write_path(const char *file, struct path *path, struct path_part part,
+                       const struct unmets *unmet)
 {
     struct out *o = out_open(file);
-    path_write(o, path);
+    if (path_part_first(part))
+        path_write_head(o, &path->head);
+    path_write_items(o, path);
+    if (path_part_last(part)) {
+        unmets_add_all(&path->head.unmet, unmet);
+        path_write_end(o, &path->head);
+    } else {
+        path_write_unmet(o, unmet);
+    }
     out_close(o);
+}
+
+/* The part that is asked for, as items of the path. */
+static struct range range_of(struct path_part part, const struct path *in)
+{
+    struct range range;
+
+    path_part_items(part, in, &range.from, &range.to);
+    if (range.from == range.to)
+        say("%s: part %ld of %ld is empty: there are too few passes", in->name, part.k, part.n);
+    return range;
 }
 
 int fitter_run(const struct fitter *fitter, const struct cli *cli, struct error *error)
@@ -279,24 +342,23 @@ int fitter_run(const struct fitter *fitter, const struct cli *cli, struct error 
         path_free(&in);
         return -1;
     }
-    struct fitted_runs runs = fit_all(fitter, &in, &gouge, cli->threads);
+    struct range range = range_of(options->part, &in);
+    struct fitted_runs runs = fit_all(fitter, &in, range, &gouge, cli->threads);
     double lift = 0;
     for (size_t i = 0; i < runs.n; i++)
         lift = fmax(lift, runs.item[i].gouge.lift);
 
-    struct path out = assemble(&in, &runs);
+    struct path out = assemble(fitter, &in, &runs, range);
     struct unmets unmet = {0};
-    double spent = fitter->report(fitter->settings, &in, &runs, &unmet);
-    if (runs.n > 0)
-        path_spend(&out, fitter->name, spent + lift);
+    fitter->report(fitter->settings, &in, &runs, &unmet);
     struct path_check check = {.tool = gouge, .threads = cli->threads};
+    path_check_follow(&check, &in, 0, range.from);
     path_check_items(&check, &out, 0, out.item.n);
     if (lift > 0)
         note("points lifted by at most %.4f mm where motions went too deep between them", lift);
     path_check_conclude(&check, &unmet);
+    write_path(cli->output, &out, options->part, &unmet);
     int status = unmets_status(&unmet);
-    unmets_add_all(&out.head.unmet, &unmet);
-    write_path(cli->output, &out);
     unmets_free(&unmet);
     gouge_refit_free(&gouge);
     free_runs(fitter, &runs);

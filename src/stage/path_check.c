@@ -107,6 +107,20 @@ void path_check_items(struct path_check *check, const struct path *path, size_t 
     array_free(&motions);
 }
 
+void path_check_follow(struct path_check *check, const struct path *path, size_t from, size_t to)
+{
+    struct path_check ahead = *check;
+
+    ahead.tool.guard = NULL;
+    path_check_items(&ahead, path, from, to);
+    check->at = ahead.at;
+    check->begun = ahead.begun;
+    check->touched = ahead.touched;
+    check->contacts = ahead.contacts;
+    check->pass = ahead.pass;
+    check->feed = ahead.feed;
+}
+
 int path_check_conclude(const struct path_check *check, struct unmets *unmet)
 {
     static const char *const name[] = {"cutting motions", "links at feed", "rapids"};

@@ -57,6 +57,11 @@ static void count_spans(struct spline_report *report, double least, const struct
     }
 }
 
+double spline_report_spent(const struct spline_run_piece *piece)
+{
+    return piece->smooth + fmax(piece->fit.proof.point, piece->fit.proof.other);
+}
+
 void spline_report_add(struct spline_report *report, size_t pass, double least,
                        const struct spline_run_piece *piece, FILE *table)
 {
@@ -76,7 +81,7 @@ void spline_report_add(struct spline_report *report, size_t pass, double least,
     keep_largest(&report->worst.point, fit->proof.point);
     keep_largest(&report->worst.other, fit->proof.other);
     keep_largest(&report->worst.axis, fit->proof.axis);
-    keep_largest(&report->spent, piece->smooth + fmax(fit->proof.point, fit->proof.other));
+    keep_largest(&report->spent, spline_report_spent(piece));
     if (table != NULL) {
         fprintf(table, "%5zu ", pass);
         write_row(table, points, poles, &fit->deviation, &fit->proof, combination(fit));

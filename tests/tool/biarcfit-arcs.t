@@ -5,7 +5,7 @@
 passes=$SRC/tests/data/panel_passes.cl
 
 arcs() { grep -c '^CIRCLE/' "$1"; }
-spent() { sed -n 's/^.*LEDGER\/biarcfit,//p' "$1"; }
+spent() { sed -n 's/^.*LEDGER\/biarcfit,//p' "$1" | sort -n | tail -n 1; }
 
 # path ITEMS: a small path with these statements
 path() {

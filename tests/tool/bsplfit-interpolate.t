@@ -10,7 +10,7 @@ poles() { # FILE: all of them
 	sed -n 's/^MOVNRB.ON,[0-9]*,[0-9]*,0,\([0-9]*\),.*/\1/p' "$1" | awk '{ n += $1 } END { print n + 0 }'
 }
 off() { awk -f "$SRC/tests/lib/splines.awk" "$1" "$2"; }
-spent() { sed -n 's/^.*LEDGER\/bsplfit,//p' "$1"; }
+spent() { sed -n 's/^.*LEDGER\/bsplfit,//p' "$1" | sort -n | tail -n 1; }
 # bend FILE: the largest second difference of the first three poles of a curve, by their knots: the
 # second derivative at its start, whose zero is a natural end
 bend() {

@@ -33,7 +33,7 @@ simple() {
 		line ~ /^GOTO/ { sub(/.*\//, "", line); split(line, here, ",") }
 		END { exit bad }' "$1"
 }
-spent() { sed -n 's/^.*LEDGER\/bsplfit,//p' "$1"; }
+spent() { sed -n 's/^.*LEDGER\/bsplfit,//p' "$1" | sort -n | tail -n 1; }
 
 # Dense passes
 status 0 "dense passes" bsplfit -e 0.01 -o "$TMP/p.cl" "$passes"

@@ -98,6 +98,13 @@ struct path_tool {
 struct ledger_entry {
     char *stage;
     double spent;
+    bool by_pass; /* the largest of those that stand where a pass ends */
+};
+
+/* What a stage spent in one pass, written where it ends, before this item of the path. */
+struct path_spent {
+    size_t before;
+    struct ledger_entry entry;
 };
 
 enum path_track { TRACK_TIP, TRACK_CENTRE, TRACK_CONTACT };
@@ -162,6 +169,10 @@ struct path {
         size_t n, cap;
         struct path_tool *item;
     } tool;
+    struct {
+        size_t n, cap;
+        struct path_spent *item;
+    } spent; /* in the order of `before`; what a stage that writes by passes adds */
     bool inches_taken;     /* the stream does not say its unit, but feeds in inches */
     unsigned feeds_mm;     /* line of the first feed in mm under UNITS/INCHES; 0: there is none */
     size_t tools_numbered; /* tools without a number that got one, in their order */
@@ -196,9 +207,12 @@ int path_read_as(const char *file, enum path_unit unit, struct path *path, struc
 void path_write(struct out *out, const struct path *path);
 
 /* The same in pieces: the head, items as often as there are more, the end: with
- * what is unmet, which is known only then. */
+ * what is unmet, which is known only then.  A range of items has what was spent in the passes that
+ * end in it. */
 void path_write_head(struct out *out, const struct path_head *head);
 void path_write_items(struct out *out, const struct path *path);
+void path_write_range(struct out *out, const struct path *path, size_t from, size_t to);
+void path_write_unmet(struct out *out, const struct unmets *unmet);
 void path_write_end(struct out *out, const struct path_head *head);
 
 void path_free(struct path *path);
@@ -223,6 +237,9 @@ enum path_coolant path_coolant_of(const char *word);
 
 /* Adds a stage and what it spent to the ledger. */
 void path_spend(struct path *path, const char *stage, double spent);
+
+/* The same for one pass: written before this item, the first after the pass. */
+void path_spend_pass(struct path *path, const char *stage, double spent, size_t before);
 
 /* Sum of the ledger, mm. */
 double path_spent(const struct path *path);

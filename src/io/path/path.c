@@ -24,6 +24,9 @@ void path_free(struct path *path)
     for (size_t i = 0; i < path->unknown.n; i++)
         free(path->unknown.item[i].word);
     array_free(&path->head.ledger);
+    for (size_t i = 0; i < path->spent.n; i++)
+        free(path->spent.item[i].entry.stage);
+    array_free(&path->spent);
     scan_sources_free(&path->head.scan);
     unmets_free(&path->head.unmet);
     array_free(&path->item);
@@ -47,7 +50,7 @@ void path_head_copy(struct path_head *to, const struct path_head *from)
     unmets_add_all(&to->unmet, &from->unmet);
     for (size_t i = 0; i < from->ledger.n; i++)
         *array_push(&to->ledger) = (struct ledger_entry){copy_text(from->ledger.item[i].stage),
-                                                         from->ledger.item[i].spent};
+                                                         from->ledger.item[i].spent, false};
 }
 
 enum path_coolant path_coolant_of(const char *word)
@@ -67,7 +70,12 @@ enum path_coolant path_coolant_of(const char *word)
 
 void path_spend(struct path *path, const char *stage, double spent)
 {
-    *array_push(&path->head.ledger) = (struct ledger_entry){copy_text(stage), spent};
+    *array_push(&path->head.ledger) = (struct ledger_entry){copy_text(stage), spent, false};
+}
+
+void path_spend_pass(struct path *path, const char *stage, double spent, size_t before)
+{
+    *array_push(&path->spent) = (struct path_spent){before, {copy_text(stage), spent, true}};
 }
 
 double path_spent(const struct path *path)

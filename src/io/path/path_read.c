@@ -149,6 +149,19 @@ static int read_track(struct path_parse *p)
     return 0;
 }
 
+/* The entry of a stage that says pass by pass what it spent. */
+static struct ledger_entry *entry_by_pass(struct path *path, const char *stage)
+{
+    for (size_t i = 0; i < path->head.ledger.n; i++) {
+        struct ledger_entry *entry = &path->head.ledger.item[i];
+        if (entry->by_pass && strcmp(entry->stage, stage) == 0)
+            return entry;
+    }
+    path_spend(path, stage, 0);
+    path->head.ledger.item[path->head.ledger.n - 1].by_pass = true;
+    return &path->head.ledger.item[path->head.ledger.n - 1];
+}
+
 static int read_ledger(struct path_parse *p)
 {
     double spent;
@@ -160,7 +173,12 @@ static int read_ledger(struct path_parse *p)
     const char *name = strchr(p->apt.raw, '/') + 1;
     name += strspn(name, " \t");
     char *stage = mem_string(name, strcspn(name, ", \t"));
-    path_spend(p->path, stage, spent);
+    if (p->path->item.n == 0) {
+        path_spend(p->path, stage, spent);
+    } else {
+        struct ledger_entry *entry = entry_by_pass(p->path, stage);
+        entry->spent = fmax(entry->spent, spent);
+    }
     free(stage);
     return 0;
 }

@@ -81,6 +81,11 @@ static void write_scan(struct out *out, const struct scan_sources *scan)
     }
 }
 
+static void write_spent(struct out *out, const struct ledger_entry *entry)
+{
+    out_printf(out, "$$-> LEDGER/%s,%.6f\n", entry->stage, entry->spent);
+}
+
 void path_write_head(struct out *out, const struct path_head *head)
 {
     static const char *const coolant[] = {NULL, "OFF", "ON", "MIST", "THRU", "AIR"};
@@ -106,8 +111,7 @@ void path_write_head(struct out *out, const struct path_head *head)
     if (head->body_given)
         write_body(out, &head->body);
     for (size_t i = 0; i < head->ledger.n; i++)
-        out_printf(out, "$$-> LEDGER/%s,%.6f\n", head->ledger.item[i].stage,
-                   head->ledger.item[i].spent);
+        write_spent(out, &head->ledger.item[i]);
     if (!isnan(head->chord))
         out_printf(out, "$$-> CHORD/%.6f\n", head->chord);
     if (!isnan(head->clearance))
@@ -267,15 +271,25 @@ static void write_item(struct out *out, const struct path *path, const struct pa
     }
 }
 
-void path_write_items(struct out *out, const struct path *path)
+void path_write_range(struct out *out, const struct path *path, size_t from, size_t to)
 {
     const struct path_cycle *on = NULL;
-    for (size_t i = 0; i < path->item.n; i++) {
+    size_t k = 0;
+    while (k < path->spent.n && path->spent.item[k].before <= from)
+        k++;
+    for (size_t i = from; i < to; i++) {
         write_cycle(out, path, &path->item.item[i], &on);
         write_item(out, path, &path->item.item[i]);
+        for (; k < path->spent.n && path->spent.item[k].before == i + 1; k++)
+            write_spent(out, &path->spent.item[k].entry);
     }
     if (on)
         out_text(out, "CYCLE/OFF\n");
+}
+
+void path_write_items(struct out *out, const struct path *path)
+{
+    path_write_range(out, path, 0, path->item.n);
 }
 
 /* A $ at the end of a line would continue it: it becomes a `?` anywhere. */
@@ -287,10 +301,15 @@ static void write_unmet(struct out *out, const struct unmet *unmet)
     out_text(out, "\n");
 }
 
+void path_write_unmet(struct out *out, const struct unmets *unmet)
+{
+    for (size_t i = 0; i < unmet->n; i++)
+        write_unmet(out, &unmet->item[i]);
+}
+
 void path_write_end(struct out *out, const struct path_head *head)
 {
-    for (size_t i = 0; i < head->unmet.n; i++)
-        write_unmet(out, &head->unmet.item[i]);
+    path_write_unmet(out, &head->unmet);
     out_text(out, "FINI\n");
 }
 

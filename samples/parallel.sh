@@ -1,0 +1,80 @@
+#!/bin/sh
+# parallel.sh [-n PARTS] [-s HOSTS] FITTER PATH OUT [OPTION...] - a path fitted in parts by GNU
+# parallel, here or on other machines; the parts joined are what one run writes, byte by byte.
+#
+# FITTER: biarcfit or bsplfit, with OPTIONs.  -n: how many parts (default: two for each processor
+# here).  -s: hosts as parallel's --sshlogin has them, `:` for this one; each needs the tools in
+# its PATH, ssh without a password, and rsync.  A part whose worker dies is run again, three times
+# in all, elsewhere if there is an elsewhere.  BIN: where the tools are here.
+# Exit status 3: a part could not keep what was asked, as OUT says.  cloudmill-parallel(7).
+usage() {
+	echo "usage: parallel.sh [-n PARTS] [-s HOSTS] FITTER PATH OUT [OPTION...]" >&2
+	exit 2
+}
+parts=$(($(getconf _NPROCESSORS_ONLN) * 2)) hosts=:
+while getopts n:s: option; do
+	case $option in
+	n) parts=$OPTARG ;;
+	s) hosts=$OPTARG ;;
+	*) usage ;;
+	esac
+done
+shift $((OPTIND - 1))
+[ $# -ge 3 ] || usage
+fitter=$1 path=$2 out=$3
+shift 3
+PATH=${BIN:+$BIN:}$PATH
+export PATH
+command -v parallel >/dev/null || {
+	echo "parallel.sh: found no GNU parallel, expected it in PATH" >&2
+	exit 1
+}
+work=$(mktemp -d "${TMPDIR:-/tmp}/parallel.XXXXXX") || exit 1
+trap 'rm -rf "$work"' EXIT
+trap 'exit 130' INT TERM
+
+# What is shipped: the path, the scans that it names, and what is to be done with a part.
+cp "$path" "$work/path.cl" || exit 1
+ship='--basefile path.cl --basefile part.sh' guards='' n=0
+case " $* " in *' -g'* | *' --guard'* | *' --no-guard '*) named=/dev/null ;; *) named=$path ;; esac
+sed -n 's/^\$\$-> SCAN\/[0-9]*,[0-9a-f]*,//p' "$named" >"$work/scans"
+while [ "$hosts" != : ] && read -r scan; do
+	n=$((n + 1))
+	cp "$scan" "$work/scan-$n.xyz" || exit 1
+	ship="$ship --basefile scan-$n.xyz" guards="$guards -g scan-$n.xyz"
+done <"$work/scans"
+quoted=''
+for option; do
+	quoted="$quoted '$(printf %s "$option" | sed "s/'/'\\\\''/g")'"
+done
+cat >"$work/part.sh" <<END
+exec 2>"said.\$1"
+$fitter -q -j 1 --part "\$1/$parts" -o "fitted.\$1" $guards $quoted path.cl
+s=\$?
+echo \$s >"status.\$1"
+[ \$s -eq 0 ] || [ \$s -eq 3 ]
+END
+
+here=$(pwd)
+cd "$work" || exit 1
+if [ "$hosts" = : ]; then
+	how="--workdir $work"
+else
+	how="--workdir .cloudmill-$(basename "$work") --cleanup --return fitted.{} --return status.{} --return said.{} $ship"
+fi
+# shellcheck disable=SC2086 # options, one by one
+seq "$parts" | parallel --sshlogin "$hosts" --retries 3 $how sh part.sh '{}'
+ran=$?
+cat said.* | sort -u >&2
+[ "$ran" -eq 0 ] || {
+	echo "parallel.sh: $ran of $parts parts could not be fitted; nothing is written" >&2
+	exit 1
+}
+for k in $(seq "$parts"); do
+	cat "fitted.$k"
+done >joined
+# The scans have their own names again.
+[ $n -eq 0 ] || { awk '/^\$\$-> SCAN\// { if (FNR == NR) name[++n] = $0; else $0 = name[++k] }
+	FNR != NR' path.cl joined >named && mv named joined; } || exit 1
+cd "$here" && mv "$work/joined" "$out" || exit 1
+! grep -q 3 "$work"/status.* || exit 3

@@ -1,0 +1,106 @@
+#!/bin/sh
+# all-parts.t - a path fitted and posted in parts is what one run writes, byte by byte; samples/
+# parallel.sh does it with GNU parallel, here and on hosts, and runs a killed worker's part again.
+. "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
+
+passes=$SRC/tests/data/panel_passes.cl
+cd "$TMP" || exit 1
+
+# parts N COMMAND...: the parts joined, in `joined`; fails when one fails
+parts() {
+	n=$1
+	shift
+	for k in $(seq "$n"); do
+		"$@" --part "$k/$n" -o "part.$k" || return 1
+	done
+	for k in $(seq "$n"); do
+		cat "part.$k"
+	done >joined
+}
+
+for fitter in biarcfit bsplfit; do
+	ok "$fitter: the whole" $fitter -q -e 0.01 -o whole.$fitter "$passes"
+	for n in 3 11; do
+		ok "$fitter in $n parts" parts $n $fitter -q -e 0.01 "$passes"
+		same "$fitter: $n parts joined are the whole" joined whole.$fitter
+	done
+	ok "the head is in the first part" grep -q '^PARTNO\|^UNITS' part.1
+	hasnt "and in no other" '^UNITS' part.2
+	hasnt "no part but the last has an end" '^FINI' part.1
+	for control in fanuc siemens heidenhain linuxcnc; do
+		ok "$fitter, $control: the whole" ncpost -q -c $control --no-spindle -o whole.nc whole.$fitter
+		ok "$fitter, $control: 4 parts" parts 4 ncpost -q -c $control --no-spindle whole.$fitter
+		same "$fitter, $control: joined they are the program" joined whole.nc
+	done
+done
+status 1 "a part that is not the last is no path" ncpost -c fanuc part.1
+spent() { sed -n 's/^.*LEDGER\/biarcfit,//p' "$1"; }
+ok "what was spent is said for each pass" [ "$(spent whole.biarcfit | wc -l)" -eq \
+	"$(grep -c 'PASS/' whole.biarcfit)" ]
+status 0 "the whole ledger" ncpost -v -c fanuc --no-spindle -o /dev/null whole.biarcfit
+said=$(sed -n 's/.*with the stages before \([0-9.]*\) mm/\1/p' err)
+below "of the passes the largest counts" \
+	"$(spent whole.biarcfit | sort -n | tail -n 1)" "$said"
+below "and no sum" "$said" 0.03
+for part in 0/3 4/3 x 1/ 1/10001; do
+	status 2 "biarcfit --part $part" biarcfit --part $part "$passes"
+	status 2 "ncpost --part $part" ncpost -c fanuc --part $part whole.biarcfit
+done
+status 2 "a part of one of the programs of --split" \
+	ncpost -c fanuc --part 1/2 --split 100 -o x.nc whole.biarcfit
+
+# ---- GNU parallel
+
+command -v parallel >/dev/null || skip_rest "GNU parallel is not installed"
+together=$SRC/samples/parallel.sh
+status 0 "in parallel" sh "$together" -n 3 biarcfit "$passes" joined -e 0.01
+same "in parallel it is the same" joined whole.biarcfit
+status 0 "in parallel, B-splines and more options" \
+	sh "$together" -n 2 bsplfit "$passes" joined -e 0.02 --degree 4
+bsplfit -q -e 0.02 --degree 4 -o whole.cl "$passes"
+same "with the same options" joined whole.cl
+mkdir bin
+# A worker that is killed the first time.
+cat >bin/biarcfit <<END
+#!/bin/sh
+case \$* in *--part\ 2/3*) [ -e "$TMP/killed" ] || { : >"$TMP/killed" && kill -9 \$\$; } ;; esac
+exec "$BIN/biarcfit" "\$@"
+END
+chmod +x bin/biarcfit
+status 0 "a worker is killed" env BIN="$TMP/bin" sh "$together" -n 3 biarcfit "$passes" joined
+ok "it was" test -e killed
+same "its part is run again" joined whole.biarcfit
+status 1 "no such path" sh "$together" -n 2 biarcfit none.cl none.out
+status 1 "an option that is none" sh "$together" -n 2 biarcfit "$passes" none.out --wrong
+ok "nothing is written" test ! -e none.out
+
+# ---- hosts, each a folder with a shell
+
+command -v rsync >/dev/null || skip_rest "rsync is not installed"
+cat >ssh <<END
+#!/bin/sh
+while [ \$# -gt 0 ]; do
+	case \$1 in -l | -p | -o) shift 2 ;; -*) shift ;; *) break ;; esac
+done
+HOME=$TMP/home-\$1
+shift
+[ "\$1" = -- ] && shift
+mkdir -p "\$HOME" && cd "\$HOME" && export HOME && exec sh -c "\$*"
+END
+chmod +x ssh
+awk 'BEGIN { for (i = -20; i <= 20; i++) for (j = -10; j <= 10; j++)
+	printf "%.4f %.4f %.4f\n", i, j, 4 * cos(i / 8) * cos(j / 9) }' >scan.xyz
+cloud2mesh -q -t 2 -o mesh.ply scan.xyz
+meshnorm -q -r 4 --scallop 0.2 -o guarded.cl mesh.ply
+biarcfit -q -o whole.cl guarded.cl
+whole=$?
+PARALLEL_SSH=$TMP/ssh
+export PARALLEL_SSH
+status $whole "on two hosts, with the scan" \
+	sh "$together" -n 3 -s one,two biarcfit guarded.cl joined
+has "the path names its scan" 'SCAN/.*scan.xyz' whole.cl
+same "on two hosts it is the same" joined whole.cl
+ok "both were used" test -d home-one -a -d home-two
+ok "and nothing is left there" [ -z "$(find home-one home-two -type f)" ]
+
+done_testing
