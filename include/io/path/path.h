@@ -172,7 +172,7 @@ struct path {
     struct {
         size_t n, cap;
         struct path_spent *item;
-    } spent; /* in the order of `before`; what a stage that writes by passes adds */
+    } spent;               /* in the order of `before`; what a stage that writes by passes adds */
     bool inches_taken;     /* the stream does not say its unit, but feeds in inches */
     unsigned feeds_mm;     /* line of the first feed in mm under UNITS/INCHES; 0: there is none */
     size_t tools_numbered; /* tools without a number that got one, in their order */
