@@ -207,7 +207,7 @@ lint:
 	  -i tests/fuzz/seeds -i tests/fuzz/found src tests
 	clang-tidy --quiet --warnings-as-errors='*' $(tool_src) $(lib_src) -- $(FLAGS)
 	shellcheck -S warning -x -P tests/lib src/*.sh tests/*.sh tests/*/*.sh tests/*/*.t tests/house/bare/* \
-	  samples/*.sh .ci/run
+	  samples/*.sh samples/tasks/*.sh .ci/run
 
 sanitize:
 	$(MAKE) BUILD=$(BUILD)/sanitize CC=clang \

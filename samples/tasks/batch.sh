@@ -2,6 +2,7 @@
 # batch.sh [FOLDER] - a folder of scans to programs, several at a time: by GNU parallel where it is
 # installed, else by xargs.  One scan is broken: the others are made all the same, and the job's log
 # says which one is not.
+# shellcheck source=samples/tasks/begin.sh
 . "$(dirname "$0")/begin.sh"
 mkdir -p scans programs
 for k in 1 2 3 4; do

@@ -1,6 +1,7 @@
 #!/bin/sh
 # blade.sh [FOLDER] - the side of a turbine blade as a NURBS surface, written here as text (cloudmill-nurbs(5)):
 # a bicubic with a hollow that twists along the blade; cut along it on a Siemens, as B-splines.
+# shellcheck source=samples/tasks/begin.sh
 . "$(dirname "$0")/begin.sh"
 
 # 7 poles across the chord of 40 mm, 6 along the span of 60; the sections turn by 6 degrees each.

@@ -2,6 +2,7 @@
 # foreign.sh [FOLDER] - a path of another CAM system (a CL file as Siemens NX writes it) for four controls.
 # Each program is read back, compared with the path (-p: the same tip, axis and feed) and checked
 # against the part.
+# shellcheck source=samples/tasks/begin.sh
 . "$(dirname "$0")/begin.sh"
 
 awk 'BEGIN {

@@ -2,6 +2,7 @@
 # normals.sh [FOLDER] - a stage of one's own between two of ours: normals.py, a few lines of Python, takes
 # the mesh from cloud2mesh and gives it other normals for meshnorm.  The angle between both is the
 # figure; the program is checked as any other.
+# shellcheck source=samples/tasks/begin.sh
 . "$(dirname "$0")/begin.sh"
 scan=$samples/panel_17036.xyz
 cloud2mesh -q -t 2 "$scan" -o ours.ply

@@ -2,6 +2,7 @@
 # old-control.sh [FOLDER] - three axes on a control of the eighties with room for 40 kilobytes: the tool
 # stands upright, programs of lines and arcs in the plane, in parts that fit, each beginning above
 # the work.
+# shellcheck source=samples/tasks/begin.sh
 . "$(dirname "$0")/begin.sh"
 
 # What that control lacks: no tool-centre-point control (three axes), no digits beyond the third.

@@ -1,6 +1,7 @@
 #!/bin/sh
 # papers.sh [FOLDER] - the tables of both papers that the suite rests on, beside our figures: the number of
 # vertices of the first (paper1.sh), control points of the second (paper2.sh).
+# shellcheck source=samples/tasks/begin.sh
 . "$(dirname "$0")/begin.sh"
 sh "$samples/paper1.sh" | tee paper1.txt
 awk '/^panel.*--paper/ { print "figure panel.vertices", $(NF - 3) } /^face.*3.8 --paper/ { print "figure face.vertices", $(NF - 3) }' paper1.txt

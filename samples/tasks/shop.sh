@@ -6,6 +6,7 @@
 # In a pipe the shell sees the status of the last tool.  ncpost ends with 3 if it, or any stage before
 # it, could not keep what was asked: so the last is enough for that.  What fails outright (1) leaves an
 # empty pipe, so that ncpost fails too.
+# shellcheck source=samples/tasks/begin.sh
 . "$(dirname "$0")/begin.sh"
 awk 'BEGIN { for (i = 0; i < 6400; i++) { x = (i % 80) / 4 - 10; y = int(i / 80) / 4 - 10; r = x * x + y * y
 	printf "%.3f %.3f %.4f\n", x, y, r < 27 ? 10 - sqrt(36 - r) + 3 : 10 } }' >bowl.xyz

@@ -3,6 +3,7 @@
 # scan goes to refused/ with the reason.  A program appears in out/ whole or not at all, and only with
 # exit status 0: a control that fetches from there never sees half of one, nor one that does not keep
 # what was asked.  Runs for ever in a shop; here until in/ is empty, after two scans were put there.
+# shellcheck source=samples/tasks/begin.sh
 . "$(dirname "$0")/begin.sh"
 mkdir -p in out refused making
 awk 'BEGIN { for (i = 0; i < 2500; i++) { x = (i % 50) / 2; y = int(i / 50) / 2
