@@ -1,7 +1,7 @@
 /* biarcfit - the points of a path's cutting runs as arcs and lines within a tolerance. */
-#include <math.h>
 #include <stdio.h>
 
+#include "math/elementary.h"
 #include "base/cli.h"
 #include "base/effort.h"
 #include "stage/arcrun.h"

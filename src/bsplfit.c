@@ -1,5 +1,5 @@
 /* bsplfit - the points of a path's cutting runs as B-splines within a tolerance (paper 2). */
-#include <math.h>
+#include "math/elementary.h"
 #include <stdio.h>
 
 #include "base/cli.h"

@@ -2,11 +2,11 @@
  * cloud2surf - scanned points to a NURBS surface: the indirect way that paper 1 reviews, by least
  * squares (Bradley, Park), by Ferguson patches (Lee) or by Bezier patches (Kawabe).
  */
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "math/elementary.h"
 #include "base/cli.h"
 #include "cloud/plan_extent.h"
 #include "io/nurbs/surfaces_write.h"

@@ -4,10 +4,10 @@
  *
  * The reading shares nothing with the writing (ncread.h): what is judged is what the control gets.
  */
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "math/elementary.h"
 #include "base/array.h"
 #include "base/cli.h"
 #include "io/cloud/cloud.h"

@@ -2,11 +2,11 @@
  * nurbs2mesh - NURBS surfaces to a triangulated mesh with exact normals and curvatures, trimmed,
  * joined along common edges and turned to the tool (Bey, Boudjouad, Tafat-Bouzid 2007, 2.1).
  */
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "math/elementary.h"
 #include "base/cli.h"
 #include "base/parallel.h"
 #include "io/cloud/cloud.h"

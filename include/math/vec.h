@@ -14,10 +14,10 @@
 #ifndef CLOUDMILL_VEC_H
 #define CLOUDMILL_VEC_H
 
-#include <math.h>
 #include <stddef.h>
 
 #include "base/num.h"
+#include "math/elementary.h"
 
 #define PI 3.14159265358979323846
 #define DEGREES(radians) ((radians) * (180.0 / PI))

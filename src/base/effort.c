@@ -43,7 +43,9 @@ double effort_for(enum effort_bound bound, size_t n)
 
     if (least > 1)
         return ceil((double)n / bounds[bound].most);
-    double digits = pow(10, 2 - floor(log10(least)));
+    double digits = 100; /* three digits that count: least * digits is from 100 to 1,000 */
+    while (least * digits < 100)
+        digits *= 10;
     return ceil(least * digits) / digits;
 }
 

@@ -2,10 +2,10 @@
 #include "machine_tables.h"
 
 #include <ctype.h>
-#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
+#include "math/elementary.h"
 #include "base/num.h"
 #include "base/reader.h"
 

@@ -1,7 +1,6 @@
 /* rotary_cost - see rotary_cost.h. */
+#include "math/elementary.h"
 #include "machine/rotary_cost.h"
-
-#include <math.h>
 
 static const double STEP = 5 * PI / 180;
 static const double UPRIGHT = 1e-6; /* radians: an axis that leans less has no direction */

@@ -3,9 +3,9 @@
  */
 #include "math/band.h"
 
-#include <math.h>
 #include <stdlib.h>
 
+#include "math/elementary.h"
 #include "base/array.h"
 
 struct band band_new(size_t n, size_t width)

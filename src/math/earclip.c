@@ -1,10 +1,10 @@
 /* earclip - see earclip.h. */
 #include "math/earclip.h"
 
-#include <math.h>
 #include <stdbool.h>
 #include <stdlib.h>
 
+#include "math/elementary.h"
 #include "base/array.h"
 
 /* The polygon as a ring; quality is that of the ear at a corner, below 0 where there is none. */

@@ -12,10 +12,10 @@
  */
 #include "math/kdtree.h"
 
-#include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 
+#include "math/elementary.h"
 #include "base/parallel.h"
 
 enum { KD_LEAF = 12 };

@@ -1,7 +1,7 @@
 /* pnorm - see pnorm.h. */
 #include "math/pnorm.h"
 
-#include <math.h>
+#include "math/elementary.h"
 
 static double power(double x, int n)
 {

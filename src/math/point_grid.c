@@ -1,11 +1,11 @@
 /* point_grid - a counting sort, then each cell by value; see point_grid.h. */
 #include "math/point_grid.h"
 
-#include <math.h>
 #include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "math/elementary.h"
 #include "base/array.h"
 #include "base/parallel.h"
 

@@ -11,8 +11,11 @@
 #include "math/predicates.h"
 
 #include <float.h>
-#include <math.h>
 #include <stddef.h>
+
+#include "math/elementary.h"
+
+#include "double_double.h"
 
 #define U (DBL_EPSILON / 2)
 
@@ -26,24 +29,6 @@ static int sign_of(double x)
 }
 
 /* ---- a sum or product of doubles as two doubles: the rounded one and what it lacks */
-
-struct pair {
-    double high, low;
-};
-
-static struct pair two_sum(double a, double b)
-{
-    double s = a + b, part = s - a;
-
-    return (struct pair){s, (a - (s - part)) + (b - part)};
-}
-
-static struct pair two_product(double a, double b)
-{
-    double p = a * b;
-
-    return (struct pair){p, fma(a, b, -p)};
-}
 
 static struct pair pair_sum(struct pair a, struct pair b)
 {

@@ -1,9 +1,9 @@
 /* facet_split - see facet_split.h. */
 #include "mesh/facet_split.h"
 
-#include <math.h>
 #include <stdlib.h>
 
+#include "math/elementary.h"
 #include "math/box_tree.h"
 
 static const double FLAT = 1e-9; /* mm2: twice the area of a facet that is none from above */

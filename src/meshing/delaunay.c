@@ -1,11 +1,11 @@
 /* delaunay - see delaunay.h. */
 #include "delaunay.h"
 
-#include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 
 #include "delaunay_order.h"
+#include "math/elementary.h"
 #include "math/predicates.h"
 
 static int next_of(int i)

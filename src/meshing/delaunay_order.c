@@ -1,11 +1,11 @@
 /* delaunay_order - see delaunay_order.h. */
 #include "delaunay_order.h"
 
-#include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "math/elementary.h"
 #include "base/array.h"
 
 enum { CURVE_BITS = 16, DIGIT = 11, ROUNDS = 9 };

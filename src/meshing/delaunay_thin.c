@@ -1,10 +1,10 @@
 /* delaunay_thin - see delaunay_thin.h. */
 #include "delaunay_thin.h"
 
-#include <math.h>
 #include <stdlib.h>
 
 #include "delaunay_border.h"
+#include "math/elementary.h"
 #include "math/box_tree.h"
 #include "math/predicates.h"
 

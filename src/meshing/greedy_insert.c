@@ -1,9 +1,9 @@
 /* greedy_insert - see greedy_insert.h. */
 #include "meshing/greedy_insert.h"
 
-#include <math.h>
 #include <stdlib.h>
 
+#include "math/elementary.h"
 #include "math/kdtree.h"
 #include "mesh/mesh_edges.h"
 #include "mesh/mesh_distance.h"

@@ -1,9 +1,9 @@
 /* row_simplify - see adaptive_rows_steps.h. */
 #include "adaptive_rows_steps.h"
 
-#include <math.h>
 #include <stdlib.h>
 
+#include "math/elementary.h"
 #include "math/quadric.h"
 
 /* The points along a line, in the grid's axes. */

@@ -1,11 +1,11 @@
 /* ncread - see ncread.h. */
 #include "ncread/ncread.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "math/elementary.h"
 #include "base/reader.h"
 #include "ncread_head.h"
 #include "ncread_state.h"

@@ -1,11 +1,11 @@
 /* ncread_hole - see ncread_hole.h. */
 #include "ncread_hole.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "ncread_state.h"
+#include "math/elementary.h"
 #include "base/num.h"
 
 enum { ARGUMENTS = 20, STEPS_MOST = 10000 };

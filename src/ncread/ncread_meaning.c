@@ -2,11 +2,11 @@
 #include "ncread_meaning.h"
 
 #include <ctype.h>
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "math/elementary.h"
 #include "base/cli.h"
 #include "ncread_state.h"
 

@@ -1,10 +1,10 @@
 /* ncread_plane - see ncread_plane.h. */
 #include "ncread_plane.h"
 
-#include <math.h>
 #include <string.h>
 
 #include "ncread_state.h"
+#include "math/elementary.h"
 #include "base/num.h"
 
 enum { CYCLE800_ANGLES = 7, CYCLE800_MODE = 3, AXIS_BY_AXIS = 57, ARGUMENTS = 12 };

@@ -1,10 +1,11 @@
 /* ncread_tool - see ncread_tool.h. */
 #include "ncread_tool.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include "math/elementary.h"
 
 #include "ncread_state.h"
 

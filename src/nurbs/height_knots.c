@@ -1,9 +1,9 @@
 /* height_knots - see height_knots.h. */
 #include "nurbs/height_knots.h"
 
-#include <math.h>
 #include <stdlib.h>
 
+#include "math/elementary.h"
 #include "base/array.h"
 
 enum { CELLS = 512, START = 3, TURNS = 5, LEAST_POINTS = 2 };

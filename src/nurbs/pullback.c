@@ -1,9 +1,9 @@
 /* pullback - see pullback.h. */
 #include "pullback.h"
 
-#include <math.h>
 #include <stdlib.h>
 
+#include "math/elementary.h"
 #include "base/array.h"
 
 /* Samples of the whole range in each direction, at least, at most, and in a span, of which the best

@@ -1,9 +1,9 @@
 /* trim_grid - see trim_grid.h. */
 #include "trim_grid.h"
 
-#include <math.h>
 #include <stdlib.h>
 
+#include "math/elementary.h"
 #include "math/earclip.h"
 
 /* The grid, and what following the polygons adds to it. */

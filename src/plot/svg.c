@@ -1,11 +1,11 @@
 /* svg - see svg.h. */
 #include "svg.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "math/elementary.h"
 #include "base/num.h"
 
 enum { COLUMNS = 100 }; /* lines of a path break about here */

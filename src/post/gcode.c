@@ -1,12 +1,11 @@
 /* gcode - see gcode.h. */
 #include "gcode.h"
 
-#include <math.h>
-
 #include "post_hole.h"
 #include "post_statement.h"
 #include "post_template.h"
 #include "post_words.h"
+#include "math/elementary.h"
 
 static const char *const vector_address[] = {"I", "J", "K"};
 

@@ -7,10 +7,10 @@
  * Arcs are given in the working plane alone, with the tool axis still.  There is no inverse time.
  */
 #include <ctype.h>
-#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
+#include "math/elementary.h"
 #include "base/num.h"
 #include "dialect.h"
 #include "gcode.h"

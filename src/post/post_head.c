@@ -2,10 +2,10 @@
 #include "post_head.h"
 
 #include <inttypes.h>
-#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
+#include "math/elementary.h"
 #include "base/num.h"
 
 enum { PLANES_SHOWN = 12 };

@@ -2,10 +2,10 @@
 #include "post_statement.h"
 
 #include <ctype.h>
-#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
+#include "math/elementary.h"
 #include "base/num.h"
 
 /* ---- the tool in the spindle */

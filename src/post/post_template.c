@@ -2,11 +2,11 @@
 #include "post_template.h"
 
 #include <ctype.h>
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "math/elementary.h"
 #include "base/num.h"
 #include "machine/template.h"
 #include "post_head.h"

@@ -2,11 +2,11 @@
 #include "post_writer.h"
 
 #include <ctype.h>
-#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
+#include "math/elementary.h"
 #include "base/num.h"
 
 void nc_writer_begin(struct nc_writer *w, struct out *out, struct nc_format_options style, int step,

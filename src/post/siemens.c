@@ -3,10 +3,10 @@
  * for TRAORI, ORIVECT, ORICURVE, CIP, POLY and BSPLINE).
  */
 #include <ctype.h>
-#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
+#include "math/elementary.h"
 #include "base/num.h"
 #include "dialect.h"
 #include "gcode.h"

@@ -1,7 +1,7 @@
 /* arcprint - see arcprint.h. */
 #include "arcprint.h"
 
-#include <math.h>
+#include "math/elementary.h"
 
 static const double SHORT = 1e-3; /* mm: nothing below this is an arc */
 static const double THERE = 1e-5; /* mm: so near to the end of the reference its digits are it */

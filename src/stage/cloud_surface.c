@@ -2,9 +2,9 @@
  * end. */
 #include "stage/cloud_surface.h"
 
-#include <math.h>
 #include <stdlib.h>
 
+#include "math/elementary.h"
 #include "base/array.h"
 #include "base/parallel.h"
 #include "cloud/plan_extent.h"

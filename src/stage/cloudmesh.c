@@ -4,10 +4,10 @@
  */
 #include "stage/cloudmesh.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "math/elementary.h"
 #include "base/cli.h"
 #include "base/effort.h"
 #include "base/num.h"

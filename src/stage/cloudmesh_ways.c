@@ -2,9 +2,9 @@
  * cloudmesh_ways - the ways to a mesh that paper 1 reviews, beside its own: rows and columns by
  * interpolation (Lin and Liu), and a triangulation of the points themselves (Choi).
  */
-#include <math.h>
 #include <stdlib.h>
 
+#include "math/elementary.h"
 #include "base/cli.h"
 #include "cloudmesh_steps.h"
 #include "mesh/mesh_distance.h"

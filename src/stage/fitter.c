@@ -1,9 +1,9 @@
 /* fitter - see fitter.h. */
 #include "stage/fitter.h"
 
-#include <math.h>
 #include <stdlib.h>
 
+#include "math/elementary.h"
 #include "base/out.h"
 #include "base/parallel.h"
 #include "io/path/path_part.h"

@@ -1,10 +1,10 @@
 /* net_corners - see net_corners.h. */
 #include "net_corners.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "math/elementary.h"
 #include "base/array.h"
 #include "base/parallel.h"
 #include "math/cubic.h"

@@ -9,10 +9,10 @@
  * ten-thousandths.
  */
 #include <limits.h>
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "math/elementary.h"
 #include "base/array.h"
 #include "base/out.h"
 #include "math/box.h"

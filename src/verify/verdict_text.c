@@ -1,9 +1,9 @@
 /* verdict_text - the verdict as a table of figures, and as points with colours: see verify.h. */
 #include <limits.h>
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "math/elementary.h"
 #include "base/num.h"
 #include "base/out.h"
 #include "ncread/ncread.h"

@@ -1,11 +1,11 @@
 /* verify_run - a program run over the part and the stock, and what is wrong with it: see verify.h.
  */
-#include <math.h>
 #include <stdarg.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "math/elementary.h"
 #include "base/array.h"
 #include "math/kdtree.h"
 #include "ncread/ncread.h"

@@ -1,11 +1,11 @@
 /* cloud - see cloud.h. */
 #include "io/cloud/cloud.h"
 
-#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
+#include "math/elementary.h"
 #include "base/array.h"
 #include "cloud_source.h"
 #include "io/mesh/ply.h"

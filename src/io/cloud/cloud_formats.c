@@ -1,8 +1,8 @@
 /* cloud_formats - the point formats of other programs: OBJ, PTX, PCD; see cloud_source.h. */
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "math/elementary.h"
 #include "base/array.h"
 #include "base/bytes.h"
 #include "base/num.h"

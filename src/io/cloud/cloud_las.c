@@ -5,10 +5,10 @@
  * A head of fixed places, then records of one length, each with whole numbers X Y Z first; the point
  * is scale times number plus offset.
  */
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "math/elementary.h"
 #include "base/array.h"
 #include "base/bytes.h"
 #include "cloud_source.h"

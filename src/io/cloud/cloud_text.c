@@ -6,10 +6,10 @@
  */
 #include "cloud_source.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "math/elementary.h"
 #include "base/array.h"
 #include "base/num.h"
 

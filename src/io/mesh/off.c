@@ -2,9 +2,9 @@
 #include "off.h"
 
 #include <limits.h>
-#include <math.h>
 #include <string.h>
 
+#include "math/elementary.h"
 #include "base/num.h"
 
 /* The next line that holds something, without its comment: 1, 0 at the end, -1. */

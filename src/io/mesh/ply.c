@@ -2,10 +2,10 @@
 #include "io/mesh/ply.h"
 
 #include <limits.h>
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "math/elementary.h"
 #include "base/array.h"
 #include "ply_origin.h"
 #include "ply_source.h"

@@ -3,11 +3,11 @@
 
 #include <inttypes.h>
 #include <limits.h>
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "math/elementary.h"
 #include "base/num.h"
 
 struct mesh_origin ply_origin_none(void)

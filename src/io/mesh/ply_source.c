@@ -2,13 +2,13 @@
 #include "ply_source.h"
 
 #include <limits.h>
-#include <math.h>
 #include <stdarg.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "math/elementary.h"
 #include "base/num.h"
 #include "ply_origin.h"
 

@@ -2,11 +2,11 @@
 #include "io/mesh/stl.h"
 
 #include <limits.h>
-#include <math.h>
 #include <stdint.h>
 #include <string.h>
 #include <strings.h>
 
+#include "math/elementary.h"
 #include "base/bytes.h"
 #include "base/num.h"
 #include "mesh/mesh_weld.h"

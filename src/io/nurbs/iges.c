@@ -2,12 +2,12 @@
 #include "iges.h"
 
 #include <ctype.h>
-#include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "math/elementary.h"
 #include "base/array.h"
 #include "base/num.h"
 

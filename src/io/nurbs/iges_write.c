@@ -2,11 +2,11 @@
  * iges_write - surfaces as an IGES 5.3 file; see surfaces_write.h.  The parameters of all entities
  * are gathered first, then the sections written: start, global, directory, parameters, terminate.
  */
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "math/elementary.h"
 #include "base/array.h"
 #include "base/num.h"
 #include "io/nurbs/surfaces_write.h"

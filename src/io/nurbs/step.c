@@ -2,10 +2,10 @@
 #include "step.h"
 
 #include <ctype.h>
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "math/elementary.h"
 #include "base/array.h"
 #include "base/num.h"
 

@@ -2,10 +2,10 @@
 #include "apt.h"
 
 #include <ctype.h>
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "math/elementary.h"
 #include "base/num.h"
 
 static bool is_blank(char c)

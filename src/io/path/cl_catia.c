@@ -13,9 +13,9 @@
  * The first pole is where the tool is.  DK of pole i is the knot interval t[i+D-1] - t[i+D-2], end
  * knots repeated: in the guide's cubic of four poles the third one has the only interval.
  */
-#include <math.h>
 #include <string.h>
 
+#include "math/elementary.h"
 #include "base/num.h"
 #include "cl_dialect.h"
 

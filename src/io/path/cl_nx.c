@@ -2,9 +2,10 @@
  * cl_nx - the words of Siemens NX (CLSF): several tool paths, each from TOOL PATH to END-OF-PATH,
  * each in the coordinate system of its MSYS.
  */
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include "math/elementary.h"
 
 #include "cl_dialect.h"
 

@@ -1,9 +1,10 @@
 /* path - building, copying and walking a path in memory; see path.h. */
 #include "io/path/path.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include "math/elementary.h"
 
 static char *copy_text(const char *s)
 {

@@ -3,11 +3,11 @@
  * system, the statement as this suite writes it, and the holes as straight motions.  See
  * path_parse.h and path.h.
  */
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "math/elementary.h"
 #include "base/num.h"
 #include "cl_dialect.h"
 

@@ -2,9 +2,9 @@
  * path_motion - the words that move the tool: GOTO, GODLTA, FROM and the tool axis; CIRCLE; GOHOME
  * and RETRCT.  See path_parse.h.
  */
-#include <math.h>
 #include <string.h>
 
+#include "math/elementary.h"
 #include "base/num.h"
 #include "path_parse.h"
 

@@ -7,12 +7,12 @@
  * without it the tool would go to another place.
  */
 #include <ctype.h>
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "cl_dialect.h"
+#include "math/elementary.h"
 #include "gouge/holder_text.h"
 
 #define AT(p) (p)->error, (p)->path->name, (p)->apt.line

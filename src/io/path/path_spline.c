@@ -1,9 +1,10 @@
 /* path_spline - see path_spline.h. */
 #include "path_spline.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include "math/elementary.h"
 
 /* -1: an argument after the first is not a number. */
 static int expect_numbers(const struct apt *apt, const char *name, struct error *error)

@@ -2,10 +2,10 @@
  * path_tool - tools, the spindle and feeds: CUTTER, LOADTL, TOOLNO, LOAD; SPINDL; FEDRAT, DELAY.
  * See path_parse.h.
  */
-#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
+#include "math/elementary.h"
 #include "base/num.h"
 #include "path_parse.h"
 

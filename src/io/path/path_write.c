@@ -1,8 +1,8 @@
 /* path_write - a path as APT CL text; see path.h and cloudmill-path(5). */
 #include <inttypes.h>
-#include <math.h>
 #include <string.h>
 
+#include "math/elementary.h"
 #include "base/num.h"
 #include "gouge/holder_text.h"
 #include "io/path/path.h"
