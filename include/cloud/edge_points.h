@@ -12,6 +12,9 @@
  *      lies below the flank of the other, points are put on the curve in which these intersect, and
  *      at a tip where they meet a third flank; no further than REACH spacings from a point of the
  *      scan.
+ *   3. Where the ball would sink in between points of a flank, points are put on it, up to its
+ *      edges, where points or edges of the flank are on all sides; for no surface of all nearest
+ *      points goes through there.
  * No edge is put where points near to it lie off both flanks, and on no flank of their own: there
  * the scan knows a rounding.  Flanks are seen from above: their normals point up.
  */
@@ -26,6 +29,7 @@ struct edge_points_options {
     const struct point_grid *point_grid; /* the scan, without outliers */
     double noise;                        /* standard deviation of its points, mm */
     double along;                        /* distance of points along an edge, mm */
+    bool fill;                           /* flanks, too, get points as dense, up to their edges */
     int threads;
 };
 
@@ -33,7 +37,7 @@ struct edge_points_options {
  * apart from them. */
 bool edge_flank_holds(const struct point_grid *point_grid, double noise, size_t i);
 
-/* Appends the points; returns how many. */
+/* Appends the points, those on edges last; returns how many these are. */
 size_t edge_points(const struct edge_points_options *options, struct vec3s *to);
 
 #endif

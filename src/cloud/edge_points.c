@@ -12,7 +12,16 @@
 
 /* Neighbours; those that a smooth surface goes through; those that planes are tried through; those
  * whose flanks may meet the point's. */
-enum { NEAR = 40, SMOOTH = 24, TRIED = 12, MEETING = 16, FEWEST = 6, ABOUT = 8, STEPS = 6 };
+enum {
+    NEAR = 40,
+    SMOOTH = 24,
+    TRIED = 12,
+    MEETING = 16,
+    FEWEST = 6,
+    ABOUT = 8,
+    STEPS = 6,
+    RINGS = 8
+};
 
 /* In spacings: a surface off its points by less is smooth or a flank; so far beyond the points an
  * edge may be; so narrow a flank is none; a point so far from all others is on none of theirs. */
@@ -34,7 +43,8 @@ struct flank {
 struct edge_work {
     const struct edge_points_options *options;
     struct flank *flank, *chosen;
-    struct vec3s *found; /* of each point */
+    struct vec3s *found;   /* places of edges, of each point */
+    struct vec3s *between; /* and of its flank */
 };
 
 struct hood {
@@ -339,10 +349,25 @@ static bool is_edge_between(const struct edge_work *work, size_t i, size_t k)
     return vec_dot(na, nb) < SHARP;
 }
 
+/* A point is on a flank of one of the neighbours. */
+static bool is_on_any(const struct edge_work *work, const struct hood *near, struct vec3 p,
+                      double least)
+{
+    struct vec3 normal;
+
+    for (size_t k = 0; k < near->n; k++) {
+        const struct flank *flank = &work->flank[near->index[k]];
+        if (flank->valid && fabs(above(flank, p, &normal)) <= least)
+            return true;
+    }
+    return false;
+}
+
 /* The points of the scan about a place of an edge bear it out: one of them is near, none is above
- * the edge, and each is on one of the two flanks or on a flank of its own. */
-static bool is_borne_out(const struct edge_work *work, const struct flank *const *pair,
-                         double spacing, struct vec3 at)
+ * the edge, and each is on one of the two flanks, on a flank of its own, or at a tip on one of
+ * others. */
+static bool is_borne_out(const struct edge_work *work, const struct hood *near,
+                         const struct flank *const *pair, bool tip, double spacing, struct vec3 at)
 {
     const struct point_grid *b = work->options->point_grid;
     uint32_t index[ABOUT];
@@ -359,7 +384,7 @@ static bool is_borne_out(const struct edge_work *work, const struct flank *const
         bool on = fabs(h0) <= 2 * least || fabs(h1) <= 2 * least;
         if (fmax(h0, h1) > 2 * least && distance2[k] < spacing * spacing)
             return false;
-        if (!on && !own->valid)
+        if (!on && !own->valid && !(tip && is_on_any(work, near, b->point[index[k]], least)))
             return false;
     }
     return true;
@@ -384,6 +409,26 @@ static const struct flank *flank_below(const struct edge_work *work, const struc
     return worst;
 }
 
+/* Moves a place of an edge back to where the edge ends: where its two flanks meet the one of all
+ * others that they meet first. */
+static bool move_to_tip(const struct edge_work *work, const struct hood *near,
+                        const struct flank **meeting, double spacing, struct vec3 *at)
+{
+    double least = within(work, spacing);
+
+    for (int turn = 0; turn < STEPS && meeting[2]; turn++) {
+        if (!move_to_meeting(meeting, 3, REACH * spacing, at))
+            return false;
+        const struct flank *other = flank_below(work, near, *at, least / 2);
+        if (other == meeting[2])
+            return false;
+        if (!other)
+            return true;
+        meeting[2] = other;
+    }
+    return !flank_below(work, near, *at, least);
+}
+
 /* Adds a place of the edge of a pair, or the tip where it ends if the place is beyond that. */
 static void add_place(const struct edge_work *work, const struct hood *near,
                       const struct flank *const *pair, double spacing, struct vec3 at,
@@ -395,14 +440,12 @@ static void add_place(const struct edge_work *work, const struct hood *near,
     if (!move_to_meeting(meeting, 2, REACH * spacing, &at))
         return;
     meeting[2] = flank_below(work, near, at, least);
-    if (meeting[2] && !move_to_meeting(meeting, 3, REACH * spacing, &at))
-        return;
-    if (meeting[2] && flank_below(work, near, at, 2 * least))
+    if (meeting[2] && !move_to_tip(work, near, meeting, spacing, &at))
         return;
     for (size_t k = 0; k < to->n; k++)
         if (vec_distance(at, to->item[k]) < work->options->along / 3)
             return;
-    if (is_borne_out(work, pair, spacing, at))
+    if (is_borne_out(work, near, pair, meeting[2] != NULL, spacing, at))
         *array_push(to) = at;
 }
 
@@ -442,6 +485,118 @@ static void find_edges(void *context, size_t from, size_t to)
     }
 }
 
+/* ---- flanks filled up to their edges */
+
+/* What is known about a flank at point i: which of the neighbours are on it, which are across a
+ * convex edge, and places of its edges. */
+struct flank_patch {
+    const struct flank *flank;
+    bool on[NEAR], across[NEAR];
+    struct vec3s side; /* points and places of edges on it */
+};
+
+static struct flank_patch find_patch(const struct edge_work *work, const struct hood *near,
+                                     size_t i)
+{
+    struct flank_patch patch = {.flank = &work->flank[i]};
+    double least = within(work, patch.flank->spacing);
+    struct vec3 normal;
+
+    for (size_t k = 0; k < near->n; k++) {
+        const struct vec3s *edge = &work->found[near->index[k]];
+        patch.on[k] = fabs(above(patch.flank, near->point[k], &normal)) <= least;
+        patch.across[k] = k > 0 && is_edge_between(work, i, near->index[k]);
+        if (patch.on[k])
+            *array_push(&patch.side) = near->point[k];
+        for (size_t e = 0; e < edge->n; e++)
+            if (fabs(above(patch.flank, edge->item[e], &normal)) <= least)
+                *array_push(&patch.side) = edge->item[e];
+    }
+    return patch;
+}
+
+/* No point that knows the flank is nearer to the place than point i, the place is not over a flank beyond an
+ * edge, and all points about are on flanks. */
+static bool is_on_patch(const struct edge_work *work, const struct hood *near,
+                        const struct flank_patch *patch, struct vec3 at)
+{
+    const double about = 2;
+    double out = vec_distance(at, near->point[0]), least = within(work, patch->flank->spacing);
+    struct vec3 normal;
+
+    for (size_t k = 1; k < near->n; k++) {
+        const struct flank *other = &work->flank[near->index[k]];
+        double far = vec_distance(at, near->point[k]);
+        if (patch->on[k] && other->valid && far < out)
+            return false;
+        if (!patch->on[k] && far < about * out && other->rough && !other->valid)
+            return false;
+        if (patch->across[k] && above(other, at, &normal) > least / 4)
+            return false;
+    }
+    return true;
+}
+
+/* Every half plane of the flank through the place has a point or an edge of it that is near. */
+static bool is_surrounded(const struct flank_patch *patch, struct vec3 at, double near)
+{
+    enum { SECTORS = 12 };
+    const struct quadric *q = &patch->flank->q;
+    bool has[SECTORS] = {false};
+
+    for (size_t k = 0; k < patch->side.n; k++) {
+        struct vec3 to = vec_sub(patch->side.item[k], at);
+        double u = vec_dot(to, q->u), v = vec_dot(to, q->v);
+        if (hypot(u, v) <= near)
+            has[(int)((atan2(v, u) + PI) / (2 * PI) * SECTORS) % SECTORS] = true;
+    }
+    for (int from = 0; from < SECTORS; from++) {
+        bool any = false;
+        for (int k = 0; k < SECTORS / 2; k++)
+            any = any || has[(from + k) % SECTORS];
+        if (!any)
+            return false;
+    }
+    return true;
+}
+
+/* Places of the flank of point i that are nearest to it, as dense as those of edges are on these. */
+static void fill_patch(const struct edge_work *work, const struct hood *near,
+                       const struct flank_patch *patch, struct vec3s *to)
+{
+    const double dense = 0.65, triangle = 0.8660254037844386;
+    const struct quadric *q = &patch->flank->q;
+    double pitch = dense * work->options->along, reach = sqrt(near->distance2[SMOOTH]);
+    struct vec3 off = vec_sub(near->point[0], q->origin);
+    int rings = (int)fmin(reach / pitch, RINGS);
+
+    for (int j = -rings; j <= rings; j++)
+        for (int i = -rings; i <= rings; i++) {
+            double u = pitch * (i + j / 2.0), v = pitch * j * triangle;
+            if ((i == 0 && j == 0) || hypot(u, v) > reach)
+                continue;
+            struct vec3 at = quadric_at(q, vec_dot(off, q->u) + u, vec_dot(off, q->v) + v);
+            if (is_on_patch(work, near, patch, at) &&
+                is_surrounded(patch, at, fmax(reach, 2 * hypot(u, v))))
+                *array_push(to) = at;
+        }
+}
+
+static void fill_flanks(void *context, size_t from, size_t to)
+{
+    const struct edge_work *work = context;
+    struct hood near;
+
+    for (size_t i = from; i < to; i++) {
+        if (!work->flank[i].valid)
+            continue;
+        find_hood(work->options->point_grid, i, &near);
+        struct flank_patch patch = find_patch(work, &near, i);
+        fill_patch(work, &near, &patch, &work->between[i]);
+        array_free(&patch.side);
+    }
+}
+
 bool edge_flank_holds(const struct point_grid *point_grid, double noise, size_t i)
 {
     const struct edge_points_options options = {.point_grid = point_grid, .noise = noise};
@@ -457,15 +612,30 @@ bool edge_flank_holds(const struct point_grid *point_grid, double noise, size_t 
     return near.distance2[1] <= apart * apart && fit_flank(&work, &near, spacing, false, &fit);
 }
 
+/* Appends what was found of each point, which is freed; returns how much. */
+static size_t append_all(struct vec3s *found, size_t n, struct vec3s *to)
+{
+    size_t before = to->n;
+
+    for (size_t i = 0; i < n; i++) {
+        for (size_t k = 0; k < found[i].n; k++)
+            *array_push(to) = found[i].item[k];
+        array_free(&found[i]);
+    }
+    free(found);
+    return to->n - before;
+}
+
 size_t edge_points(const struct edge_points_options *options, struct vec3s *to)
 {
-    size_t n = options->point_grid->n, edges = 0;
+    size_t n = options->point_grid->n;
     struct edge_work work = {options, mem_alloc(n, sizeof *work.flank),
-                             mem_alloc(n, sizeof *work.chosen), mem_alloc(n, sizeof *work.found)};
+                             mem_alloc(n, sizeof *work.chosen), mem_alloc(n, sizeof *work.found),
+                             mem_alloc(n, sizeof *work.between)};
 
     for (size_t i = 0; i < n; i++) {
         work.flank[i] = (struct flank){.valid = false};
-        work.found[i] = (struct vec3s){0};
+        work.found[i] = work.between[i] = (struct vec3s){0};
     }
     parallel_for(options->threads, n, find_flanks, &work);
     parallel_for(options->threads, n, confirm_flanks, &work);
@@ -473,13 +643,9 @@ size_t edge_points(const struct edge_points_options *options, struct vec3s *to)
     free(work.flank);
     work.flank = work.chosen;
     parallel_for(options->threads, n, find_edges, &work);
-    for (size_t i = 0; i < n; i++) {
-        for (size_t k = 0; k < work.found[i].n; k++)
-            *array_push(to) = work.found[i].item[k];
-        edges += work.found[i].n;
-        array_free(&work.found[i]);
-    }
+    if (options->fill)
+        parallel_for(options->threads, n, fill_flanks, &work);
+    append_all(work.between, n, to);
     free(work.flank);
-    free(work.found);
-    return edges;
+    return append_all(work.found, n, to);
 }

@@ -231,9 +231,12 @@ static void add_edges(const struct guard_work *work, struct guard_points *surfac
     struct edge_points_options edges = {.point_grid = work->point_grid,
                                         .noise = rule->noise,
                                         .along = sqrt(8 * rule->radius * rule->sink),
+                                        .fill = work->filled,
                                         .threads = rule->threads};
+    size_t before = surface->point.n;
 
     surface->edges = edge_points(&edges, &surface->point);
+    surface->added += surface->point.n - before - surface->edges;
 }
 
 struct guard_points guard_points_of_scan(const struct point_grid *point_grid,

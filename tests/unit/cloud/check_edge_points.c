@@ -223,6 +223,58 @@ START_TEST(rounded_edges)
 }
 END_TEST
 
+/* A frustum with flanks so steep that a scan from above has few points on them, far apart up and
+ * down; with no top it is a pyramid with its tip between the points. */
+static double top, steep;
+
+static double frustum(double x, double y)
+{
+    turned(&x, &y);
+    return fmax(0, 8 - steep * fmax(fmax(fabs(x), fabs(y)) - top, 0));
+}
+
+/* A ball that touches a flank or the tip from outside goes no deeper, wherever there are points. */
+START_TEST(steep_flanks)
+{
+    enum { POINTS = 17000, PLACES = 400 };
+    struct vec3s scan = {0};
+    struct point_grid grid;
+    struct error error;
+    double worst = 0;
+
+    top = _i % 2 ? 12 : 0;
+    steep = _i % 2 ? 3 : 1.3;
+    turn = 0.3 * _i;
+    noisy_seed(60 + (unsigned)_i);
+    noisy_scan(&scan, frustum, POINTS, NOISY_RANDOM, 0);
+    ck_assert_int_eq(point_grid_make(scan.item, scan.n, 0.48, 2, &grid, &error), 0);
+    struct guard_points_options options = {
+        .radius = RADIUS, .sink = TOLERANCE / 5, .vague = TOLERANCE, .effort = 1, .threads = 2};
+    struct guard_points points = guard_points_of_scan(&grid, &options);
+    struct gouge_check *guard = gouge_new(points.point, 2);
+    for (int i = 0; i < PLACES; i++) {
+        double u = top + (0.3 + 5 * noisy_uniform()) / steep, v = 1.8 * (noisy_uniform() - 0.5);
+        double side = i % 4 * PI / 2 + turn, down = steep / sqrt(1 + steep * steep);
+        bool tip = top == 0 && i % 2;
+        double x = tip ? 0 : u, y = tip ? 0 : v * u, level = tip ? 0.3 * noisy_uniform() : down;
+        struct vec3 p = vec(x * cos(side) - y * sin(side), x * sin(side) + y * cos(side), 0);
+        struct vec3 d = vec(level * cos(side), level * sin(side), sqrt(1 - level * level));
+        p.z = frustum(p.x, p.y);
+        if (hypot(x, y) > 18)
+            continue;
+        struct vec3 deep = vec_along(p, RADIUS - 1, d);
+        double lift = gouge_least_lift(guard, deep, d, RADIUS, 2, NULL);
+        worst = fmax(worst, 1 - lift);
+    }
+    ck_assert_double_le(worst, 1.5 * TOLERANCE);
+    gouge_free(guard);
+    array_free(&points.certain);
+    array_free(&points.doubtful);
+    point_grid_free(&grid);
+    array_free(&scan);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("edge_points");
@@ -230,6 +282,7 @@ int main(void)
     SRunner *runner = srunner_create(suite);
     tcase_add_loop_test(tests, no_gouge, 0, 4 * SHAPES);
     tcase_add_loop_test(tests, rounded_edges, 0, 8);
+    tcase_add_loop_test(tests, steep_flanks, 0, 4);
     suite_add_tcase(suite, tests);
     tcase_set_timeout(tests, 60);
     srunner_run_all(runner, CK_ENV);
