@@ -3,6 +3,7 @@
 #
 # make              the tools, in build/bin             make demo     the main job on a real scan
 # make figures      pictures like the papers'       make samples  the tasks of the gallery
+# make html         the manuals for a browser
 # make check        all tests                            make deps     what the tests need (Debian)
 #                                                        make deps-all what else some tests use
 # make accuracy     gouges and material left, on surfaces known exactly
@@ -149,6 +150,11 @@ samples: all
 	  echo "== $$task"; BIN="$(abspath $(BUILD))/bin" POINTS=26493 sh samples/tasks/$$task.sh; done
 	@echo "== ways"; BIN="$(abspath $(BUILD))/bin" sh samples/ways.sh
 
+# The manuals as pages for a browser, with an index.
+HTML = html
+html:
+	sh man/html.sh $(HTML)
+
 figures: all
 	@BIN="$(abspath $(BUILD))/bin" sh samples/figures.sh figures
 
@@ -207,7 +213,7 @@ lint:
 	  -i tests/fuzz/seeds -i tests/fuzz/found src tests
 	clang-tidy --quiet --warnings-as-errors='*' $(tool_src) $(lib_src) -- $(FLAGS)
 	shellcheck -S warning -x -P tests/lib src/*.sh tests/*.sh tests/*/*.sh tests/*/*.t tests/house/bare/* \
-	  samples/*.sh samples/tasks/*.sh .ci/run
+	  samples/*.sh samples/tasks/*.sh man/*.sh .ci/run
 
 sanitize:
 	$(MAKE) BUILD=$(BUILD)/sanitize CC=clang \
@@ -258,9 +264,9 @@ distcheck: dist
 	$(MAKE) -C $(BUILD)/distcheck/cloudmill-$(VERSION) check
 
 clean:
-	rm -rf $(BUILD) demo figures cloudmill-$(VERSION).tar.gz
+	rm -rf $(BUILD) demo figures html cloudmill-$(VERSION).tar.gz
 
-.PHONY: always all units check demo samples figures bench accuracy freeze deps deps-all lint sanitize fuzz faults \
+.PHONY: always all units check demo samples html figures bench accuracy freeze deps deps-all lint sanitize fuzz faults \
   check-seeds mutate coverage nc-faults safety install uninstall dist distcheck clean
 .SECONDARY:
 
