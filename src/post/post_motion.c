@@ -350,7 +350,7 @@ static int halve(struct nc_planner *planner, const struct motion *motion, double
         return -1; /* with it: as far as it goes, then turn */
     if (reached && (kind != NC_LINE || post_ik_follow(planner, motion, s0, s1, &to)))
         d = deviation_of(planner, &to, motion, s0, s1, allowed);
-    bool first = reached && kind == NC_LINE && motion->kind == MOTION_LINE && depth == 0;
+    bool first = reached && kind == NC_LINE && depth == 0;
     if (first && !pose_deviation_within(d, allowed) && turn_out_of_pole(planner, motion, s0, s1)) {
         if (post_ik_reach(planner, goal, s1, &to) != 0)
             return -1;

@@ -230,10 +230,15 @@ printf '%s\n' UNITS/MM MULTAX/ON CUTTER/8,4,0,4,0,0,60 LOADTL/1 SPINDL/900 RAPID
 	'GOTO/0,0,60,-0.1,-0.1,0.989949494' FEDRAT/MMPM,500 'GOTO/10,20,5,-0.1,-0.1,0.989949494' \
 	'GOTO/12,20,5,0,0,1' 'GOTO/14,20,5,-0.1,0.1,0.989949494' 'GOTO/18,20,5,0,0,1' \
 	'GOTO/20,20,5,0.02,-0.3,0.953729528' RAPID 'GOTO/20,20,60,0.02,-0.3,0.953729528' FINI >"$TMP/kink.cl"
+sed -e 's|^GOTO/14,|CIRCLE/13,20,5,0,0,1,1\n&|' -e 's|^GOTO/20,20,5,|CIRCLE/19,20.5,5,0,0,1,1.118034\n&|' \
+	"$TMP/kink.cl" >"$TMP/arcs.cl" # the same on arcs
 for c in fanuc siemens heidenhain linuxcnc; do
-	status 0 "$c: out of the pole in another direction" ncpost -c $c -m table-ac-notcp -o "$TMP/kink.nc" "$TMP/kink.cl"
-	status 0 "read back it is the path" "$READBACK" -c $c -m table-ac-notcp -e 0.006 --axis 0.06 \
-		--path "$TMP/kink.cl" "$TMP/kink.nc"
+	for path in kink arcs; do
+		status 0 "$c, $path: out of the pole in another direction" \
+			ncpost -c $c -m table-ac-notcp -o "$TMP/kink.nc" "$TMP/$path.cl"
+		status 0 "read back it is the path" "$READBACK" -c $c -m table-ac-notcp -e 0.006 --axis 0.06 \
+			--path "$TMP/$path.cl" "$TMP/kink.nc"
+	done
 done
 
 done_testing
