@@ -6,13 +6,15 @@
 #include "gouge/holder_sweep.h"
 #include "machine/rotary_cost.h"
 
-enum { SWEEPS = 4, ROUNDS = 4 };
+enum { SWEEPS = 4, ROUNDS = 4, HALVINGS = 7 };
 
 static const double WIDEST = 24;       /* mm: first half length of averages, halved each time */
+static const double NARROW = 4;        /* mm: from here on axes may use what is spared of play */
 static const double NARROWEST = 1;     /* mm: none is shorter */
 static const double AIR = RADIANS(60); /* how far axes in the air may be off those they had */
 static const double STEEPEST = RADIANS(80); /* of an axis from the normal */
-static const double RAMP = 1.5;  /* radii of the ball: from a place that stays to what is calm */
+static const double RAMP = 1.5; /* radii of the ball: from a place that stays to what is calm */
+static const double SPARE = RADIANS(0.6); /* of play, for rounding off where its bound turns */
 static const double POLE = 1e-9; /* radians: an axis that leans less is at the pole, and stays */
 
 /* A point of the chain. */
@@ -31,6 +33,7 @@ struct chain {
     struct rotary_frame frame;
     struct station *at;
     size_t n;
+    double spare; /* how much further off its rule an axis may be now, radians */
 };
 
 /* The rules of the stations [from, to), a run, averaged over the ball's radius: what turns back
@@ -48,15 +51,10 @@ static void average_rules(struct chain *c, size_t from, size_t to)
         sum[i + 1] = vec_along(sum[i], touches ? 1e-6 + (before + after) / 2 : 0, at[i].rule);
     }
     for (size_t i = 0, low = 0, high = 0; i < n; i++) {
-        double reach = fmin(c->options->radius,
-                            fmin(at[i].along - at[0].along, at[n - 1].along - at[i].along));
-        while (at[i].along - at[low].along > reach + 1e-9)
+        while (at[i].along - at[low].along > c->options->radius)
             low++;
-        high = high < i ? i : high;
-        while (high + 1 < n && at[high + 1].along - at[i].along <= reach + 1e-9)
+        while (high + 1 < n && at[high + 1].along - at[i].along <= c->options->radius)
             high++;
-        while (high > i && at[high].along - at[i].along > reach + 1e-9)
-            high--;
         struct vec3 mean = vec_unit(vec_sub(sum[high + 1], sum[low]));
         if (run_point_touches(at[i].point) && vec_length(mean) > 0)
             at[i].rule = mean;
@@ -88,7 +86,7 @@ static struct chain chain_of(const struct axis_calm_options *options,
         average_rules(&c, from, from + run[k].n);
     for (size_t i = 0; i < c.n; i++) {
         const struct run_point *p = c.at[i].point;
-        double play = run_point_touches(p) ? options->play : AIR;
+        double play = run_point_touches(p) ? fmax(options->play - SPARE, 0) : AIR;
         c.at[i].allow = fmax(play, vec_angle(p->axis, c.at[i].rule));
     }
     return c;
@@ -99,54 +97,82 @@ static bool may_have(const struct chain *c, const struct station *s, struct rota
 {
     struct vec3 axis = rotary_axis(&c->frame, a), normal = s->point->normal;
 
-    if (a.lean * s->was.lean <= 0 || vec_dot(axis, s->rule) < cos(s->allow))
+    if (a.lean * s->was.lean <= 0 || vec_dot(axis, s->rule) < cos(s->allow + c->spare))
         return false;
     return !run_point_touches(s->point) ||
            vec_dot(axis, normal) >= fmin(cos(STEEPEST), vec_dot(s->point->axis, normal));
 }
 
+/* The station's angles towards `to`, as far as it may have them. */
 static void move_towards(const struct chain *c, struct station *s, struct rotary_angles to)
 {
     struct rotary_angles was = s->angles;
+    double from = 0, part = 1;
 
-    for (double part = 1; part > 0.1; part /= 2) {
+    if (fabs(to.lean - was.lean) + fabs(to.turn - was.turn) < 1e-9)
+        return;
+    for (int k = 0; k < HALVINGS && from < part; k++) { /* evenly along the bound, too */
         struct rotary_angles a = {was.lean + part * (to.lean - was.lean),
                                   was.turn + part * (to.turn - was.turn)};
-        if (!may_have(c, s, a))
-            continue;
-        s->angles = a;
-        return;
+        bool may = may_have(c, s, a);
+        if (may)
+            s->angles = a;
+        if (may && k == 0)
+            return;
+        double half = fabs(part - from) / 2;
+        from = may ? part : from;
+        part = may ? part + half : part - half;
     }
+}
+
+/* The integral of the angles up to a place between the stations i and i + 1. */
+static struct rotary_angles integral_at(const struct chain *c, const struct rotary_angles sum[],
+                                        size_t i, double along)
+{
+    const struct station *a = &c->at[i], *b = i + 1 < c->n ? a + 1 : a;
+    double length = b->along - a->along, by = along - a->along;
+    double s = length > 0 ? by / length : 0;
+
+    return (struct rotary_angles){
+        sum[i].lean + by * (a->angles.lean + s / 2 * (b->angles.lean - a->angles.lean)),
+        sum[i].turn + by * (a->angles.turn + s / 2 * (b->angles.turn - a->angles.turn))};
 }
 
 /* Each station's angles to the mean over `half` mm before and after it, less near the ends. */
 static void average_angles(struct chain *c, double half)
 {
     struct rotary_angles *sum = mem_alloc(c->n + 1, sizeof *sum);
+    struct rotary_angles *mean = mem_alloc(c->n + 1, sizeof *mean);
     struct station *at = c->at;
+    double end = at[c->n - 1].along;
 
     for (size_t i = 0; i + 1 < c->n; i++) { /* integrals up to station i */
         double length = at[i + 1].along - at[i].along;
         sum[i + 1].lean = sum[i].lean + length * (at[i].angles.lean + at[i + 1].angles.lean) / 2;
         sum[i + 1].turn = sum[i].turn + length * (at[i].angles.turn + at[i + 1].angles.turn) / 2;
     }
-    for (size_t i = 1, low = 0, high = 0; i + 1 < c->n; i++) {
-        double reach =
-            fmin(half, fmin(at[i].along - at[0].along, at[c->n - 1].along - at[i].along));
-        while (low < i && at[i].along - at[low].along > reach + 1e-9)
+    for (size_t i = 0, low = 0, high = 0; i < c->n; i++) {
+        double reach = fmin(half, fmin(at[i].along, end - at[i].along));
+        double from = at[i].along - reach, to = at[i].along + reach;
+        while (low > 0 && at[low].along > from)
+            low--;
+        while (low + 1 < c->n && at[low + 1].along <= from)
             low++;
-        high = high < i ? i : high;
-        while (high + 1 < c->n && at[high + 1].along - at[i].along <= reach + 1e-9)
-            high++;
-        while (high > i && at[high].along - at[i].along > reach + 1e-9)
+        while (high > 0 && at[high].along > to)
             high--;
-        double length = at[high].along - at[low].along;
-        if (length > 0 && fabs(at[i].was.lean) > POLE)
-            move_towards(c, &at[i],
-                         (struct rotary_angles){(sum[high].lean - sum[low].lean) / length,
-                                                (sum[high].turn - sum[low].turn) / length});
+        while (high + 1 < c->n && at[high + 1].along <= to)
+            high++;
+        struct rotary_angles a = integral_at(c, sum, low, from), b = integral_at(c, sum, high, to);
+        mean[i] = at[i].angles;
+        if (reach > 1e-6)
+            mean[i] = (struct rotary_angles){(b.lean - a.lean) / (2 * reach),
+                                             (b.turn - a.turn) / (2 * reach)};
     }
+    for (size_t i = 0; i < c->n; i++)
+        if (fabs(at[i].was.lean) > POLE)
+            move_towards(c, &at[i], mean[i]);
     free(sum);
+    free(mean);
 }
 
 /* ---- kept clear */
@@ -266,7 +292,11 @@ void axis_calm_chain(const struct axis_calm_options *options, const struct axis_
 {
     struct chain c = chain_of(options, run, n);
 
-    for (double half = WIDEST; half >= NARROWEST; half /= 2)
+    for (double half = WIDEST; half > NARROW; half /= 2)
+        for (int sweep = 0; sweep < SWEEPS; sweep++)
+            average_angles(&c, half);
+    c.spare = SPARE;
+    for (double half = NARROW; half >= NARROWEST; half /= 2)
         for (int sweep = 0; sweep < SWEEPS; sweep++)
             average_angles(&c, half);
     keep_clear(&c);

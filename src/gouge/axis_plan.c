@@ -800,10 +800,9 @@ static void average_rule(struct work *w, struct run *averaged)
     averaged->radius = run->radius;
     for (size_t i = 0, low = 0, high = 0; i < run->n; i++) {
         struct run_point p = run->item[i];
-        double reach = fmin(half, fmin(w->along[i], w->along[run->n - 1] - w->along[i]));
-        while (w->along[i] - w->along[low] > reach + 1e-9)
+        while (w->along[i] - w->along[low] > half)
             low++;
-        while (high < i || (high + 1 < run->n && w->along[high + 1] - w->along[i] <= reach + 1e-9))
+        while (high + 1 < run->n && w->along[high + 1] - w->along[i] <= half)
             high++;
         struct vec3 mean = vec_unit(vec_sub(until[high + 1], until[low]));
         if (vec_length(mean) > 0 && vec_angle(mean, p.axis) > 1e-7)

@@ -56,7 +56,7 @@ cuts "$TMP/panel.cl" >"$TMP/rule"
 cuts "$TMP/play.cl" | paste -d' ' - "$TMP/rule" | awk '
 	function worst(i, k, reach, g, u, v, w, l, c, a) { # of the pass that is held
 		for (i = 1; i <= n; i++) {
-			reach = s[i] < s[n] - s[i] ? s[i] : s[n] - s[i]; if (reach > 8) reach = 8
+			reach = 8
 			u = v = w = 0
 			for (k = 1; k <= n; k++) if (s[k] - s[i] <= reach + 1e-6 && s[i] - s[k] <= reach + 1e-6) {
 				g = 1e-6 + ((k > 1 ? s[k] - s[k - 1] : 0) + (k < n ? s[k + 1] - s[k] : 0)) / 2

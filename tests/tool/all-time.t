@@ -1,0 +1,47 @@
+#!/bin/sh
+# all-time.t - programs at 3,000 mm/min on a machine with usual limits, timed by
+# tests/time/leasttime.c, which shares nothing with the tools: how much longer than length by feed,
+# how far the rotary axes turn, and no block that asks an axis for more than it has.
+. "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
+cd "$TMP" || exit 1
+
+ok "the evaluator builds" "${CC%% *}" -std=c11 -O2 -o leasttime "$SRC/tests/time/leasttime.c" -lm
+
+figure() { # NAME FILE
+	tr -s ' ' '\n' <"$2" | awk -v name="$1" 'last == name { print } { last = $0 }'
+}
+
+# ---- the evaluator itself: known by hand
+printf '%s\n' 'N1 TRAORI' 'N2 G0 X0 Y0 Z0 A3=0 B3=0 C3=1' 'N3 G1 X600 F3000' >line.nc
+ok "a line is timed" ./leasttime line.nc 3000
+./leasttime line.nc 3000 >line
+# 600 mm at 50 mm/s, and 50 mm/s once up and once down at 3,000 mm/s^2
+below "600 mm take 12 seconds and 0.017, no more" "$(figure least line)" 0.201
+below "and no less" 0.2 "$(figure least line)"
+printf '%s\n' 'N1 TRAORI' 'N2 G0 X0 Y0 Z0 A3=0 B3=0.5 C3=0.8660254' \
+	'N3 G1 X10 A3=0.5 B3=0 C3=0.8660254 F3000' >turn.nc
+./leasttime turn.nc 3000 >turn
+# C turns 90 degrees in 0.2 seconds; the chord of the two directions turns it fastest in the middle
+below "an axis asked for four times its speed and more is told" 3.7 "$(figure most turn)"
+below "C turns by a quarter" "$(figure turn-C turn)" 90.5
+below "a quarter of a turn" 89.5 "$(figure turn-C turn)"
+below "and in no less than 0.75 seconds" 0.0125 "$(figure least turn)"
+
+# ---- a bumpy dome
+awk 'BEGIN { for (y = -14; y <= 14.001; y += 0.5) for (x = -25; x <= 25.001; x += 0.5)
+	printf "%.4f %.4f %.4f\n", x, y, 30 - (x * x + y * y) / 60 + 0.5 * sin(x / 3) * cos(y / 4) }' >dome.xyz
+cloud2mesh -q -t 2 dome.xyz -o dome.ply
+for play in 15 0; do
+	meshnorm -q -r 5 --scallop 0.1 --avoid --feed 3000 --axis-play $play dome.ply >line.cl
+	biarcfit -q -e 0.01 line.cl >arcs.cl
+	ncpost -q -c siemens arcs.cl >dome.nc
+	./leasttime dome.nc 3000 >play-$play
+done
+below "least time is no more than 1.3 times length by feed" "$(figure ratio play-15)" 1.3
+below "no block asks an axis for more than its largest speed" "$(figure over play-15)" 0
+below "A and C turn less than half as far as by the rule" \
+	"$(awk -v a="$(figure turn-A play-15)" -v b="$(figure turn-C play-15)" 'BEGIN { print a + b }')" \
+	"$(awk -v a="$(figure turn-A play-0)" -v b="$(figure turn-C play-0)" 'BEGIN { print (a + b) / 2 }')"
+below "and that saves time" "$(figure ratio play-15)" "$(figure ratio play-0)"
+cat play-15 play-0 | sed 's/^/# /'
+done_testing
