@@ -10,6 +10,7 @@
 #include "stage/plane_passes.h"
 #include "toolpath/passes.h"
 #include "toolpath/rows.h"
+#include "toolpath/scallop.h"
 #include "meshing/mesh_join.h"
 
 enum { ROWS_SCALLOP, ROWS_MESH };
@@ -29,7 +30,7 @@ static void read_options(struct cli *cli, int argc, char **argv)
 {
     const struct cli_option options[] = {
         {'r', "radius", "MM", "radius of the ball (required)", CLI_NUMBER, &path_options.radius,
-         CLI_POSITIVE, 0, 0, NULL},
+         0.001, 1000, 0, NULL},
         {0, "normals", normals_words(false),
          "the mesh's own (default), the mean of the facets' (eq 8) or of the\n"
          "neighbours' (eq 7), central differences on a regular grid",
@@ -133,7 +134,11 @@ static void find_planes(const struct mesh *mesh, const struct mesh_part *part, d
                         double angle, struct plane_passes *p)
 {
     bool upright = !part || part->up.z >= 1;
+    struct error error;
 
+    if (plane_passes_bounded(mesh, vec(0, 0, 0), scallop_step(scallop, path_options.radius, 0),
+                             &error) != 0)
+        die_error(&error);
     if (upright && direction &&
         !plane_passes_direction(direction, mesh, path_options.radius, scallop, &angle))
         die_usage("option --direction: found '%s', expected auto or degrees", direction);
@@ -147,6 +152,8 @@ static void find_planes(const struct mesh *mesh, const struct mesh_part *part, d
     p->steepest = STEEPEST;
     p->beyond = BEYOND;
     plane_passes_scallop(p, mesh, scallop);
+    if (plane_passes_bounded(mesh, p->rule.normal, plane_passes_apart(p), &error) != 0)
+        die_error(&error);
 }
 
 /* The parts of a mesh and the planes through them. */

@@ -13,7 +13,6 @@
 #include "io/nurbs/surfaces.h"
 
 /* Of a path; a point takes some 300 bytes while it is made. */
-static const double MOST_PLANES = 100000, MOST_CROSSINGS = 2e7;
 
 /* By the longest edge of the mesh: how far beyond its trimming a surface counts. */
 static const double BESIDE = 0.002;
@@ -29,7 +28,7 @@ static const char *direction; /* as text: auto or degrees */
 /* clang-format off */
 static const struct cli_option options[] = {
     {'r', "radius", "MM", "radius of the ball (required)",
-     CLI_NUMBER, &path_options.radius, CLI_POSITIVE, 0, 0, NULL},
+     CLI_NUMBER, &path_options.radius, 0.001, 1000, 0, NULL},
     {'s', "step", "MM", "distance of the planes; reduced slightly so that all are equal",
      CLI_NUMBER, &step, CLI_POSITIVE, 0, 0, &step_given},
     {0, "scallop", "MM", "planes so close that no scallop between passes is higher than MM\n"
@@ -104,38 +103,23 @@ static void check_radius(const char *file, const struct mesh *mesh)
         h.surface ? "surfaces" : "vertices");
 }
 
-/* What the planes would cost is known before they are made: each crosses every facet between its
- * neighbours. */
-static void check_cost(double planes, double crossings)
+static double widest_step(void)
 {
-    if (planes > MOST_PLANES)
-        die("would make %.0f planes, expected at most %.0f: is the unit of the part right? A "
-            "larger "
-            "-s or --scallop makes fewer",
-            planes, MOST_PLANES);
-    if (crossings > MOST_CROSSINGS)
-        die("would make about %.0f million points on %.0f planes, expected at most %.0f million: a "
-            "larger -s or --scallop, or a coarser mesh, makes fewer",
-            crossings / 1e6, planes, MOST_CROSSINGS / 1e6);
+    return step_given ? step : scallop_step(scallop, path_options.radius, 0);
 }
 
 static void find_planes(const struct mesh *mesh, struct plane_passes *p)
 {
-    double least = step_given ? step : scallop_step(scallop, path_options.radius, 0);
-    double low = HUGE_VAL, high = -HUGE_VAL;
+    struct error error;
 
-    for (size_t v = 0; v < mesh->vertex.n; v++) {
-        double at = vec_dot(mesh->vertex.item[v], p->rule.normal);
-        low = fmin(low, at);
-        high = fmax(high, at);
-    }
-    check_cost(ceil((high - low) / least), 0);
+    if (plane_passes_bounded(mesh, p->rule.normal, widest_step(), &error) != 0)
+        die_error(&error);
     if (step_given)
         plane_passes_equal(p, mesh, step);
     else
         plane_passes_scallop(p, mesh, scallop);
-    double planes = (double)p->height.n;
-    check_cost(planes, slice_crossings(p->cut, (high - low) / fmax(planes, 1)));
+    if (plane_passes_bounded(mesh, p->rule.normal, plane_passes_apart(p), &error) != 0)
+        die_error(&error);
 }
 
 static void set_pass_options(const struct tool_axis_options *axis, const struct mesh *mesh,
@@ -144,6 +128,10 @@ static void set_pass_options(const struct tool_axis_options *axis, const struct 
     struct pass_options *rule = &p->rule;
     double turn = 0, h = step_given ? fmin(0.01, path_options.radius / 2) : scallop;
 
+    struct error error;
+
+    if (direction && plane_passes_bounded(mesh, vec(0, 0, 0), widest_step(), &error) != 0)
+        die_error(&error);
     if (direction && !plane_passes_direction(direction, mesh, path_options.radius, h, &turn))
         die_usage("option --direction: found '%s', expected auto or degrees", direction);
     *rule = plane_passes_upright(turn, path_options.radius);

@@ -57,9 +57,6 @@ void slice_free(struct slice *cut);
 double slice_low(const struct slice *cut);
 double slice_high(const struct slice *cut);
 
-/* About how many facets planes `step` mm apart cross in all. */
-double slice_crossings(const struct slice *cut, double step);
-
 /*
  * Appends the chains of the plane with x . normal = height.  A chain runs as the cross product of
  * the plane's and the surface's normals; it ends at a border of the mesh, and at an edge that has

@@ -121,7 +121,7 @@ bool template_field(const char *text, struct template_field *field)
         size_t digits = strspn(name + bare + 1, "0123456789");
         if (bare + 1 + digits != length || digits == 0 || digits > 2)
             return false;
-        field->width = atoi(name + bare + 1);
+        field->width = (int)strtol(name + bare + 1, NULL, 10);
         if (field->width < 1 || field->width > TEMPLATE_WIDTH_MAX)
             return false;
     }

@@ -104,7 +104,7 @@ void ncread_tool_text(struct ncread *c, int n, const char *const word[])
     if (n < 3 || strcmp(word[0], "TOOL") != 0 || strcmp(word[1], "CALL") != 0 ||
         strcmp(word[2], "Z") == 0)
         return;
-    c->tool.held = *word[2] == '"' ? tool_quoted(c, c->text) : atoi(word[2]);
+    c->tool.held = *word[2] == '"' ? tool_quoted(c, c->text) : (int)strtol(word[2], NULL, 10);
     switch_on(c, c->tool.held);
 }
 

@@ -88,7 +88,7 @@ void ncread_watch_words(struct ncread *c)
 void ncread_watch_text(struct ncread *c, int n, const char *const word[])
 {
     if (n > 2 && strcmp(word[0], "TOOL") == 0 && strcmp(word[1], "CALL") == 0)
-        set_value(c, TOOL, atof(word[2]));
+        set_value(c, TOOL, strtod(word[2], NULL));
     if (n > 2 && strcmp(word[0], "CYCL") == 0 &&
         (strncmp(word[2], "7.", 2) == 0 || strcmp(word[2], "247") == 0))
         set_value(c, WORK_OFFSET, (double)c->line);
@@ -96,7 +96,7 @@ void ncread_watch_text(struct ncread *c, int n, const char *const word[])
         set_value(c, WORK_OFFSET, (double)c->line);
     for (int i = 0; i < n; i++)
         if (word[i][0] == 'M')
-            watch_m(c, atof(word[i] + 1));
+            watch_m(c, strtod(word[i] + 1, NULL));
 }
 
 void ncread_watch_remark(struct ncread *c, size_t line, long block, const char *text)

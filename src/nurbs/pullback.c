@@ -144,8 +144,9 @@ static size_t samples_of(const struct nurbs_axis *a)
 static struct uv sample_at(const struct pullback *p, size_t k)
 {
     const struct nurbs *s = p->surface;
-    double u = ((double)(k % p->across) + 0.5) / (double)p->across;
-    double v = ((double)(k / p->across) + 0.5) / (double)p->along;
+    size_t column = k % p->across, row = k / p->across;
+    double u = ((double)column + 0.5) / (double)p->across;
+    double v = ((double)row + 0.5) / (double)p->along;
     return (struct uv){s->u.from + u * width(&s->u), s->v.from + v * width(&s->v)};
 }
 

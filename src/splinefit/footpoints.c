@@ -90,7 +90,7 @@ static void pole_values(const struct bspline *b, size_t i, double value[6])
 void ppform_curve(struct ppform *form, const struct bspline *b)
 {
     int order = form->degree + 1;
-    size_t room = (size_t)(order * form->width), square = (size_t)(order * order);
+    size_t rows = (size_t)order, room = rows * (size_t)form->width, square = rows * rows;
 
     form->knot = b->knot;
     memset(form->curve, 0, form->spans * room * sizeof(double));
@@ -504,7 +504,8 @@ static inline int triangle_size(int width)
 
 size_t span_moments_size(int degree, int width)
 {
-    return (size_t)((2 * degree + 1) * triangle_size(width) + (degree + 1) * width);
+    size_t p = (size_t)degree;
+    return (2 * p + 1) * (size_t)triangle_size(width) + (p + 1) * (size_t)width;
 }
 
 const double *span_moments_right(const double *moments, int degree, int width)

@@ -50,8 +50,8 @@ static bool find_corner(const struct net_corners *c, struct net_patches *net, si
     size_t index[MOST];
     double distance2[MOST];
     struct vec3 near[MOST];
-    struct vec3 at = vec(net->x + net->dx * (double)(k % net->columns),
-                         net->y + net->dy * (double)(k / net->columns), 0);
+    size_t column = k % net->columns, row = k / net->columns;
+    struct vec3 at = vec(net->x + net->dx * (double)column, net->y + net->dy * (double)row, 0);
     struct quadric q;
     size_t n = kdtree_nearest(c->tree, at, MOST, index, distance2);
 

@@ -90,7 +90,7 @@ const struct cli_option path_option_table[] = {
     {0, "layers", "N", "cut in N layers, the outermost first (1)",
      CLI_COUNT, &path_options.layers, 1, 1000, 0, NULL},
     {0, "depth", "MM", "thickness of a layer, along the normal (0.3)",
-     CLI_NUMBER, &path_options.depth, CLI_POSITIVE, 0, 0, NULL},
+     CLI_NUMBER, &path_options.depth, 0.0001, 1000, 0, NULL},
     {0, "clearance", "MM", "height of the tip on the clearance plane (default: top of the part\n"
      "and its layers + radius + 10)", CLI_NUMBER, &path_options.clearance, 0, 0, 0, NULL},
     {0, "approach", "MM", "distance above the part where the plunge feed begins (5)",

@@ -8,6 +8,7 @@
 #include "stage/path_options.h"
 #include "base/num.h"
 #include "base/parallel.h"
+#include "math/box.h"
 #include "toolpath/pass_extend.h"
 #include "toolpath/scallop.h"
 
@@ -67,6 +68,51 @@ static double first_height(struct slice *cut, double inside)
         slice_chains_free(&chains);
     }
     return length[0] > 0.9 * length[1] ? low : low + inside;
+}
+
+int plane_passes_bounded(const struct mesh *mesh, struct vec3 normal, double step,
+                         struct error *error)
+{
+    const double most_planes = 1e5, most_points = 2e7;
+    struct box box = box_around(mesh->vertex.item, mesh->vertex.n);
+    bool known = vec_length(normal) > 0;
+    double low = HUGE_VAL, high = -HUGE_VAL, points = 0;
+
+    for (size_t f = 0; f < mesh->face.n && known; f++) {
+        double least = HUGE_VAL, most = -HUGE_VAL;
+        for (int i = 0; i < 3; i++) {
+            double at = vec_dot(mesh->vertex.item[mesh->face.item[f].v[i]], normal);
+            least = fmin(least, at);
+            most = fmax(most, at);
+        }
+        points += (most - least) / step;
+        low = fmin(low, least);
+        high = fmax(high, most);
+    }
+    /* in every direction at least as many as across the shorter side */
+    double wide =
+        known ? fmax(high - low, 0) : fmin(box.high.x - box.low.x, box.high.y - box.low.y);
+    double planes = ceil(wide / step);
+    if (planes > most_planes)
+        return error_set(error,
+                         "would make %.0f planes, expected at most %.0f: is the unit of the part "
+                         "right? Planes farther apart (-s, --scallop) are fewer",
+                         planes, most_planes);
+    if (points > most_points)
+        return error_set(error,
+                         "would make about %.0f million points on %.0f planes, expected at most "
+                         "%.0f million: planes farther apart (-s, --scallop), or a coarser mesh, "
+                         "make fewer",
+                         points / 1e6, planes, most_points / 1e6);
+    return 0;
+}
+
+double plane_passes_apart(const struct plane_passes *p)
+{
+    const struct doubles *height = &p->height;
+
+    return height->n > 1 ? (height->item[height->n - 1] - height->item[0]) / (double)(height->n - 1)
+                         : HUGE_VAL;
 }
 
 static void move_first(struct plane_passes *p)

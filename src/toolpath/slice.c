@@ -181,15 +181,6 @@ double slice_high(const struct slice *cut)
     return cut->highest[1];
 }
 
-double slice_crossings(const struct slice *cut, double step)
-{
-    double sum = 0;
-
-    for (size_t i = 0; i < cut->mesh->face.n; i++)
-        sum += facet_high(cut, i) - cut->lowest[i];
-    return sum / step;
-}
-
 static bool is_below(const struct slice *cut, int vertex, double height)
 {
     return cut->height[vertex] <= height + ON_PLANE;

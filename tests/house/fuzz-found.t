@@ -44,4 +44,8 @@ told 1 "a sliver of 100 m" planecut -q -j 1 -r 4 -s 2 -a 90 mesh.ply
 told 1 "a sliver of 100 m" meshnorm -q -j 1 -r 4 --rows mesh mesh.ply
 vertex 1 "0 60000 0" 100 "60000 0 0"
 told 1 "more planes than can be wanted" planecut -q -j 1 -r 4 -s 0.1 mesh.ply
+vertex 1 "0 0 0"
+told 1 "planes for scallops that nobody sees" meshnorm -q -j 1 -r 4 --scallop 1e-12 mesh.ply
+told 1 "the same, in the best direction" meshnorm -q -j 1 -r 4 --scallop 1e-12 --direction auto mesh.ply
+told 1 "planes for scallops that nobody sees" planecut -q -j 1 -r 4 --scallop 1e-12 mesh.ply
 done_testing
