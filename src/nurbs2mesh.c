@@ -193,10 +193,15 @@ static double make_patch_mesh(const struct cli *cli, const struct settings *s,
             out.bodies);
     if (out.conflicts > 0)
         say("%zu neighbours cannot be oriented alike", out.conflicts);
-    struct skin_close_count closed = skin_close(patch_mesh, gap_of(s, size));
+    struct skin_close_count closed = skin_close(patch_mesh, gap_of(s, size) + fine);
     if (closed.folded + closed.filled > 0)
-        note("%zu slits filled with %zu facets, %zu folds taken out", closed.filled, closed.facets,
-             closed.folded);
+        note("%zu slits, up to %g mm wide, filled with %zu facets, %zu folds taken out",
+             closed.filled, closed.width, closed.facets, closed.folded);
+    if (s->tolerance > 0 && closed.width / 2 > s->tolerance)
+        unmet_say(unmet,
+                  "neighbours lie up to %g mm apart, and what is between them is filled: expected "
+                  "twice %g mm (-e)",
+                  closed.width, s->tolerance);
     struct skin skin = skin_of(patch_mesh);
     nurbs_report_skin(patches, &skin);
     skin_free(&skin);

@@ -11,9 +11,14 @@ struct skin_close_count {
                       out, for nothing is between them */
     size_t filled; /* open loops of which no place is farther than the gap from another side */
     size_t facets; /* put into these */
+    double width;  /* of the widest of them, mm */
 };
 
-/* On patches that are joined and turned (orient.h). */
+/*
+ * On patches that are joined and turned (orient.h).  Slivers no wider than the gap that lie over
+ * each other, so that more than two facets share an edge or two are turned differently, are taken
+ * out, and what is open then is filled, up to four gaps wide where less does not help.
+ */
 struct skin_close_count skin_close(struct patch_mesh *mesh, double gap);
 
 #endif

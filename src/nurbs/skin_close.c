@@ -122,6 +122,45 @@ static size_t drop_folds(struct patch_mesh *q, double gap)
     return folded;
 }
 
+/* ---- crumbs */
+
+static size_t crumb_of(size_t *of, size_t f)
+{
+    while (of[f] != f)
+        f = of[f] = of[of[f]];
+    return f;
+}
+
+/* Drops what hangs together by its sides, if no facet of it is wider than the gap: left over
+ * between borders that were joined. */
+static void drop_crumbs(struct patch_mesh *q, double gap)
+{
+    size_t n;
+    struct skin_side *side = skin_sides_find(q, &n);
+    size_t *of = mem_alloc(q->face.n + 1, sizeof *of);
+    bool *wide = mem_alloc(q->face.n + 1, sizeof *wide), *out;
+
+    for (size_t f = 0; f < q->face.n; f++)
+        of[f] = f;
+    for (size_t i = 0, k; i < n; i += k) {
+        k = skin_sides_same(side, n, i);
+        for (size_t a = i + 1; a < i + k; a++)
+            of[crumb_of(of, side[a].facet)] = crumb_of(of, side[i].facet);
+    }
+    for (size_t f = 0; f < q->face.n; f++) {
+        size_t crumb = crumb_of(of, f);
+        wide[crumb] = wide[crumb] || width_of(q, f) > gap;
+    }
+    out = mem_alloc(q->face.n + 1, sizeof *out);
+    for (size_t f = 0; f < q->face.n; f++)
+        out[f] = !wide[crumb_of(of, f)];
+    drop_marked(q, out);
+    free(out);
+    free(wide);
+    free(of);
+    free(side);
+}
+
 /* ---- slivers that are turned round */
 
 /* Counts the sides of each facet that its one neighbour has in the same direction, less the others.
@@ -184,6 +223,8 @@ struct rim {
 struct rims {
     size_t n, cap;
     struct rim *item;
+    struct skin_side *side; /* of all facets ... */
+    size_t sides;           /* ... so many */
 };
 
 static int rim_from(const struct rims *rims, int way)
@@ -216,6 +257,8 @@ static void find_rims(const struct patch_mesh *q, struct rims *rims, int *first)
     size_t n;
     struct skin_side *side = skin_sides_find(q, &n);
 
+    rims->side = side;
+    rims->sides = n;
     for (size_t i = 0; i < q->vertex.n; i++)
         first[i] = NONE;
     for (size_t i = 0, k; i < n; i += k) {
@@ -235,38 +278,85 @@ static void find_rims(const struct patch_mesh *q, struct rims *rims, int *first)
         }
         *array_push(rims) = r;
     }
-    free(side);
+}
+
+static int compare_places(const void *p, const void *q)
+{
+    const struct skin_side *a = p, *b = q;
+
+    if (a->low != b->low)
+        return a->low < b->low ? -1 : 1;
+    return (a->high > b->high) - (a->high < b->high);
+}
+
+/* Is there an edge between the two vertices' places? */
+static bool is_edge(const struct patch_mesh *q, const struct rims *rims, int v, int w)
+{
+    size_t a = q->vertex.item[v].place, b = q->vertex.item[w].place;
+    struct skin_side key = {.low = a < b ? a : b, .high = a < b ? b : a};
+
+    return rims->sides > 0 &&
+           bsearch(&key, rims->side, rims->sides, sizeof key, compare_places) != NULL;
 }
 
 /* In gaps: a loop so short round is a slit whatever its shape: it is hardly wider. */
 static const double SMALL = 4;
 
-/* Is every corner of the loop within the gap of a side that does not end at it? */
-static bool is_narrow(const struct patch_mesh *q, const struct rims *rims, const int *loop,
-                      size_t n, double gap)
+/* mm: longer than any diagonal. */
+static const double LAST = 1e12;
+
+/* How far corner i of the loop is from its sides that do not end at it. */
+static double corner_distance(const struct patch_mesh *q, const struct rims *rims, const int *loop,
+                              size_t n, size_t i)
 {
-    double around = 0;
+    struct vec3 p = point_of(q, rim_from(rims, loop[i]));
+    double least = HUGE_VAL;
+
+    for (size_t k = 1; k + 1 < n; k++) {
+        int way = loop[(i + k) % n];
+        struct vec3 a = point_of(q, rim_from(rims, way)), b = point_of(q, rim_to(rims, way));
+        least = fmin(least, vec_segment_distance(a, b, p));
+    }
+    return least;
+}
+
+/* Is corner i the tip of a needle: the nearer of its neighbours within the gap of its other side?
+ */
+static bool is_tip(const struct patch_mesh *q, const struct rims *rims, const int *loop, size_t n,
+                   size_t i, double gap)
+{
+    struct vec3 p = point_of(q, rim_from(rims, loop[i]));
+    struct vec3 next = point_of(q, rim_to(rims, loop[i]));
+    struct vec3 last = point_of(q, rim_from(rims, loop[(i + n - 1) % n]));
+
+    return vec_distance(p, next) < vec_distance(p, last)
+               ? vec_segment_distance(p, last, next) <= gap
+               : vec_segment_distance(p, next, last) <= gap;
+}
+
+/* How wide the loop is: how far a corner is, at most, from the sides that do not end at it, tips
+ * excepted. */
+static double loop_width(const struct patch_mesh *q, const struct rims *rims, const int *loop,
+                         size_t n, double gap)
+{
+    double around = 0, widest = 0;
 
     for (size_t i = 0; i < n; i++) {
         around +=
             vec_distance(point_of(q, rim_from(rims, loop[i])), point_of(q, rim_to(rims, loop[i])));
     }
-    for (size_t i = 0; i < n && around > SMALL * gap; i++) {
-        struct vec3 p = point_of(q, rim_from(rims, loop[i]));
-        double least = HUGE_VAL;
-        for (size_t k = 1; k + 1 < n && !(least <= gap); k++) {
-            int way = loop[(i + k) % n];
-            struct vec3 a = point_of(q, rim_from(rims, way)), b = point_of(q, rim_to(rims, way));
-            least = fmin(least, vec_segment_distance(a, b, p));
-        }
-        if (!(least <= gap))
-            return false;
-    }
-    return n > 2;
+    if (around <= SMALL * gap)
+        return around / SMALL;
+    for (size_t i = 0; i < n && widest <= gap; i++)
+        if (!is_tip(q, rims, loop, n, i, gap))
+            widest = fmax(widest, corner_distance(q, rims, loop, n, i));
+    return widest;
 }
 
-/* Fills the loop, ear by ear, the one with the shortest third side first. */
-static size_t fill_loop(struct patch_mesh *q, const struct rims *rims, const int *loop, size_t n)
+/* Fills the loop, ear by ear, the one with the shortest third side first; to avoid: a third
+ * side that is an edge already only when there is no other. */
+static size_t fill_loop(struct patch_mesh *q, const struct rims *rims, const int *loop, size_t n,
+                        bool avoid)
 {
     int *v = mem_alloc(n, sizeof *v), sheet = rims->item[loop[0] / 2].sheet;
     size_t facets = 0, against = 0;
@@ -281,6 +371,7 @@ static size_t fill_loop(struct patch_mesh *q, const struct rims *rims, const int
         double least = HUGE_VAL;
         for (size_t i = 0; i < n; i++) {
             double d = vec_distance(point_of(q, v[i]), point_of(q, v[(i + 2) % n]));
+            d += avoid && n > 3 && is_edge(q, rims, v[i], v[(i + 2) % n]) ? LAST : 0;
             if (d < least) {
                 least = d;
                 best = (i + 1) % n;
@@ -304,6 +395,7 @@ struct walk {
     int *at;    /* of each place: where it is on the trail, from 1 */
     struct ints trail;
     double gap;
+    bool avoid; /* no second edge between two places, where there is another way */
     struct skin_close_count count;
 };
 
@@ -313,8 +405,11 @@ static void take_loop(struct walk *w, size_t from)
     size_t n = w->trail.n - from;
     const int *loop = w->trail.item + from;
 
-    if (n <= CORNERS_MAX && is_narrow(w->q, &w->rims, loop, n, w->gap)) {
-        w->count.facets += fill_loop(w->q, &w->rims, loop, n);
+    double width =
+        n > 2 && n <= CORNERS_MAX ? loop_width(w->q, &w->rims, loop, n, w->gap) : HUGE_VAL;
+    if (width <= w->gap) {
+        w->count.width = fmax(w->count.width, width);
+        w->count.facets += fill_loop(w->q, &w->rims, loop, n, w->avoid);
         w->count.filled++;
     }
     for (size_t i = from; i < w->trail.n; i++)
@@ -341,22 +436,126 @@ static void walk_from(struct walk *w, int way)
     w->trail.n = 0;
 }
 
+/* Closes the slits that there are. */
+static void close_slits(struct walk *w)
+{
+    w->first = mem_alloc(w->q->vertex.n + 1, sizeof *w->first);
+    w->at = mem_alloc(w->q->vertex.n + 1, sizeof *w->at);
+    find_rims(w->q, &w->rims, w->first);
+    for (size_t i = 0; i < w->rims.n; i++)
+        if (!w->rims.item[i].used)
+            walk_from(w, 2 * (int)i);
+    free(w->rims.side);
+    array_free(&w->rims);
+    array_free(&w->trail);
+    free(w->first);
+    free(w->at);
+    w->count.folded += drop_folds(w->q, w->gap);
+    turn_slivers(w->q, w->gap);
+}
+
+/* ---- slivers that are taken out and filled anew */
+
+/* Is it an edge of two facets turned alike? */
+static bool is_sound(const struct skin_side *side, size_t k)
+{
+    return k == 2 && side[0].forward != side[1].forward;
+}
+
+/* Marks the facets, if they are no wider than the gap, along edges that more than two share or two
+ * that are turned differently, and `around`: all that have a corner of such an edge or an open one;
+ * returns how many edges of the skin are such, or open. */
+static size_t mark_tangled(const struct patch_mesh *q, double gap, bool around, bool *out)
+{
+    size_t n, bad = 0;
+    struct skin_side *side = skin_sides_find(q, &n);
+    bool *near = mem_alloc(q->vertex.n + 1, sizeof *near);
+
+    for (size_t i = 0, k; i < n; i += k) {
+        k = skin_sides_same(side, n, i);
+        if (is_sound(&side[i], k))
+            continue;
+        bad++;
+        near[side[i].low] = near[side[i].high] = around;
+        for (size_t a = i; a < i + k && k > 1; a++)
+            out[side[a].facet] = out[side[a].facet] || width_of(q, side[a].facet) <= gap;
+    }
+    for (size_t i = 0; i < n && around; i++) {
+        size_t f = side[i].facet;
+        out[f] = out[f] || ((near[side[i].low] || near[side[i].high]) && width_of(q, f) <= gap);
+    }
+    free(near);
+    free(side);
+    return bad;
+}
+
+static void copy_facets(const struct patch_mesh *from, struct faces *face, struct ints *sheet)
+{
+    face->n = sheet->n = 0;
+    for (size_t f = 0; f < from->face.n; f++) {
+        *array_push(face) = from->face.item[f];
+        *array_push(sheet) = from->sheet.item[f];
+    }
+}
+
+/* One try: takes out what is marked and fills what is open.  True: the skin has fewer edges that
+ * are not sound; else it is as before. */
+static bool refill(struct walk *w, bool around, size_t *bad)
+{
+    struct patch_mesh *q = w->q;
+    struct skin_close_count count = w->count;
+    struct faces face = {0};
+    struct ints sheet = {0};
+    bool *out = mem_alloc(q->face.n + 1, sizeof *out);
+    size_t before = mark_tangled(q, w->gap, around, out);
+
+    copy_facets(q, &face, &sheet);
+    drop_marked(q, out);
+    free(out);
+    bool same = q->face.n == face.n;
+    if (!same)
+        close_slits(w);
+    out = mem_alloc(q->face.n + 1, sizeof *out);
+    *bad = same ? before : mark_tangled(q, w->gap, false, out);
+    free(out);
+    if (*bad >= before) {
+        struct faces swap = q->face;
+        struct ints swap_sheet = q->sheet;
+        q->face = face;
+        q->sheet = sheet;
+        face = swap;
+        sheet = swap_sheet;
+        w->count = count;
+    }
+    array_free(&face);
+    array_free(&sheet);
+    return *bad < before;
+}
+
+/* Between borders nearer to each other than the gap slivers may lie over each other.  Without them
+ * there is a slit, whose filling knows both its sides; what does not become better stays.  Of the
+ * ways to take out and to fill the first that helps is taken, till none does. */
+static void untangle(struct walk *w)
+{
+    enum { TRIES = 60, AROUND = 1, AVOID = 2, WIDTHS = 4, WAYS = 12 };
+    double gap = w->gap;
+    size_t bad = 1;
+
+    for (int i = 0, way = 0; i < TRIES && way < WAYS && bad > 0; i++) {
+        w->avoid = (way & AVOID) != 0;
+        w->gap = gap * (1 << way / WIDTHS);
+        way = refill(w, (way & AROUND) != 0, &bad) ? 0 : way + 1;
+    }
+    w->gap = gap;
+}
+
 struct skin_close_count skin_close(struct patch_mesh *q, double gap)
 {
     struct walk w = {.q = q, .gap = gap};
 
     w.count.folded = drop_folds(q, gap);
-    w.first = mem_alloc(q->vertex.n + 1, sizeof *w.first);
-    w.at = mem_alloc(q->vertex.n + 1, sizeof *w.at);
-    find_rims(q, &w.rims, w.first);
-    for (size_t i = 0; i < w.rims.n; i++)
-        if (!w.rims.item[i].used)
-            walk_from(&w, 2 * (int)i);
-    w.count.folded += drop_folds(q, gap);
-    turn_slivers(q, gap);
-    array_free(&w.rims);
-    array_free(&w.trail);
-    free(w.first);
-    free(w.at);
+    close_slits(&w);
+    untangle(&w);
+    drop_crumbs(q, gap);
     return w.count;
 }

@@ -22,4 +22,24 @@ for x in -16 16 30; do
 	done
 done
 
+# A box of which one side ends askew, so that a needle is open between it and its neighbour: narrower
+# than the gap, but long.  And a strip of the neighbour folded back along it.
+box_with() { # NAME Y: the side at y 0 is at Y where x is 30; the others are not
+	awk -v y="$2" 'function flat(t) { print "surface degree 1 1 poles 2 2 knots_u 0 0 1 1 knots_v 0 0 1 1 points " t }
+		BEGIN { print "nurbs 1"
+		flat("0 0 0 0 20 0 30 0 0 30 20 0"); flat("0 0 10 30 0 10 0 20 10 30 20 10")
+		flat("0 0 0 30 " y " 0 0 0 10 30 " y " 10"); flat("30 0 0 30 20 0 30 0 10 30 20 10")
+		flat("30 20 0 0 20 0 30 20 10 0 20 10"); flat("0 20 0 0 0 0 0 20 10 0 0 10")
+		print "end" }' >"$TMP/$1.nurbs"
+}
+for y in 0 0.004 0.012; do
+	box_with askew $y
+	for e in 0.1 0.02; do
+		closed "a box whose side is $y mm askew, -e $e" 0 -e $e --gap 0.01 "$TMP/askew.nurbs"
+	done
+done
+box_with apart 0.5
+nurbs2mesh -v -e 0.02 --gap 0.01 "$TMP/apart.nurbs" >"$TMP/model.ply" 2>"$TMP/report"
+has "a side half a millimetre askew stays open" '^nurbs2mesh: open: ' "$TMP/report"
+
 done_testing
