@@ -268,7 +268,18 @@ static double dense_run_of(const struct run *run, const struct arcrun_options *o
     return taken;
 }
 
-/* Where the smooth parts of what is programmed end: at its corners, and at the end of the run. */
+/* The axis goes through the pole of Z here: the machine passes it at a fixed turn only if the
+ * program does so exactly. */
+static bool passes_pole(const struct run *run, size_t i)
+{
+    const double none = 1e-12;
+    const struct run_point *p = &run->item[i];
+    struct vec3 a = p[-1].axis, b = p[1].axis;
+    return hypot(p->axis.x, p->axis.y) < none && hypot(a.x, a.y) > none && hypot(b.x, b.y) > none;
+}
+
+/* Where the smooth parts of what is programmed end: at its corners, where the axis passes the pole,
+ * and at the end of the run. */
 static struct sizes parts_of(const struct run *dense, const struct arcrun_options *options)
 {
     struct run programmed = {.radius = dense->radius};
@@ -277,10 +288,17 @@ static struct sizes parts_of(const struct run *dense, const struct arcrun_option
         *p = dense->item[i];
         p->ball = options->centre ? p->ball : p->tip;
     }
-    struct sizes end = {0};
+    struct sizes end = {0}, corner = {0};
     if (!options->paper)
-        run_corners(&programmed, &end);
+        run_corners(&programmed, &corner);
+    for (size_t i = 1, k = 0; i + 1 < dense->n && !options->paper; i++) {
+        bool turns = k < corner.n && corner.item[k] == i;
+        k += turns;
+        if (turns || passes_pole(dense, i))
+            *array_push(&end) = i;
+    }
     *array_push(&end) = dense->n - 1;
+    array_free(&corner);
     array_free(&programmed);
     return end;
 }
