@@ -9,6 +9,8 @@
 # make accuracy     gouges and material left, on surfaces known exactly
 # make install      PREFIX=/usr/local DESTDIR=           make bench    speed, beside bare C floors
 # make faults       every call of the C library fails in turn
+# make static           without shared libraries (musl)  make windows  with mingw-w64
+# make portability      jobs on other platforms: same bytes?
 # make lint sanitize fuzz dist distcheck clean uninstall
 
 PREFIX  = /usr/local
@@ -16,6 +18,7 @@ DESTDIR =
 CC      = cc
 CFLAGS  = -O2
 BUILD   = build
+EXE     =
 VERSION := $(shell cat VERSION)
 
 WARN  = -Wall -Wextra -Wshadow -Wconversion
@@ -38,7 +41,7 @@ tool_files := $(wildcard tools/*.txt)
 controls := $(wildcard controls/*.txt)
 built_in := fanuc siemens heidenhain linuxcnc
 
-tools    := $(tool_src:src/%.c=$(BUILD)/bin/%) $(BUILD)/bin/cloudmill
+tools    := $(tool_src:src/%.c=$(BUILD)/bin/%$(EXE)) $(BUILD)/bin/cloudmill
 lib      := $(BUILD)/libcloudmill.a
 page_obj := $(page_src:%=$(BUILD)/%.o)
 control_obj := $(built_in:%=$(BUILD)/controls/%.o)
@@ -99,7 +102,7 @@ $(lib): $(lib_obj)
 	@rm -f $@
 	$(AR) rcs $@ $(lib_obj)
 
-$(BUILD)/bin/%: $(BUILD)/src/%.o $(lib)
+$(BUILD)/bin/%$(EXE): $(BUILD)/src/%.o $(lib)
 	@mkdir -p $(@D)
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $< $(lib) $(LIBS)
 
@@ -167,6 +170,18 @@ accuracy: all $(readback) $(cloud)
 
 faults: all
 	@BIN="$(abspath $(BUILD))/bin" CC="$(CC)" FAULTS=0 sh tests/house/faults.t
+
+# Tools that need no library: by musl's compiler, and for Windows by mingw-w64's.
+static:
+	$(MAKE) BUILD=$(BUILD)/static CC=musl-gcc LDFLAGS=-static all
+
+windows:
+	$(MAKE) BUILD=$(BUILD)/windows EXE=.exe CC=x86_64-w64-mingw32-gcc AR=x86_64-w64-mingw32-ar \
+	  CPPFLAGS='-D__USE_MINGW_ANSI_STDIO=1 -Wno-format' LDFLAGS='-static -s' all
+
+# The same jobs by other compilers, C libraries and machines: the same bytes?
+portability:
+	@MAKE="$(MAKE)" BUILD="$(BUILD)" sh tests/house/portability.sh $(PLATFORMS)
 
 # Random numbers of another course: SEEDS of them (20).
 check-seeds: $(units)
@@ -266,8 +281,9 @@ distcheck: dist
 clean:
 	rm -rf $(BUILD) demo figures html cloudmill-$(VERSION).tar.gz
 
-.PHONY: always all units check demo samples html figures bench accuracy freeze deps deps-all lint sanitize fuzz faults \
-  check-seeds mutate coverage nc-faults safety install uninstall dist distcheck clean
+.PHONY: always all units check demo samples html figures bench accuracy freeze deps deps-all lint \
+  sanitize fuzz faults check-seeds mutate coverage nc-faults safety static windows portability deb \
+  install uninstall dist distcheck clean
 .SECONDARY:
 
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

@@ -1,9 +1,9 @@
 /* bsplfit - the points of a path's cutting runs as B-splines within a tolerance (paper 2). */
-#include "math/elementary.h"
 #include <stdio.h>
 
 #include "base/cli.h"
 #include "base/effort.h"
+#include "math/elementary.h"
 #include "splinefit/spline_run.h"
 #include "stage/fitter.h"
 #include "stage/path_track.h"

@@ -33,15 +33,16 @@ double elementary_asinh(double x);
 double elementary_hypot(double x, double y);
 double elementary_cbrt(double x);
 
-/* C leaves open which zero fmax(0, -0) is: here the first of two equals.  A NaN gives the other. */
+/* C leaves open which zero fmax(0, -0) is: here the first of two equals.  A NaN, b if b != b, gives the
+ * other. */
 static inline double elementary_fmax(double a, double b)
 {
-    return a >= b || isnan(b) ? a : b;
+    return a >= b || b != b ? a : b;
 }
 
 static inline double elementary_fmin(double a, double b)
 {
-    return a <= b || isnan(b) ? a : b;
+    return a <= b || b != b ? a : b;
 }
 
 /* Formulas keep the names that they have in books. */

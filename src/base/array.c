@@ -5,9 +5,9 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/mman.h>
 
 #include "base/cli.h"
+#include "system.h"
 
 void *mem_alloc(size_t n, size_t size)
 {

@@ -1,7 +1,6 @@
 /* cli - options by table and the help made from it; see cli.h. */
 #include "base/cli.h"
 
-#include <fcntl.h>
 #include <getopt.h>
 #include <math.h>
 #include <stdarg.h>
@@ -9,12 +8,12 @@
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
-#include <unistd.h>
 
 #include "base/array.h"
 #include "base/num.h"
 #include "base/out.h"
 #include "program_dir.h"
+#include "system.h"
 
 /* ---- messages, and the end of the process */
 
@@ -376,8 +375,9 @@ static void hold_standard_files(void)
 {
     static const int mode[] = {O_WRONLY, O_RDONLY, O_WRONLY};
     for (int fd = 0; fd <= 2; fd++)
-        if (fcntl(fd, F_GETFD) < 0 && open("/dev/null", mode[fd]) != fd)
+        if (!is_open_file(fd) && open(NOTHING_FILE, mode[fd]) != fd)
             exit(EXIT_FAILED);
+    system_begin();
 }
 
 /* How many letters must be put in, taken out or changed to make one word of the other; `n` letters

@@ -2,19 +2,16 @@
 #include "base/out.h"
 
 #include <errno.h>
-#include <fcntl.h>
-#include <signal.h>
 #include <stdarg.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include "base/array.h"
 #include "base/cli.h"
 #include "base/num.h"
+#include "system.h"
 
 enum { BUFFER = 1 << 16 };
 

@@ -2,9 +2,9 @@
 #include "base/parallel.h"
 
 #include <pthread.h>
-#include <unistd.h>
 
 #include "base/cli.h"
+#include "system.h"
 
 enum { MOST_THREADS = 64, MOST_PIECE = 64, PIECES_EACH = 8 };
 

@@ -7,14 +7,12 @@
 #include "base/reader.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include "base/array.h"
 #include "base/cli.h"
+#include "system.h"
 
 enum { CHUNK = 1 << 16, LARGE = 1 << 22, BEHIND = 8 /* bytes that may be looked at */ };
 
