@@ -14,7 +14,11 @@
 #ifndef CLOUDMILL_REPOSITION_H
 #define CLOUDMILL_REPOSITION_H
 
+#include <stdbool.h>
+#include <stdint.h>
+
 #include "base/array.h"
+#include "base/error.h"
 #include "meshing/grid.h"
 
 enum reach {
@@ -29,5 +33,43 @@ enum reach {
 /* The index of the point for each node, NO_POINT where there is none: chosen[row * columns +
  * column].  Free with free(). */
 size_t *reposition(const struct grid *grid, const struct vec3 *point, size_t n, enum reach reach);
+
+/*
+ * The same of points that come in blocks, in the same order each time: all of them to
+ * reposition_add; then, where reposition_empty finds nodes to be filled, all of them again to
+ * reposition_fill, and reposition_settle.  Of each row only the nodes are kept that the box of the
+ * points has room for.
+ */
+struct node_choice {
+    uint32_t nearness; /* of its point, in steps of 1e-9 t^2 */
+    uint32_t point;    /* its number, NO_CHOICE: there is none */
+    struct vec3 at;
+};
+
+#define NO_CHOICE UINT32_MAX
+
+struct reposition {
+    struct grid grid;
+    enum reach reach;
+    int width;                  /* nodes kept of each row */
+    size_t n;                   /* points so far */
+    struct node_choice *choice; /* of node `column` of `row`: reposition_node */
+    bool *empty;                /* nodes to be filled */
+};
+
+/* -1: 2^32 points or more. */
+int reposition_begin(const struct grid *grid, size_t n, enum reach reach,
+                     struct reposition *reposition, struct error *error);
+void reposition_add(struct reposition *reposition, const struct vec3 *point, size_t n);
+bool reposition_empty(struct reposition *reposition);
+void reposition_fill(struct reposition *reposition, const struct vec3 *point, size_t n);
+void reposition_settle(struct reposition *reposition);
+void reposition_free(struct reposition *reposition);
+
+/* The first column that is kept of a row. */
+int reposition_first(const struct reposition *reposition, int row);
+
+/* The choice of a node, NULL: outside, or without a point. */
+const struct node_choice *reposition_node(const struct reposition *reposition, int column, int row);
 
 #endif

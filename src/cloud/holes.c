@@ -16,8 +16,8 @@ enum { CELLS_A_GAP = 12, REACH = CELLS_A_GAP / 2, WORD = 64 };
 static const double MOST_CELLS = 2e9;
 
 /* The raster with a border of REACH cells around the points, so that no disc falls outside. */
-static int make_raster(const struct plan_extent *f, double gap, double rim, struct holes *h,
-                       struct error *error)
+int holes_begin(const struct plan_extent *f, double gap, double rim, struct holes *h,
+                struct error *error)
 {
     double cell = gap / CELLS_A_GAP;
     double columns = floor((f->xmax - f->xmin) / cell) + 2 + 2 * REACH;
@@ -29,8 +29,10 @@ static int make_raster(const struct plan_extent *f, double gap, double rim, stru
                          gap, f->xmax - f->xmin, f->ymax - f->ymin,
                          gap * sqrt(columns * rows / MOST_CELLS));
     size_t words = (size_t)columns / WORD + 1;
-    *h = (struct holes){fmin(rim, gap / 2), cell, f->xmin, f->ymin, (size_t)rows, words, NULL};
-    h->near = mem_alloc(h->rows * h->words, sizeof *h->near);
+    *h = (struct holes){
+        fmin(rim, gap / 2), cell, f->xmin, f->ymin, (size_t)rows, words, 0, NULL, NULL};
+    h->reach = (int)floor((gap / 2 - rim) / cell);
+    h->taken = mem_alloc(h->rows * h->words, sizeof *h->taken);
     return 0;
 }
 
@@ -42,13 +44,13 @@ static size_t cells_from(double from, double x, double a_cell)
     return REACH + (cells > 0 ? (size_t)cells : 0);
 }
 
-static void mark_points(const struct holes *h, const struct vec3 *point, size_t n, uint64_t *taken)
+void holes_add(struct holes *h, const struct vec3 *point, size_t n)
 {
     double a_cell = 1 / h->cell;
     for (size_t i = 0; i < n; i++) {
         size_t column = cells_from(h->x, point[i].x, a_cell);
         size_t row = cells_from(h->y, point[i].y, a_cell);
-        taken[row * h->words + column / WORD] |= (uint64_t)1 << column % WORD;
+        h->taken[row * h->words + column / WORD] |= (uint64_t)1 << column % WORD;
     }
 }
 
@@ -86,32 +88,39 @@ static void open_holes(struct holes *h, int reach)
     free(open);
 }
 
+void holes_end(struct holes *holes)
+{
+    size_t words = holes->words;
+
+    holes->near = mem_alloc(holes->rows * words, sizeof *holes->near);
+    for (size_t row = REACH; row < holes->rows - REACH; row++)
+        for (int k = 0; k <= 2 * REACH; k++) {
+            int away = k - REACH, width = (int)sqrt(REACH * REACH - away * away);
+            add_grown(holes->near + (row - REACH + (size_t)k) * words, holes->taken + row * words,
+                      words, width);
+        }
+    free(holes->taken);
+    holes->taken = NULL;
+    if (holes->reach > 0)
+        open_holes(holes, holes->reach);
+}
+
 int holes_find(const struct vec3 *point, size_t n, double gap, double rim, struct holes *holes,
                struct error *error)
 {
     struct plan_extent f = plan_extent_of(point, n, 0);
-    if (make_raster(&f, gap, rim, holes, error) < 0)
+    if (holes_begin(&f, gap, rim, holes, error) < 0)
         return -1;
-    size_t words = holes->words;
-    uint64_t *taken = mem_alloc(holes->rows * words, sizeof *taken);
-    mark_points(holes, point, n, taken);
-    for (size_t row = REACH; row < holes->rows - REACH; row++)
-        for (int k = 0; k <= 2 * REACH; k++) {
-            int away = k - REACH, width = (int)sqrt(REACH * REACH - away * away);
-            add_grown(holes->near + (row - REACH + (size_t)k) * words, taken + row * words, words,
-                      width);
-        }
-    free(taken);
-    int reach = (int)floor((gap / 2 - rim) / holes->cell);
-    if (reach > 0)
-        open_holes(holes, reach);
+    holes_add(holes, point, n);
+    holes_end(holes);
     return 0;
 }
 
 void holes_free(struct holes *holes)
 {
     free(holes->near);
-    holes->near = NULL;
+    free(holes->taken);
+    holes->near = holes->taken = NULL;
 }
 
 static double distance2(struct vec3 a, struct vec3 b)

@@ -1,30 +1,36 @@
 /* plan_extent - see plan_extent.h. */
 #include "cloud/plan_extent.h"
 
-#include <stdbool.h>
-#include <stdint.h>
 #include <stdlib.h>
 
 #include "base/array.h"
 
-struct plan_extent plan_extent_of(const struct vec3 *point, size_t n, double direction)
+struct plan_extent plan_extent_begin(double direction)
 {
     double quarter = direction / 90, turn = RADIANS(direction);
-    struct plan_extent f = {cos(turn), sin(turn), 0, 0, 0, 0};
+    struct plan_extent f = {cos(turn), sin(turn), INFINITY, -INFINITY, INFINITY, -INFINITY};
     if (quarter == floor(quarter)) { /* no cos 90 = 6e-17: points in rows stay in rows */
         f.cosine = round(f.cosine);
         f.sine = round(f.sine);
     }
-    struct vec3 p = plan_extent_turn(&f, point[0]);
-    f.xmin = f.xmax = p.x;
-    f.ymin = f.ymax = p.y;
-    for (size_t i = 1; i < n; i++) {
-        p = plan_extent_turn(&f, point[i]);
-        f.xmin = p.x < f.xmin ? p.x : f.xmin;
-        f.xmax = p.x > f.xmax ? p.x : f.xmax;
-        f.ymin = p.y < f.ymin ? p.y : f.ymin;
-        f.ymax = p.y > f.ymax ? p.y : f.ymax;
+    return f;
+}
+
+void plan_extent_add(struct plan_extent *f, const struct vec3 *point, size_t n)
+{
+    for (size_t i = 0; i < n; i++) {
+        struct vec3 p = plan_extent_turn(f, point[i]);
+        f->xmin = p.x < f->xmin ? p.x : f->xmin;
+        f->xmax = p.x > f->xmax ? p.x : f->xmax;
+        f->ymin = p.y < f->ymin ? p.y : f->ymin;
+        f->ymax = p.y > f->ymax ? p.y : f->ymax;
     }
+}
+
+struct plan_extent plan_extent_of(const struct vec3 *point, size_t n, double direction)
+{
+    struct plan_extent f = plan_extent_begin(direction);
+    plan_extent_add(&f, point, n);
     return f;
 }
 
@@ -97,13 +103,7 @@ int plan_extent_check(const struct vec3 *point, size_t n, struct error *error)
                      n, a.x, a.y, b.x, b.y);
 }
 
-/* A set of cells: open addressing, empty where zero. */
-struct cells {
-    size_t n, mask;
-    uint64_t *key;
-};
-
-static void add_cell(struct cells *c, uint64_t key)
+static void add_cell(struct plan_cells *c, uint64_t key)
 {
     size_t at = (size_t)(key * 0x9E3779B97F4A7C15u >> 32) & c->mask;
     while (c->key[at] != 0 && c->key[at] != key)
@@ -118,43 +118,72 @@ static double cells_along(double length, double width)
     return fmin(fmax(round(length / width), 1), 2e9);
 }
 
-/* Area of the cells with points in them, the box divided evenly into cells near `width`. */
-static double occupied_area(const struct plan_extent *f, const struct vec3 *point, size_t n,
-                            double width)
+struct plan_cells plan_cells_begin(const struct plan_extent *f, size_t n, double width)
 {
     double w = f->xmax - f->xmin, h = f->ymax - f->ymin;
-    double columns = cells_along(w, width), rows = cells_along(h, width);
-    double right = columns / w, up = rows / h;
-    double most = fmin((double)n, columns * rows);
+    struct plan_cells c = {
+        .extent = *f, .columns = cells_along(w, width), .rows = cells_along(h, width)};
+    c.right = c.columns / w;
+    c.up = c.rows / h;
+    double most = fmin((double)n, c.columns * c.rows);
     size_t size = 64;
     while ((double)size < 2 * most)
         size *= 2;
-    struct cells cells = {0, size - 1, mem_alloc(size, sizeof *cells.key)};
-    uint64_t last = 0;
+    c.mask = size - 1;
+    c.key = mem_alloc(size, sizeof *c.key);
+    return c;
+}
+
+void plan_cells_add(struct plan_cells *c, const struct vec3 *point, size_t n)
+{
+    const struct plan_extent *f = &c->extent;
     for (size_t i = 0; i < n; i++) {
         struct vec3 p = plan_extent_turn(f, point[i]);
-        double column = (p.x - f->xmin) * right, row = (p.y - f->ymin) * up;
-        column = column < columns ? column : columns - 1;
-        row = row < rows ? row : rows - 1;
+        double column = (p.x - f->xmin) * c->right, row = (p.y - f->ymin) * c->up;
+        column = column < c->columns ? column : c->columns - 1;
+        row = row < c->rows ? row : c->rows - 1;
         uint64_t key = ((uint64_t)column << 32 | (uint64_t)row) + 1;
-        if (key != last) /* scanned in order, most points fall into the cell of the one before */
-            add_cell(&cells, key);
-        last = key;
+        if (key != c->last) /* scanned in order, most points fall into the cell of the one before */
+            add_cell(c, key);
+        c->last = key;
     }
-    free(cells.key);
-    return (double)cells.n / (right * up);
+}
+
+double plan_cells_end(struct plan_cells *c)
+{
+    free(c->key);
+    c->key = NULL;
+    return (double)c->n / (c->right * c->up);
+}
+
+struct plan_spacing plan_spacing_begin(const struct plan_extent *f, size_t n)
+{
+    double spacing = sqrt((f->xmax - f->xmin) * (f->ymax - f->ymin) / (double)n);
+    return (struct plan_spacing){.n = n, .spacing = spacing};
+}
+
+double plan_spacing_width(const struct plan_spacing *s)
+{
+    const double cell = 5;
+    return cell * s->spacing;
+}
+
+bool plan_spacing_next(struct plan_spacing *s, double area)
+{
+    enum { ROUNDS = 20 };
+    double next = sqrt(area / (double)s->n);
+    bool settled = fabs(next - s->spacing) < 0.05 * s->spacing;
+    s->spacing = next;
+    return !settled && ++s->rounds < ROUNDS;
 }
 
 double plan_extent_spacing(const struct plan_extent *f, const struct vec3 *point, size_t n)
 {
-    enum { CELL = 5, ROUNDS = 20 };
-    double spacing = sqrt((f->xmax - f->xmin) * (f->ymax - f->ymin) / (double)n);
-    for (int i = 0; i < ROUNDS; i++) {
-        double next = sqrt(occupied_area(f, point, n, CELL * spacing) / (double)n);
-        bool settled = fabs(next - spacing) < 0.05 * spacing;
-        spacing = next;
-        if (settled)
-            break;
-    }
-    return spacing;
+    struct plan_spacing s = plan_spacing_begin(f, n);
+    struct plan_cells cells;
+    do {
+        cells = plan_cells_begin(f, n, plan_spacing_width(&s));
+        plan_cells_add(&cells, point, n);
+    } while (plan_spacing_next(&s, plan_cells_end(&cells)));
+    return s.spacing;
 }

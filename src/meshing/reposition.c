@@ -1,15 +1,7 @@
 /* reposition - see reposition.h. */
 #include "meshing/reposition.h"
 
-#include <stdbool.h>
-#include <stdint.h>
 #include <stdlib.h>
-
-/* What a node has: how near its point is, in steps of 1e-9 t^2, and which it is. */
-struct choice {
-    int64_t nearness;
-    size_t point;
-};
 
 static const double STEPS = 1e9;
 
@@ -27,11 +19,11 @@ static struct view view_from(const struct grid *g, int column, int row, struct v
 }
 
 /* Both are equally near to the node: does `a` come before `b`? */
-static bool comes_first(const struct grid *g, const struct vec3 *point, int column, int row,
-                        size_t a, size_t b)
+static bool comes_first(const struct grid *g, int column, int row, const struct node_choice *a,
+                        const struct node_choice *b)
 {
-    struct vec3 p = plan_extent_turn(&g->plan_extent, point[a]);
-    struct vec3 q = plan_extent_turn(&g->plan_extent, point[b]);
+    struct vec3 p = plan_extent_turn(&g->plan_extent, a->at);
+    struct vec3 q = plan_extent_turn(&g->plan_extent, b->at);
     struct view from_p = view_from(g, column, row, p), from_q = view_from(g, column, row, q);
     if (from_p.upper != from_q.upper)
         return from_p.upper;
@@ -43,19 +35,43 @@ static bool comes_first(const struct grid *g, const struct vec3 *point, int colu
         return p.z > q.z;
     if (p.y != q.y)
         return p.y > q.y;
-    return a < b;
+    return a->point < b->point;
 }
 
-static void compete_for_node(const struct grid *g, struct choice *choice, const struct vec3 *point,
-                             size_t index, int column, int row, double distance2)
+/* The nodes of a row that a point over the box may compete for begin here. */
+int reposition_first(const struct reposition *r, int row)
 {
-    int64_t nearness = (int64_t)(distance2 * STEPS + 0.5);
-    struct choice *c = &choice[(size_t)row * (size_t)g->columns + (size_t)column];
-    if (nearness > c->nearness)
+    const struct grid *g = &r->grid;
+    double left = (g->plan_extent.xmin - g->x) / g->t - 0.5 * (row + 1);
+    int first = (int)floor(left) - 2;
+    return first > 0 ? first : 0;
+}
+
+/* The place of a node in the lists, NO_POINT: it is not kept. */
+static size_t index_of(const struct reposition *r, int column, int row)
+{
+    int at = column - reposition_first(r, row);
+    if (row < 0 || row >= r->grid.rows || column >= r->grid.columns || at < 0 || at >= r->width)
+        return NO_POINT;
+    return (size_t)row * (size_t)r->width + (size_t)at;
+}
+
+const struct node_choice *reposition_node(const struct reposition *r, int column, int row)
+{
+    size_t at = index_of(r, column, row);
+    return at == NO_POINT || r->choice[at].point == NO_CHOICE ? NULL : &r->choice[at];
+}
+
+static void compete_for_node(struct reposition *r, struct vec3 p, size_t index, int column, int row,
+                             double distance2)
+{
+    struct node_choice *c = &r->choice[index_of(r, column, row)];
+    struct node_choice this = {(uint32_t)(distance2 * STEPS + 0.5), (uint32_t)index, p};
+    if (this.nearness > c->nearness)
         return;
-    if (nearness == c->nearness && !comes_first(g, point, column, row, index, c->point))
+    if (this.nearness == c->nearness && !comes_first(&r->grid, column, row, &this, c))
         return;
-    *c = (struct choice){nearness, index};
+    *c = this;
 }
 
 /* Where a point lies: the lower left node of its rhombus and what is left over, 0 to 1. */
@@ -86,130 +102,170 @@ static double oblique_length2(double a, double b)
 }
 
 /* The nearest node is a corner of the rhombus; of equally near ones the lower, then left one. */
-static void compete_nearest(const struct grid *g, struct choice *choice, const struct vec3 *point,
-                            size_t index)
+static double nearest_node(const struct grid *g, struct vec3 p, int *column, int *row)
 {
     static const double further = 1e-9;
-    struct place at = place_of(g, point[index]);
+    struct place at = place_of(g, p);
     double least = oblique_length2(at.right, at.up);
-    int column = at.column, row = at.row;
+    *column = at.column;
+    *row = at.row;
     for (int corner = 1; corner < 4; corner++) {
         int right = corner & 1, up = corner >> 1;
         double d2 = oblique_length2(at.right - right, at.up - up);
         if (d2 < least - further) {
             least = d2;
-            column = at.column + right;
-            row = at.row + up;
+            *column = at.column + right;
+            *row = at.row + up;
         }
     }
-    compete_for_node(g, choice, point, index, column, row, least);
+    return least;
 }
 
-/* Nodes nearer than t are corners of the rhombus, or of one of the rhombi around it. */
-static void compete_circle(const struct grid *g, struct choice *choice, const struct vec3 *point,
-                           size_t index)
+/* Nodes nearer than `within2` t^2 are corners of the rhombus, or of one of the rhombi around it:
+ * all of them, or the empty ones. */
+static void compete_circle(struct reposition *r, struct vec3 p, size_t index, double within2,
+                           const bool *empty)
 {
-    static const double inside = 1 - 1e-9;
-    struct place at = place_of(g, point[index]);
+    struct place at = place_of(&r->grid, p);
     for (int up = -1; up <= 2; up++)
         for (int right = -1; right <= 2; right++) {
             int column = at.column + right, row = at.row + up;
             double d2 = oblique_length2(at.right - right, at.up - up);
-            if (d2 < inside && column >= 0 && column < g->columns && row >= 0 && row < g->rows)
-                compete_for_node(g, choice, point, index, column, row, d2);
+            if (!(d2 < within2))
+                continue;
+            size_t node = index_of(r, column, row);
+            if (node != NO_POINT && (!empty || empty[node]))
+                compete_for_node(r, p, index, column, row, d2);
         }
 }
 
-/* The six nodes around one, those within the grid; how many. */
-static int nodes_around(const struct grid *g, int column, int row, size_t around[6])
+int reposition_begin(const struct grid *grid, size_t n, enum reach reach, struct reposition *r,
+                     struct error *error)
+{
+    const struct plan_extent *f = &grid->plan_extent;
+    if (n >= NO_CHOICE)
+        return error_set(error, "found %zu points, expected fewer than %lu", n,
+                         (unsigned long)NO_CHOICE);
+    int width = (int)ceil((f->xmax - f->xmin) / grid->t) + 8;
+    *r = (struct reposition){*grid, reach, width < grid->columns ? width : grid->columns,
+                             0,     NULL,  NULL};
+    size_t nodes = (size_t)grid->rows * (size_t)r->width;
+    r->choice = mem_alloc(nodes, sizeof *r->choice);
+    for (size_t i = 0; i < nodes; i++)
+        r->choice[i].nearness = r->choice[i].point = NO_CHOICE;
+    return 0;
+}
+
+void reposition_free(struct reposition *r)
+{
+    free(r->choice);
+    free(r->empty);
+    r->choice = NULL;
+    r->empty = NULL;
+}
+
+void reposition_add(struct reposition *r, const struct vec3 *point, size_t n)
+{
+    static const double inside = 1 - 1e-9;
+    int column, row;
+    for (size_t i = 0; i < n; i++) {
+        if (r->reach == REACH_CIRCLE) {
+            compete_circle(r, point[i], r->n++, inside, NULL);
+            continue;
+        }
+        double d2 = nearest_node(&r->grid, point[i], &column, &row);
+        compete_for_node(r, point[i], r->n++, column, row, d2);
+    }
+}
+
+/* How many of the six nodes around one have a point. */
+static int full_around(const struct reposition *r, int column, int row)
 {
     static const int RIGHT[6] = {1, 0, -1, -1, 0, 1}, UP[6] = {0, 1, 1, 0, -1, -1};
     int n = 0;
-    for (int k = 0; k < 6; k++) {
-        int i = column + RIGHT[k], j = row + UP[k];
-        if (i >= 0 && i < g->columns && j >= 0 && j < g->rows)
-            around[n++] = (size_t)j * (size_t)g->columns + (size_t)i;
-    }
+    for (int k = 0; k < 6; k++)
+        n += reposition_node(r, column + RIGHT[k], row + UP[k]) != NULL;
     return n;
 }
 
-/* Marks the empty nodes inside the cloud: all but one of those around have a point; how many. */
-static size_t mark_empty(const struct grid *g, const struct choice *choice, bool *empty)
+/* Empty nodes inside the cloud: all but one of those around have a point. */
+bool reposition_empty(struct reposition *r)
 {
-    size_t n = 0, around[6];
-    for (int row = 0; row < g->rows; row++)
-        for (int column = 0; column < g->columns; column++) {
-            size_t node = (size_t)row * (size_t)g->columns + (size_t)column;
-            int full = 0;
-            for (int k = nodes_around(g, column, row, around); k-- > 0;)
-                full += choice[around[k]].point != NO_POINT;
-            empty[node] = choice[node].point == NO_POINT && full >= 5;
-            n += empty[node];
+    bool any = false;
+    if (r->reach == REACH_CIRCLE)
+        return false;
+    r->n = 0;
+    r->empty = mem_alloc((size_t)r->grid.rows * (size_t)r->width, sizeof *r->empty);
+    for (int row = 0; row < r->grid.rows; row++)
+        for (int k = 0, first = reposition_first(r, row); k < r->width; k++) {
+            size_t node = (size_t)row * (size_t)r->width + (size_t)k;
+            if (first + k >= r->grid.columns || r->choice[node].point != NO_CHOICE)
+                continue;
+            r->empty[node] = full_around(r, first + k, row) >= 5;
+            any = any || r->empty[node];
         }
-    return n;
+    return any;
 }
 
 /* Lets a point that no node has taken compete for the empty ones nearer than 0.7 t: from further
  * off facets might fold. */
-static void compete_empty(const struct grid *g, const bool *empty, struct choice *choice,
-                          const struct vec3 *point, size_t index)
+void reposition_fill(struct reposition *r, const struct vec3 *point, size_t n)
 {
     const double within = 0.49; /* t^2 */
-    struct place at = place_of(g, point[index]);
-    for (int up = -1; up <= 2; up++)
-        for (int right = -1; right <= 2; right++) {
-            int column = at.column + right, row = at.row + up;
-            if (column < 0 || column >= g->columns || row < 0 || row >= g->rows)
-                continue;
-            double d2 = oblique_length2(at.right - right, at.up - up);
-            if (d2 < within && empty[(size_t)row * (size_t)g->columns + (size_t)column])
-                compete_for_node(g, choice, point, index, column, row, d2);
+    int column, row;
+    for (size_t i = 0; i < n; i++, r->n++) {
+        nearest_node(&r->grid, point[i], &column, &row);
+        if (r->choice[index_of(r, column, row)].point != r->n)
+            compete_circle(r, point[i], r->n, within, r->empty);
+    }
+}
+
+/* Has an empty node before this one the same point?  It is no farther than 1.4 t. */
+static bool taken_before(const struct reposition *r, int column, int row, uint32_t point)
+{
+    enum { FAR = 3 };
+    for (int up = -FAR; up <= 0; up++)
+        for (int right = -FAR; right <= (up < 0 ? FAR : -1); right++) {
+            const struct node_choice *other = reposition_node(r, column + right, row + up);
+            if (other && other->point == point)
+                return true;
         }
+    return false;
 }
 
 /* A point that two empty nodes took is left to the first. */
-static void fill_empty(const struct grid *g, struct choice *choice, const struct vec3 *point,
-                       size_t n)
+void reposition_settle(struct reposition *r)
 {
-    size_t nodes = grid_nodes(g);
-    bool *empty = mem_alloc(nodes, sizeof *empty), *taken = mem_alloc(n, sizeof *taken);
-    if (mark_empty(g, choice, empty) > 0) {
-        for (size_t i = 0; i < nodes; i++)
-            if (choice[i].point != NO_POINT)
-                taken[choice[i].point] = true;
-        for (size_t i = 0; i < n; i++)
-            if (!taken[i])
-                compete_empty(g, empty, choice, point, i);
-        for (size_t i = 0; i < nodes; i++) {
-            if (!empty[i] || choice[i].point == NO_POINT)
-                continue;
-            if (taken[choice[i].point])
-                choice[i].point = NO_POINT;
-            else
-                taken[choice[i].point] = true;
+    for (int row = 0; row < r->grid.rows; row++)
+        for (int k = 0, first = reposition_first(r, row); k < r->width; k++) {
+            size_t node = (size_t)row * (size_t)r->width + (size_t)k;
+            struct node_choice *c = &r->choice[node];
+            if (r->empty[node] && c->point != NO_CHOICE &&
+                taken_before(r, first + k, row, c->point))
+                c->point = NO_CHOICE;
         }
-    }
-    free(taken);
-    free(empty);
 }
 
 size_t *reposition(const struct grid *grid, const struct vec3 *point, size_t n, enum reach reach)
 {
-    size_t nodes = grid_nodes(grid);
-    struct choice *choice = mem_alloc(nodes, sizeof *choice);
+    size_t nodes = grid_nodes(grid), *chosen = mem_alloc(nodes, sizeof *chosen);
+    struct reposition r;
+    struct error error;
     for (size_t i = 0; i < nodes; i++)
-        choice[i] = (struct choice){INT64_MAX, NO_POINT};
-    for (size_t i = 0; i < n; i++) {
-        if (reach == REACH_CIRCLE)
-            compete_circle(grid, choice, point, i);
-        else
-            compete_nearest(grid, choice, point, i);
+        chosen[i] = NO_POINT;
+    if (reposition_begin(grid, n, reach, &r, &error) < 0)
+        return chosen;
+    reposition_add(&r, point, n);
+    if (reposition_empty(&r)) {
+        reposition_fill(&r, point, n);
+        reposition_settle(&r);
     }
-    if (reach == REACH_NEAREST)
-        fill_empty(grid, choice, point, n);
-    size_t *chosen = mem_alloc(nodes, sizeof *chosen);
-    for (size_t i = 0; i < nodes; i++)
-        chosen[i] = choice[i].point;
-    free(choice);
+    for (int row = 0; row < grid->rows; row++)
+        for (int k = 0, first = reposition_first(&r, row); k < r.width; k++) {
+            const struct node_choice *c = reposition_node(&r, first + k, row);
+            if (c)
+                chosen[(size_t)row * (size_t)grid->columns + (size_t)(first + k)] = c->point;
+        }
+    reposition_free(&r);
     return chosen;
 }
