@@ -5,12 +5,14 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "base/cli.h"
 #include "base/effort.h"
 #include "stage/cloudmesh.h"
 #include "cloud/cloud.h"
 #include "stage/cloud_prepare.h"
+#include "stage/cloud_stream.h"
 #include "io/mesh/ply.h"
 #include "math/box.h"
 
@@ -21,7 +23,7 @@ struct settings {
     double noise;  /* NAN: from the cloud */
     double extend; /* beyond the border, mm */
     int unit, outliers;
-    bool origin, clean, unit_given;
+    bool origin, clean, unit_given, stream;
     const char *matrix;     /* file, NULL: none */
     const char *clean_file; /* the scan that is believed, NULL: not asked for */
 };
@@ -112,6 +114,11 @@ static struct settings read_options(struct cli *cli, int argc, char **argv)
          &s.extend, CLI_POSITIVE, 0, 0, NULL},
         {0, "subdivide", NULL, "divide the cloud by orientation, each part with its own projection",
          CLI_FLAG, &s.meshing.subdivide, 0, 0, 0, NULL},
+        {0, "stream", NULL,
+         "read the file again instead of keeping its points: memory goes with\n"
+         "the nodes of the grid (normals: facet; files of 8 MB and more are read\n"
+         "so anyway where these are asked for)",
+         CLI_FLAG, &s.stream, 0, 0, 0, NULL},
         EFFORT_OPTION(&s.meshing.effort),
         {0, "paper", NULL,
          "as published: a node may move to any point nearer than the spacing,\n"
@@ -120,8 +127,9 @@ static struct settings read_options(struct cli *cli, int argc, char **argv)
         {0}};
     cli->option = option;
     cli_parse(cli, argc, argv);
-    s.meshing.normals =
-        s.meshing.paper && !normals_given ? normals_of("facet") : normals_find(true, normals);
+    s.meshing.normals = (s.meshing.paper || s.stream) && !normals_given
+                            ? normals_of("facet")
+                            : normals_find(true, normals);
     s.meshing.method = (enum cloudmesh_method)method;
     s.meshing.scan_nodes = nodes == 1;
     s.meshing.smooth = s.meshing.smooth || s.meshing.paper || !s.meshing.normals->of_surface;
@@ -183,10 +191,9 @@ static void say_left_out(const struct settings *settings, const struct grid_mesh
 }
 
 /* What one projection serves badly. */
-static void say_steep(const struct settings *settings, const struct mesh *mesh)
+static void say_steep(const struct settings *settings, double part)
 {
     const double little = 0.005;
-    double part = mesh_steep_part(mesh, vec(0, 0, 1));
     if (part > little && !settings->meshing.subdivide && !settings->meshing.paper)
         say("%.1f %% of the surface is steeper than 70 degrees, where points are far apart seen "
             "from "
@@ -209,13 +216,12 @@ static void extend_over_border(const char *name, const struct settings *s, struc
 }
 
 /* How large the part is in the unit that was taken, so that a wrong one is seen at once. */
-static void say_size(const char *name, const struct settings *s, const struct vec3s *points)
+static void say_size(const char *name, const struct settings *s, size_t points, struct box box)
 {
-    struct box box = box_around(points->item, points->n);
     struct vec3 size = vec_sub(box.high, box.low);
     double longest = fmax(size.x, fmax(size.y, size.z));
 
-    (s->unit_given ? note : say)("%s: %zu points, %.4g x %.4g x %.4g mm%s", name, points->n, size.x,
+    (s->unit_given ? note : say)("%s: %zu points, %.4g x %.4g x %.4g mm%s", name, points, size.x,
                                  size.y, size.z,
                                  s->unit_given ? "" : ", their unit taken as mm (-u)");
     if (longest < SMALL || longest > LARGE)
@@ -264,6 +270,69 @@ static void write_clean(const struct settings *s, const char *name, const struct
     array_free(&kept);
 }
 
+static void say_all(size_t read, size_t left_out, const struct grid *grid, size_t vertices,
+                    size_t facets)
+{
+    note("%zu points in, %zu left out; spacing %g mm, %d rows x %d columns; %zu vertices, "
+         "%zu facets",
+         read, left_out, grid->t, grid->rows, grid->columns, vertices, facets);
+}
+
+/* ---- a cloud that is nowhere whole */
+
+static const long LARGE_FILE = 8 << 20; /* bytes: from there on it costs less than its memory */
+
+static bool may_stream(const struct cli *cli, const struct settings *s)
+{
+    struct stat st;
+    bool serves = cli->files == 1 && cloud_stream_serves(&s->meshing) && !s->clean &&
+                  !s->clean_file && !s->origin && !(s->extend > 0);
+
+    if (s->stream && !serves)
+        die_usage("--stream takes one file, nodes of a grid and the normals of facets: found more "
+                  "files or an option that needs all points at once");
+    return serves && (s->stream || (stat(cli->file[0], &st) == 0 && st.st_size >= LARGE_FILE));
+}
+
+/* The mesh by reading the file again and again.  False: that cannot be done, and nothing was said.
+ */
+static bool stream_mesh(const struct cli *cli, const struct settings *s)
+{
+    const char *name = cli->file[0];
+    struct mesh_origin origin = {.ledger = NAN};
+    struct cloud_stream stream;
+    struct vec3s none = {0};
+    struct error error;
+
+    if (cloud_prepare_place(&none, unit_name[s->unit], s->matrix, false, &origin, &error) < 0)
+        die_error(&error);
+    int status = cloud_stream_begin(name, &origin.place, &s->meshing, &stream, &error);
+    if (status > 0)
+        return false;
+    if (status < 0)
+        die_error(&error);
+    say_skipped(name, &stream.count);
+    say_size(name, s, stream.n, stream.box);
+    if (cloud_stream_nodes(&stream, &error) < 0)
+        die("%s: %s", name, error.text);
+    say_left_out(s, &stream.facets.count);
+    say_steep(s, stream.facets.steep);
+    const struct cloud_count *count = &stream.count;
+    say_all(stream.n, count->not_finite + count->not_measured + count->withheld, &stream.nodes.grid,
+            stream.facets.vertices, stream.facets.facets);
+    origin.spacing = stream.options.spacing;
+    origin.direction = s->meshing.direction;
+    scan_sources_add_known(&origin.scan, name, stream.n, stream.hash);
+    origin.source = mem_string(name, strlen(name));
+    struct out *out = out_open(cli->output);
+    cloud_stream_write(out, &stream, &origin);
+    out_close(out);
+    scan_sources_free(&origin.scan);
+    free(origin.source);
+    cloud_stream_free(&stream);
+    return true;
+}
+
 int main(int argc, char **argv)
 {
     struct cli cli = {.tool = "cloud2mesh",
@@ -279,6 +348,8 @@ int main(int argc, char **argv)
     size_t left_out;
 
     const char *name = name_of(&cli);
+    if (may_stream(&cli, &settings) && stream_mesh(&cli, &settings))
+        return 0;
     if (cloud_prepare_read(cli.file, cli.files, &points, &scan, &left_out, &error) < 0)
         die_error(&error);
     struct vec3s raw = {0};
@@ -290,7 +361,7 @@ int main(int argc, char **argv)
     if (settings.clean_file)
         write_clean(&settings, name, &raw, &points, cli.threads, &scan);
     array_free(&raw);
-    say_size(name, &settings, &points);
+    say_size(name, &settings, points.n, box_around(points.item, points.n));
     size_t read = points.n;
     double noise = clean_cloud(name, &settings, &points, cli.threads, &mesh.origin);
     left_out += read - points.n;
@@ -302,15 +373,12 @@ int main(int argc, char **argv)
     if (cloudmesh_make(&settings.meshing, &points, noise, cli.threads, &mesh, &result, &error) < 0)
         die("%s: %s", name, error.text);
     say_left_out(&settings, &result.count);
-    say_steep(&settings, &mesh);
+    say_steep(&settings, mesh_steep_part(&mesh, vec(0, 0, 1)));
     if (settings.meshing.method != CLOUDMESH_CHUI)
         say_distance(&result.rows, of_surface);
     else if (settings.meshing.error > 0)
         say_rows(&result.rows, settings.meshing.error, of_surface);
-    note("%zu points in, %zu left out; spacing %g mm, %d rows x %d columns; %zu vertices, "
-         "%zu facets",
-         read, left_out, result.grid.t, result.grid.rows, result.grid.columns, mesh.vertex.n,
-         mesh.face.n);
+    say_all(read, left_out, &result.grid, mesh.vertex.n, mesh.face.n);
     mesh.origin.scan = scan;
     mesh.origin.source = mem_string(name, strlen(name));
 

@@ -79,6 +79,12 @@ void mesh_free(struct mesh *mesh);
 /* Normal of a face by the right-hand rule, its length twice the face's area. */
 struct vec3 mesh_face_cross(const struct mesh *mesh, size_t face);
 
+/* Unit normal of a triangle by the same rule; false when it has no area to speak of. */
+bool mesh_triangle_normal(const struct vec3 p[3], struct vec3 *normal);
+
+/* The unit vector along a sum of normals; straight up where they cancel or there are none. */
+struct vec3 mesh_mean_direction(struct vec3 sum);
+
 /* What part of the area of the facets is steeper than 70 degrees against `up` (unit), 0 to 1. */
 double mesh_steep_part(const struct mesh *mesh, struct vec3 up);
 

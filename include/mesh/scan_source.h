@@ -28,13 +28,18 @@ struct scan_sources {
 /*
  * 64 bits that change when a coordinate changes or a point is missing, and not with the order of
  * the points: the sum of a hash of each (steps as FNV-1a's, 64 bits at a time, with a shift after
- * each).  No defence against intent.  -0 counts as 0.
+ * each).  No defence against intent.  -0 counts as 0.  That of all points is the sum of those of
+ * parts of them.
  */
 uint64_t scan_source_hash(const struct vec3 *point, size_t n);
 
 /* Adds a file with these points, as they were read. */
 void scan_sources_add(struct scan_sources *scan, const char *name, const struct vec3 *point,
                       size_t n);
+
+/* The same of a file of which count and hash are known. */
+void scan_sources_add_known(struct scan_sources *scan, const char *name, size_t points,
+                            uint64_t hash);
 
 /* Adds a file as a stream names it: points, hash (16 digits) and name, with this separator between
  * them.  False if the text is no such thing. */

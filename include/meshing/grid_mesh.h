@@ -16,6 +16,11 @@ struct grid_mesh_count {
     size_t alone;   /* nodes that no facet reaches */
 };
 
+/* Are three points of neighbouring nodes the corners of a facet?  Counts why not.  `holes`: as
+ * below. */
+bool grid_mesh_facet(const struct vec3 p[3], const struct holes *holes,
+                     struct grid_mesh_count *count);
+
 /*
  * Vertices with their row and column, row by row; facets row by row of triangles, in each row
  * first those that point up, then those that point down, counter-clockwise in the grid.  A

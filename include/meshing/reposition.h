@@ -52,9 +52,10 @@ struct reposition {
     struct grid grid;
     enum reach reach;
     int width;                  /* nodes kept of each row */
+    int *first;                 /* of each row, the first column that is kept */
     size_t n;                   /* points so far */
     struct node_choice *choice; /* of node `column` of `row`: reposition_node */
-    bool *empty;                /* nodes to be filled */
+    unsigned char *empty;       /* nodes to be filled, and those beside them */
 };
 
 /* -1: 2^32 points or more. */
@@ -65,9 +66,6 @@ bool reposition_empty(struct reposition *reposition);
 void reposition_fill(struct reposition *reposition, const struct vec3 *point, size_t n);
 void reposition_settle(struct reposition *reposition);
 void reposition_free(struct reposition *reposition);
-
-/* The first column that is kept of a row. */
-int reposition_first(const struct reposition *reposition, int row);
 
 /* The choice of a node, NULL: outside, or without a point. */
 const struct node_choice *reposition_node(const struct reposition *reposition, int column, int row);

@@ -8,6 +8,7 @@
 #include <stdbool.h>
 
 #include "cloud/sheets.h"
+#include "io/cloud/cloud.h"
 #include "math/point_grid.h"
 #include "base/error.h"
 #include "mesh/mesh.h"
@@ -18,6 +19,9 @@
  * place. */
 int cloud_prepare_read(char **file, int files, struct vec3s *points, struct scan_sources *scan,
                        size_t *left_out, struct error *error);
+
+/* Says what was skipped of a file. */
+void say_skipped(const char *file, const struct cloud_count *count);
 
 /* Unit, matrix (a file, or NULL), lowest leftmost point as origin (paper 1, 3.1), in this order,
  * into the points and the mesh's record of its place.  -1: the matrix cannot be read. */

@@ -33,17 +33,14 @@ struct vec3 mesh_face_cross(const struct mesh *mesh, size_t face)
     return vec_cross(vec_sub(p[v[1]], p[v[0]]), vec_sub(p[v[2]], p[v[0]]));
 }
 
-/* Unit normal of a facet; false when it has no area to speak of. */
-static bool face_normal(const struct mesh *mesh, size_t face, struct vec3 *normal)
+bool mesh_triangle_normal(const struct vec3 p[3], struct vec3 *normal)
 {
-    const int *v = mesh->face.item[face].v;
-    const struct vec3 *p = mesh->vertex.item;
     double longest = 0;
     for (int i = 0; i < 3; i++) {
-        struct vec3 edge = vec_sub(p[v[(i + 1) % 3]], p[v[i]]);
+        struct vec3 edge = vec_sub(p[(i + 1) % 3], p[i]);
         longest = fmax(longest, vec_dot(edge, edge));
     }
-    struct vec3 cross = mesh_face_cross(mesh, face);
+    struct vec3 cross = vec_cross(vec_sub(p[1], p[0]), vec_sub(p[2], p[0]));
     double area = vec_length(cross);
     if (!(area > AREA_OF_NOTHING * longest))
         return false;
@@ -51,8 +48,16 @@ static bool face_normal(const struct mesh *mesh, size_t face, struct vec3 *norma
     return true;
 }
 
-/* The unit vector along a sum of normals; straight up where they cancel or there are none. */
-static struct vec3 mean_direction(struct vec3 sum)
+/* The same of a facet. */
+static bool face_normal(const struct mesh *mesh, size_t face, struct vec3 *normal)
+{
+    const int *v = mesh->face.item[face].v;
+    const struct vec3 *p = mesh->vertex.item;
+    const struct vec3 corner[3] = {p[v[0]], p[v[1]], p[v[2]]};
+    return mesh_triangle_normal(corner, normal);
+}
+
+struct vec3 mesh_mean_direction(struct vec3 sum)
 {
     double length = vec_length(sum);
     return length > 1e-9 ? vec_scale(1 / length, sum) : vec(0, 0, 1);
@@ -95,7 +100,7 @@ void mesh_normals_facet(struct mesh *mesh)
         }
     }
     for (size_t i = 0; i < mesh->normal.n; i++)
-        sum[i] = mean_direction(sum[i]);
+        sum[i] = mesh_mean_direction(sum[i]);
 }
 
 /* The ends of the edges at each vertex, one for each facet that has the edge: those at vertex i
@@ -246,7 +251,7 @@ int mesh_normals_central(struct mesh *mesh, struct error *error)
                                "or column, expected a regular cloud for central differences",
                                mesh->row.item[i], mesh->col.item[i]);
         else
-            *array_push(&normal) = mean_direction(vec_cross(vec_unit(along), vec_unit(across)));
+            *array_push(&normal) = mesh_mean_direction(vec_cross(vec_unit(along), vec_unit(across)));
     }
     free(node);
     if (status < 0) {

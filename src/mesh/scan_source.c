@@ -32,8 +32,13 @@ uint64_t scan_source_hash(const struct vec3 *point, size_t n)
 void scan_sources_add(struct scan_sources *scan, const char *name, const struct vec3 *point,
                       size_t n)
 {
-    *array_push(scan) =
-        (struct scan_source){mem_string(name, strlen(name)), n, scan_source_hash(point, n)};
+    scan_sources_add_known(scan, name, n, scan_source_hash(point, n));
+}
+
+void scan_sources_add_known(struct scan_sources *scan, const char *name, size_t points,
+                            uint64_t hash)
+{
+    *array_push(scan) = (struct scan_source){mem_string(name, strlen(name)), points, hash};
 }
 
 bool scan_sources_read(struct scan_sources *scan, const char *text, char separator)

@@ -5,33 +5,40 @@
 
 #include "meshing/reposition.h"
 
+bool grid_mesh_facet(const struct vec3 p[3], const struct holes *holes,
+                     struct grid_mesh_count *count)
+{
+    const double nothing = 1e-12; /* against the squares of the edges */
+    struct vec3 a = vec_sub(p[1], p[0]), b = vec_sub(p[2], p[0]);
+    struct vec3 cross = vec_cross(a, b);
+    double edges2 = vec_dot(a, a) + vec_dot(b, b);
+    if (vec_length(cross) <= nothing * edges2) {
+        count->no_area++;
+        return false;
+    }
+    if (holes && cross.z < -nothing * edges2) {
+        count->folded++;
+        return false;
+    }
+    if (holes && holes_bridged(holes, p[0], p[1], p[2])) {
+        count->bridges++;
+        return false;
+    }
+    return true;
+}
+
 /* Adds a facet of three nodes when it is one; the corners are node numbers for now. */
 static void add_facet(const size_t *chosen, const struct vec3 *point, const struct holes *holes,
                       const size_t node[3], struct mesh *mesh, struct grid_mesh_count *count)
 {
-    const double nothing = 1e-12; /* against the squares of the edges */
     struct vec3 p[3];
     for (int i = 0; i < 3; i++) {
         if (chosen[node[i]] == NO_POINT)
             return;
         p[i] = point[chosen[node[i]]];
     }
-    struct vec3 a = vec_sub(p[1], p[0]), b = vec_sub(p[2], p[0]);
-    struct vec3 cross = vec_cross(a, b);
-    double edges2 = vec_dot(a, a) + vec_dot(b, b);
-    if (vec_length(cross) <= nothing * edges2) {
-        count->no_area++;
-        return;
-    }
-    if (holes && cross.z < -nothing * edges2) {
-        count->folded++;
-        return;
-    }
-    if (holes && holes_bridged(holes, p[0], p[1], p[2])) {
-        count->bridges++;
-        return;
-    }
-    *array_push(&mesh->face) = (struct face){{(int)node[0], (int)node[1], (int)node[2]}};
+    if (grid_mesh_facet(p, holes, count))
+        *array_push(&mesh->face) = (struct face){{(int)node[0], (int)node[1], (int)node[2]}};
 }
 
 static void add_row(const struct grid *grid, const size_t *chosen, const struct vec3 *point,

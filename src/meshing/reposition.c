@@ -5,6 +5,8 @@
 
 static const double STEPS = 1e9;
 
+enum { EMPTY = 1, BESIDE = 2 };
+
 /* A point as it looks from a node, in units of t. */
 struct view {
     bool upper, middle;
@@ -38,20 +40,13 @@ static bool comes_first(const struct grid *g, int column, int row, const struct 
     return a->point < b->point;
 }
 
-/* The nodes of a row that a point over the box may compete for begin here. */
-int reposition_first(const struct reposition *r, int row)
-{
-    const struct grid *g = &r->grid;
-    double left = (g->plan_extent.xmin - g->x) / g->t - 0.5 * (row + 1);
-    int first = (int)floor(left) - 2;
-    return first > 0 ? first : 0;
-}
-
 /* The place of a node in the lists, NO_POINT: it is not kept. */
 static size_t index_of(const struct reposition *r, int column, int row)
 {
-    int at = column - reposition_first(r, row);
-    if (row < 0 || row >= r->grid.rows || column >= r->grid.columns || at < 0 || at >= r->width)
+    if (row < 0 || row >= r->grid.rows || column >= r->grid.columns)
+        return NO_POINT;
+    int at = column - r->first[row];
+    if (at < 0 || at >= r->width)
         return NO_POINT;
     return (size_t)row * (size_t)r->width + (size_t)at;
 }
@@ -124,7 +119,7 @@ static double nearest_node(const struct grid *g, struct vec3 p, int *column, int
 /* Nodes nearer than `within2` t^2 are corners of the rhombus, or of one of the rhombi around it:
  * all of them, or the empty ones. */
 static void compete_circle(struct reposition *r, struct vec3 p, size_t index, double within2,
-                           const bool *empty)
+                           const unsigned char *empty)
 {
     struct place at = place_of(&r->grid, p);
     for (int up = -1; up <= 2; up++)
@@ -134,7 +129,7 @@ static void compete_circle(struct reposition *r, struct vec3 p, size_t index, do
             if (!(d2 < within2))
                 continue;
             size_t node = index_of(r, column, row);
-            if (node != NO_POINT && (!empty || empty[node]))
+            if (node != NO_POINT && (!empty || (empty[node] & EMPTY)))
                 compete_for_node(r, p, index, column, row, d2);
         }
 }
@@ -147,8 +142,14 @@ int reposition_begin(const struct grid *grid, size_t n, enum reach reach, struct
         return error_set(error, "found %zu points, expected fewer than %lu", n,
                          (unsigned long)NO_CHOICE);
     int width = (int)ceil((f->xmax - f->xmin) / grid->t) + 8;
-    *r = (struct reposition){*grid, reach, width < grid->columns ? width : grid->columns,
-                             0,     NULL,  NULL};
+    *r = (struct reposition){.grid = *grid,
+                             .reach = reach,
+                             .width = width < grid->columns ? width : grid->columns,
+                             .first = mem_alloc((size_t)grid->rows, sizeof *r->first)};
+    for (int row = 0; row < grid->rows; row++) { /* where a point in the box may compete */
+        double left = (f->xmin - grid->x) / grid->t - 0.5 * (row + 1);
+        r->first[row] = left > 2 ? (int)left - 2 : 0;
+    }
     size_t nodes = (size_t)grid->rows * (size_t)r->width;
     r->choice = mem_alloc(nodes, sizeof *r->choice);
     for (size_t i = 0; i < nodes; i++)
@@ -159,8 +160,10 @@ int reposition_begin(const struct grid *grid, size_t n, enum reach reach, struct
 void reposition_free(struct reposition *r)
 {
     free(r->choice);
+    free(r->first);
     free(r->empty);
     r->choice = NULL;
+    r->first = NULL;
     r->empty = NULL;
 }
 
@@ -178,13 +181,20 @@ void reposition_add(struct reposition *r, const struct vec3 *point, size_t n)
     }
 }
 
-/* How many of the six nodes around one have a point. */
-static int full_around(const struct reposition *r, int column, int row)
+/* The nodes around one, where they are kept; how many there are, and how many have a point. */
+static int nodes_around(const struct reposition *r, int column, int row, size_t around[6],
+                        int *full)
 {
     static const int RIGHT[6] = {1, 0, -1, -1, 0, 1}, UP[6] = {0, 1, 1, 0, -1, -1};
     int n = 0;
-    for (int k = 0; k < 6; k++)
-        n += reposition_node(r, column + RIGHT[k], row + UP[k]) != NULL;
+    *full = 0;
+    for (int k = 0; k < 6; k++) {
+        size_t node = index_of(r, column + RIGHT[k], row + UP[k]);
+        if (node == NO_POINT)
+            continue;
+        around[n++] = node;
+        *full += r->choice[node].point != NO_CHOICE;
+    }
     return n;
 }
 
@@ -197,12 +207,18 @@ bool reposition_empty(struct reposition *r)
     r->n = 0;
     r->empty = mem_alloc((size_t)r->grid.rows * (size_t)r->width, sizeof *r->empty);
     for (int row = 0; row < r->grid.rows; row++)
-        for (int k = 0, first = reposition_first(r, row); k < r->width; k++) {
-            size_t node = (size_t)row * (size_t)r->width + (size_t)k;
+        for (int k = 0, first = r->first[row]; k < r->width; k++) {
+            size_t node = (size_t)row * (size_t)r->width + (size_t)k, around[6];
+            int full, n;
             if (first + k >= r->grid.columns || r->choice[node].point != NO_CHOICE)
                 continue;
-            r->empty[node] = full_around(r, first + k, row) >= 5;
-            any = any || r->empty[node];
+            n = nodes_around(r, first + k, row, around, &full);
+            if (full < 5)
+                continue;
+            r->empty[node] |= EMPTY;
+            while (n-- > 0)
+                r->empty[around[n]] |= BESIDE;
+            any = true;
         }
     return any;
 }
@@ -215,7 +231,8 @@ void reposition_fill(struct reposition *r, const struct vec3 *point, size_t n)
     int column, row;
     for (size_t i = 0; i < n; i++, r->n++) {
         nearest_node(&r->grid, point[i], &column, &row);
-        if (r->choice[index_of(r, column, row)].point != r->n)
+        size_t node = index_of(r, column, row); /* one beside, if it is near an empty one at all */
+        if ((r->empty[node] & BESIDE) && r->choice[node].point != r->n)
             compete_circle(r, point[i], r->n, within, r->empty);
     }
 }
@@ -237,10 +254,10 @@ static bool taken_before(const struct reposition *r, int column, int row, uint32
 void reposition_settle(struct reposition *r)
 {
     for (int row = 0; row < r->grid.rows; row++)
-        for (int k = 0, first = reposition_first(r, row); k < r->width; k++) {
+        for (int k = 0, first = r->first[row]; k < r->width; k++) {
             size_t node = (size_t)row * (size_t)r->width + (size_t)k;
             struct node_choice *c = &r->choice[node];
-            if (r->empty[node] && c->point != NO_CHOICE &&
+            if ((r->empty[node] & EMPTY) && c->point != NO_CHOICE &&
                 taken_before(r, first + k, row, c->point))
                 c->point = NO_CHOICE;
         }
@@ -261,7 +278,7 @@ size_t *reposition(const struct grid *grid, const struct vec3 *point, size_t n, 
         reposition_settle(&r);
     }
     for (int row = 0; row < grid->rows; row++)
-        for (int k = 0, first = reposition_first(&r, row); k < r.width; k++) {
+        for (int k = 0, first = r.first[row]; k < r.width; k++) {
             const struct node_choice *c = reposition_node(&r, first + k, row);
             if (c)
                 chosen[(size_t)row * (size_t)grid->columns + (size_t)(first + k)] = c->point;

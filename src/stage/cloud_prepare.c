@@ -11,7 +11,7 @@
 #include "cloud/cloud.h"
 #include "io/cloud/matrix.h"
 
-static void say_skipped(const char *file, const struct cloud_count *c)
+void say_skipped(const char *file, const struct cloud_count *c)
 {
     if (c->heads > 0)
         say("%s: ignored %zu heading line%s", file, c->heads, c->heads == 1 ? "" : "s");

@@ -78,10 +78,7 @@ static int place_nodes(const struct cloudmesh_options *options, const struct clo
     free(chosen);
     holes_free(&holes);
     if (mesh->face.n == 0 && !options->subdivide)
-        return error_set(error,
-                         "no three neighbouring nodes of a grid of spacing %g mm have points on an "
-                         "area of %g x %g mm, expected another spacing (-t) or a wider area",
-                         t, f.xmax - f.xmin, f.ymax - f.ymin);
+        return error_set(error, CLOUDMESH_NO_FACET, t, f.xmax - f.xmin, f.ymax - f.ymin);
     mesh->origin.spacing = t;
     mesh->origin.direction = options->direction;
     return 0;

@@ -9,6 +9,11 @@
 /* The default spacing, three mean spacings of the points, mm; says so. */
 double cloudmesh_default_spacing(double mean);
 
+/* No facet came of it: the spacing, and the width and height of the points. */
+#define CLOUDMESH_NO_FACET                                                                   \
+    "no three neighbouring nodes of a grid of spacing %g mm have points on an area of %g x " \
+    "%g mm, expected another spacing (-t) or a wider area"
+
 /* Normals, and vertices moved where there is noise, from n points, which it sorts. */
 int cloudmesh_normals(const struct cloudmesh_options *options, struct vec3 *point, size_t n,
                       double noise, int threads, struct mesh *mesh, struct error *error);

@@ -44,6 +44,12 @@ struct cloud_count {
 int cloud_read(const char *file, struct vec3s *points, struct cloud_count *count,
                struct error *error);
 
+/* The same, with the points handed to `take` block by block, in their order, as they are read: text
+ * is nowhere whole.  Those before an error were handed on too. */
+int cloud_read_blocks(const char *file,
+                      void (*take)(void *context, const struct vec3 *point, size_t n),
+                      void *context, struct cloud_count *count, struct error *error);
+
 /* Millimetres in a unit: "mm" 1, "cm" 10, "m" 1000, "um" 0.001, "inch" and "in" 25.4; else 0. */
 double cloud_unit(const char *name);
 

@@ -28,4 +28,23 @@ int ply_read_points(struct reader *r, struct vec3s *points, struct error *error)
 /* Writes the mesh stream: ASCII PLY, doubles with 6 decimals, normals and kmax with 9. */
 void ply_write(struct out *out, const struct mesh *mesh);
 
+/* The same of a mesh that is nowhere whole: its head, then so many vertices, then so many faces. */
+struct ply_shape {
+    size_t vertices, faces;
+    bool normals, rows, kmax, surfaces; /* what they have */
+};
+
+struct ply_vertex {
+    struct vec3 at, normal;
+    int row, column;
+    double kmax;
+};
+
+void ply_head_write(struct out *out, const struct mesh_origin *origin,
+                    const struct ply_shape *shape);
+void ply_vertex_write(struct out *out, const struct ply_vertex *vertex,
+                      const struct ply_shape *shape);
+void ply_face_write(struct out *out, const int corner[3], int surface,
+                    const struct ply_shape *shape);
+
 #endif

@@ -3,6 +3,7 @@
 
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "math/elementary.h"
@@ -272,16 +273,43 @@ static int read_source(struct cloud_source *s, struct error *error)
     return 0;
 }
 
+void cloud_hand_on(struct cloud_source *s)
+{
+    if (!s->take)
+        return;
+    s->take(s->context, s->points->item, s->points->n);
+    s->points->n = 0;
+}
+
+static int read_file(const char *file, struct cloud_source *s, struct error *error)
+{
+    struct reader r;
+    *s->count = (struct cloud_count){0};
+    if (reader_open(&r, file, error) < 0)
+        return -1;
+    s->reader = &r;
+    int status = read_source(s, error);
+    reader_close(&r);
+    return status;
+}
+
 int cloud_read(const char *file, struct vec3s *points, struct cloud_count *count,
                struct error *error)
 {
-    struct reader r;
-    *count = (struct cloud_count){0};
-    if (reader_open(&r, file, error) < 0)
-        return -1;
-    struct cloud_source source = {&r, points, count};
-    int status = read_source(&source, error);
-    reader_close(&r);
+    struct cloud_source source = {.points = points, .count = count};
+    return read_file(file, &source, error);
+}
+
+int cloud_read_blocks(const char *file,
+                      void (*take)(void *context, const struct vec3 *point, size_t n),
+                      void *context, struct cloud_count *count, struct error *error)
+{
+    struct vec3s points = {0};
+    struct cloud_source source = {
+        .points = &points, .count = count, .take = take, .context = context};
+    int status = read_file(file, &source, error);
+    cloud_hand_on(&source);
+    array_free(&points);
     return status;
 }
 

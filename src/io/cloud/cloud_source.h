@@ -13,7 +13,13 @@ struct cloud_source {
     struct reader *reader;
     struct vec3s *points;
     struct cloud_count *count;
+    void (*take)(void *context, const struct vec3 *point, size_t n); /* NULL: `points` keeps all */
+    void *context;
 };
+
+/* Hands on the points so far, where they are taken; a reader may do so when it will not come back to
+ * them. */
+void cloud_hand_on(struct cloud_source *s);
 
 /* The next line, as reader_line; a NUL byte in it is an error. */
 int cloud_line(struct cloud_source *s, char **line, size_t *n, struct error *error);

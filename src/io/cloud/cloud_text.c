@@ -503,7 +503,7 @@ static void reserve(struct text *t, size_t rows, size_t bytes)
 {
     enum { SURE = 256, MOST = 1 << 25 };
     const double more = 1.15;
-    if (t->reserved || rows < SURE)
+    if (t->reserved || rows < SURE || t->source->take)
         return;
     t->reserved = true;
     double expected = more * (double)t->source->reader->size * (double)rows / (double)bytes;
@@ -524,6 +524,9 @@ static void read_plain_rows(struct text *t)
     reserve(t, rows, taken);
     t->rows += rows;
     t->source->count->points += rows;
+    const size_t many = 4096;
+    if (rows > 0 || t->source->points->n > many)
+        cloud_hand_on(t->source);
 }
 
 static int at_end(const struct text *t, struct error *error)

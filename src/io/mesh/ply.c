@@ -299,52 +299,78 @@ static void write_properties(struct out *out, const char *type, const char *name
         out_printf(out, "property %s %.*s\n", type, (int)strcspn(p, " "), p);
 }
 
+void ply_head_write(struct out *out, const struct mesh_origin *origin, const struct ply_shape *shape)
+{
+    out_text(out, "ply\nformat ascii 1.0\n");
+    ply_origin_write(out, origin);
+    out_printf(out, "element vertex %zu\n", shape->vertices);
+    write_properties(out, "double", shape->normals ? "x y z nx ny nz" : "x y z");
+    write_properties(out, "int", shape->rows ? "row col" : "");
+    write_properties(out, "double", shape->kmax ? "kmax" : "");
+    out_printf(out, "element face %zu\n", shape->faces);
+    out_text(out, "property list uchar int vertex_indices\n");
+    write_properties(out, "int", shape->surfaces ? "surface" : "");
+    out_text(out, "end_header\n");
+}
+
+void ply_vertex_write(struct out *out, const struct ply_vertex *v, const struct ply_shape *shape)
+{
+    write_vec(out, v->at, 6);
+    if (shape->normals) {
+        out_bytes(out, " ", 1);
+        write_vec(out, v->normal, 9);
+    }
+    if (shape->rows) {
+        out_bytes(out, " ", 1);
+        out_int(out, v->row);
+        out_bytes(out, " ", 1);
+        out_int(out, v->column);
+    }
+    if (shape->kmax) {
+        out_bytes(out, " ", 1);
+        out_num(out, v->kmax, 9);
+    }
+    out_bytes(out, "\n", 1);
+}
+
+void ply_face_write(struct out *out, const int corner[3], int surface, const struct ply_shape *shape)
+{
+    out_bytes(out, "3", 1);
+    for (int k = 0; k < 3; k++) {
+        out_bytes(out, " ", 1);
+        out_int(out, corner[k]);
+    }
+    if (shape->surfaces) {
+        out_bytes(out, " ", 1);
+        out_int(out, surface);
+    }
+    out_bytes(out, "\n", 1);
+}
+
 void ply_write(struct out *out, const struct mesh *mesh)
 {
     size_t n = mesh->vertex.n;
-    bool normals = n && mesh->normal.n == n, kmax = n && mesh->kmax.n == n;
-    bool rows = n && mesh->row.n == n && mesh->col.n == n;
-    bool surfaces = mesh->origin.surface.n > 1 && mesh->surface.n == mesh->face.n;
+    const struct ply_shape shape = {.vertices = n,
+                                  .faces = mesh->face.n,
+                                  .normals = n && mesh->normal.n == n,
+                                  .kmax = n && mesh->kmax.n == n,
+                                  .rows = n && mesh->row.n == n && mesh->col.n == n,
+                                  .surfaces = mesh->origin.surface.n > 1 &&
+                                              mesh->surface.n == mesh->face.n};
 
-    out_text(out, "ply\nformat ascii 1.0\n");
-    ply_origin_write(out, &mesh->origin);
-    out_printf(out, "element vertex %zu\n", n);
-    write_properties(out, "double", normals ? "x y z nx ny nz" : "x y z");
-    write_properties(out, "int", rows ? "row col" : "");
-    write_properties(out, "double", kmax ? "kmax" : "");
-    out_printf(out, "element face %zu\n", mesh->face.n);
-    out_text(out, "property list uchar int vertex_indices\n");
-    write_properties(out, "int", surfaces ? "surface" : "");
-    out_text(out, "end_header\n");
-
+    ply_head_write(out, &mesh->origin, &shape);
     for (size_t i = 0; i < n; i++) {
-        write_vec(out, mesh->vertex.item[i], 6);
-        if (normals) {
-            out_bytes(out, " ", 1);
-            write_vec(out, mesh->normal.item[i], 9);
+        struct ply_vertex v = {.at = mesh->vertex.item[i]};
+        if (shape.normals)
+            v.normal = mesh->normal.item[i];
+        if (shape.rows) {
+            v.row = mesh->row.item[i];
+            v.column = mesh->col.item[i];
         }
-        if (rows) {
-            out_bytes(out, " ", 1);
-            out_int(out, mesh->row.item[i]);
-            out_bytes(out, " ", 1);
-            out_int(out, mesh->col.item[i]);
-        }
-        if (kmax) {
-            out_bytes(out, " ", 1);
-            out_num(out, mesh->kmax.item[i], 9);
-        }
-        out_bytes(out, "\n", 1);
+        if (shape.kmax)
+            v.kmax = mesh->kmax.item[i];
+        ply_vertex_write(out, &v, &shape);
     }
-    for (size_t i = 0; i < mesh->face.n; i++) {
-        out_bytes(out, "3", 1);
-        for (int k = 0; k < 3; k++) {
-            out_bytes(out, " ", 1);
-            out_int(out, mesh->face.item[i].v[k]);
-        }
-        if (surfaces) {
-            out_bytes(out, " ", 1);
-            out_int(out, mesh->surface.item[i]);
-        }
-        out_bytes(out, "\n", 1);
-    }
+    for (size_t i = 0; i < mesh->face.n; i++)
+        ply_face_write(out, mesh->face.item[i].v, shape.surfaces ? mesh->surface.item[i] : 0, &shape);
 }

@@ -1,0 +1,256 @@
+/* cloud_stream - see cloud_stream.h. */
+#include "stage/cloud_stream.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "base/array.h"
+#include "cloud/cloud.h"
+#include "cloudmesh_steps.h"
+#include "io/mesh/ply.h"
+
+/* One look at all points. */
+struct look {
+    void (*see)(struct look *look, const struct vec3 *point, size_t n); /* as placed */
+    struct cloud_stream *stream;
+    struct vec3s placed;
+    struct vec3 from, far; /* the first point, and the farthest from it seen from above */
+    bool clumps, line;     /* are there no points but near those two, or on their line? */
+    struct plan_cells cells;
+};
+
+bool cloud_stream_serves(const struct cloudmesh_options *o)
+{
+    return o->method == CLOUDMESH_CHUI && !o->paper && !o->subdivide && !(o->error > 0) &&
+           !o->normals->of_surface && o->smooth;
+}
+
+static void take_block(void *context, const struct vec3 *point, size_t n)
+{
+    struct look *l = context;
+
+    if (n == 0)
+        return;
+    if (!transform_is_identity(&l->stream->place)) {
+        array_reserve(&l->placed, n);
+        memcpy(l->placed.item, point, n * sizeof *point);
+        transform_points(&l->stream->place, l->placed.item, n);
+        point = l->placed.item;
+    }
+    l->see(l, point, n);
+}
+
+/* Shows all points to `see`.  -1: also where they are others than before. */
+static int look_again(struct look *l,
+                      void (*see)(struct look *look, const struct vec3 *point, size_t n),
+                      struct error *error)
+{
+    const char *file = l->stream->file;
+    struct cloud_count count;
+
+    l->see = see;
+    if (cloud_read_blocks(file, take_block, l, &count, error) < 0)
+        return -1;
+    if (count.points != l->stream->n)
+        return error_at(error, file, 0,
+                        "%zu points, expected the %zu that were there before: it "
+                        "changes while it is read",
+                        count.points, l->stream->n);
+    return 0;
+}
+
+/* ---- the first look */
+
+static double distance2_xy(struct vec3 a, struct vec3 b)
+{
+    return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y);
+}
+
+static void see_extent(struct look *l, const struct vec3 *point, size_t n)
+{
+    struct cloud_stream *s = l->stream;
+    struct box box = box_around(point, n);
+
+    if (s->n == 0) {
+        s->box = box;
+        l->from = l->far = point[0];
+    }
+    box_add(&s->box, box.low);
+    box_add(&s->box, box.high);
+    plan_extent_add(&l->stream->flat, point, n);
+    plan_extent_add(&l->stream->turned, point, n);
+    for (size_t i = 0; i < n; i++)
+        if (distance2_xy(point[i], l->from) > distance2_xy(l->far, l->from))
+            l->far = point[i];
+    s->n += n;
+}
+
+/* Before they are placed, for their hash. */
+static void take_first(void *context, const struct vec3 *point, size_t n)
+{
+    struct look *l = context;
+
+    l->stream->hash += scan_source_hash(point, n);
+    take_block(context, point, n);
+}
+
+/* ---- the mean spacing, and whether there is an area */
+
+static void see_cells(struct look *l, const struct vec3 *point, size_t n)
+{
+    const double near2 = 1e-6 * distance2_xy(l->from, l->far), narrow = near2;
+
+    for (size_t i = 0; i < n && (l->clumps || l->line); i++) {
+        l->clumps = l->clumps && (distance2_xy(point[i], l->from) <= near2 ||
+                                  distance2_xy(point[i], l->far) <= near2);
+        l->line = l->line && !(fabs(vec_orient_xy(l->from, l->far, point[i])) > narrow);
+    }
+    plan_cells_add(&l->cells, point, n);
+}
+
+static int find_spacing(struct look *l, struct error *error)
+{
+    struct plan_spacing spacing = plan_spacing_begin(&l->stream->turned, l->stream->n);
+    double area;
+
+    do {
+        l->cells = plan_cells_begin(&l->stream->turned, l->stream->n, plan_spacing_width(&spacing));
+        int status = look_again(l, see_cells, error);
+        area = plan_cells_end(&l->cells);
+        if (status < 0)
+            return -1;
+    } while (plan_spacing_next(&spacing, area));
+    l->stream->mean = spacing.spacing;
+    return 0;
+}
+
+/* ---- nodes */
+
+static void see_nodes(struct look *l, const struct vec3 *point, size_t n)
+{
+    holes_add(&l->stream->holes, point, n);
+    reposition_add(&l->stream->nodes, point, n);
+}
+
+static void see_empty(struct look *l, const struct vec3 *point, size_t n)
+{
+    reposition_fill(&l->stream->nodes, point, n);
+}
+
+static int find_nodes(struct look *l, struct error *error)
+{
+    struct cloud_stream *s = l->stream;
+    double t = s->options.spacing, mean = s->mean;
+    double gap = s->options.max_gap > 0 ? s->options.max_gap : 6 * mean;
+    struct grid grid;
+
+    if (grid_make(&s->turned, s->n, t, &grid, error) < 0 ||
+        holes_begin(&s->flat, gap, fmax(t / 2, 1.5 * mean), &s->holes, error) < 0 ||
+        reposition_begin(&grid, s->n, REACH_NEAREST, &s->nodes, error) < 0 ||
+        look_again(l, see_nodes, error) < 0)
+        return -1;
+    holes_end(&s->holes);
+    if (reposition_empty(&s->nodes)) {
+        if (look_again(l, see_empty, error) < 0)
+            return -1;
+        reposition_settle(&s->nodes);
+    }
+    s->facets = grid_facets_find(&s->nodes, &s->holes);
+    if (s->facets.facets == 0)
+        return error_set(error, CLOUDMESH_NO_FACET, t, s->turned.xmax - s->turned.xmin,
+                         s->turned.ymax - s->turned.ymin);
+    return 0;
+}
+
+int cloud_stream_nodes(struct cloud_stream *s, struct error *error)
+{
+    struct look look = {.stream = s};
+
+    if (!(s->options.spacing > 0))
+        s->options.spacing = cloudmesh_default_spacing(s->mean);
+    int status = find_nodes(&look, error);
+    array_free(&look.placed);
+    if (status < 0)
+        cloud_stream_free(s);
+    return status;
+}
+
+static bool is_regular(const char *file)
+{
+    struct stat st;
+    return strcmp(file, "-") != 0 && stat(file, &st) == 0 && S_ISREG(st.st_mode);
+}
+
+static int begin(struct look *l, struct error *error)
+{
+    struct cloud_stream *s = l->stream;
+
+    l->see = see_extent;
+    if (cloud_read_blocks(s->file, take_first, l, &s->count, error) < 0)
+        return -1;
+    if (s->n < 3 || distance2_xy(l->from, l->far) == 0)
+        return 1;
+    if (find_spacing(l, error) < 0)
+        return -1;
+    return l->clumps || l->line;
+}
+
+int cloud_stream_begin(const char *file, const struct transform *place,
+                       const struct cloudmesh_options *options, struct cloud_stream *stream,
+                       struct error *error)
+{
+    struct look look = {.stream = stream, .clumps = true, .line = true};
+
+    *stream = (struct cloud_stream){.options = *options,
+                                    .file = file,
+                                    .place = *place,
+                                    .flat = plan_extent_begin(0),
+                                    .turned = plan_extent_begin(options->direction)};
+    if (!is_regular(file))
+        return 1;
+    int status = begin(&look, error);
+    array_free(&look.placed);
+    return status;
+}
+
+void cloud_stream_free(struct cloud_stream *stream)
+{
+    reposition_free(&stream->nodes);
+    holes_free(&stream->holes);
+    grid_facets_free(&stream->facets);
+}
+
+/* ---- the mesh stream */
+
+struct writing {
+    struct out *out;
+    struct ply_shape shape;
+};
+
+static void write_vertex(void *context, struct vec3 at, struct vec3 normal, int row, int column)
+{
+    const struct writing *w = context;
+    const struct ply_vertex vertex = {at, normal, row, column, 0};
+    ply_vertex_write(w->out, &vertex, &w->shape);
+}
+
+static void write_face(void *context, const int corner[3])
+{
+    const struct writing *w = context;
+    ply_face_write(w->out, corner, 0, &w->shape);
+}
+
+void cloud_stream_write(struct out *out, const struct cloud_stream *stream,
+                        const struct mesh_origin *origin)
+{
+    struct writing w = {out,
+                        {.vertices = stream->facets.vertices,
+                         .faces = stream->facets.facets,
+                         .normals = true,
+                         .rows = true}};
+
+    ply_head_write(out, origin, &w.shape);
+    grid_facets_vertices(&stream->facets, write_vertex, &w);
+    grid_facets_faces(&stream->facets, write_face, &w);
+}

@@ -1,0 +1,60 @@
+#!/bin/sh
+# cloud2mesh-stream.t - a cloud that is read again instead of kept gives the same mesh, the same
+# messages and the same refusals.
+. "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
+
+# alike NAME FILE OPTIONS...: both ways, their output, messages and exit status
+alike() {
+	name=$1 file=$2
+	shift 2
+	cloud2mesh -v --normals facet "$@" "$file" >"$TMP/kept.ply" 2>"$TMP/kept.log"
+	want=$?
+	status "$want" "$name: exit status $want" cloud2mesh -v --stream -o "$TMP/stream.ply" "$@" "$file"
+	cp "$TMP/err" "$TMP/stream.log"
+	[ "$want" -eq 0 ] && same "$name: the same mesh" "$TMP/kept.ply" "$TMP/stream.ply"
+	same "$name: the same messages" "$TMP/kept.log" "$TMP/stream.log"
+}
+
+face=$SRC/samples/face_nefertiti_26493.xyz
+alike 'a face' "$face"
+alike 'finer than its points' "$face" -t 0.7 -a 33
+alike 'another unit' "$face" -t 80 --max-gap 90 -u in
+
+# a plate with a hole, gaps, a heading, comments, a row that is no number
+awk 'BEGIN {
+	print "X Y Z"
+	for (i = 0; i < 8000; i++) {
+		s = (s * 1103515245 + 12345) % 2147483648; x = s / 2147483648 * 60
+		s = (s * 1103515245 + 12345) % 2147483648; y = s / 2147483648 * 40
+		if ((x - 20) ^ 2 + (y - 20) ^ 2 < 64 || (x > 40 && y > 25)) continue
+		printf "%.4f %.4f %.4f\n", x, y, sin(x / 5) * cos(y / 7)
+		if (i % 900 == 0) print "# comment"
+		if (i % 1500 == 1) print "nan 1 2"
+	}
+}' >"$TMP/plate.xyz"
+alike 'a plate with a hole' "$TMP/plate.xyz"
+alike 'empty nodes are filled' "$TMP/plate.xyz" -t 0.9
+printf '0 -1 0 5\n1 0 0 6\n0 0 1 7\n0 0 0 1\n' >"$TMP/turn.txt"
+alike 'placed by a matrix' "$TMP/plate.xyz" -t 1.5 --matrix "$TMP/turn.txt"
+
+# refusals
+awk 'BEGIN { for (i = 0; i < 100; i++) print i, 2 * i, 3 }' >"$TMP/line.xyz"
+alike 'points on one line' "$TMP/line.xyz"
+printf '0 0 0\n1 0 0\n' >"$TMP/two.xyz"
+alike 'two points' "$TMP/two.xyz"
+alike 'a spacing too fine' "$TMP/plate.xyz" -t 0.0001
+alike 'a spacing too wide' "$TMP/plate.xyz" -t 5000
+{ cat "$TMP/plate.xyz" && echo 'one two three'; } >"$TMP/bad.xyz"
+alike 'a row that is none' "$TMP/bad.xyz"
+status 2 'quadrics need the points' cloud2mesh --stream --normals quadric "$face"
+status 2 'so do several files' cloud2mesh --stream "$face" "$face"
+
+# a large file is read so by itself; a pipe is not
+awk 'BEGIN { for (i = 0; i < 420000; i++) { x = i % 700; y = int(i / 700)
+	printf "%.4f %.4f %.4f\n", x / 7 + (i * 7919 % 97) / 999, y / 7 + (i * 7907 % 89) / 999, x * y / 1e5 } }' \
+	>"$TMP/large.xyz"
+cloud2mesh -q -t 1 --normals facet "$TMP/large.xyz" | sed '/^comment/d' >"$TMP/a"
+cloud2mesh -q -t 1 --normals facet <"$TMP/large.xyz" | sed '/^comment/d' >"$TMP/b"
+same 'a large file: the same mesh as through a pipe' "$TMP/a" "$TMP/b"
+
+done_testing
