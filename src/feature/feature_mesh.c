@@ -85,7 +85,8 @@ static void classify_edges(void *context, size_t from, size_t to)
         struct vec3 a = m->vertex.item[v], b = m->vertex.item[w];
         if (edge->facet[0] < 0 || (!s->active[v] && !s->active[w]))
             continue;
-        f->kind = FEATURE_NONE;
+        if (f->kind != FEATURE_NONE) /* where nothing is written no memory is used */
+            f->kind = FEATURE_NONE;
         if (feature_steep(&s->cloud, a, b))
             *f = feature_wall(&s->cloud, a, b);
         bool rough = s->rough[v] || s->rough[w];
