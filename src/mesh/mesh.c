@@ -251,7 +251,8 @@ int mesh_normals_central(struct mesh *mesh, struct error *error)
                                "or column, expected a regular cloud for central differences",
                                mesh->row.item[i], mesh->col.item[i]);
         else
-            *array_push(&normal) = mesh_mean_direction(vec_cross(vec_unit(along), vec_unit(across)));
+            *array_push(&normal) =
+                mesh_mean_direction(vec_cross(vec_unit(along), vec_unit(across)));
     }
     free(node);
     if (status < 0) {

@@ -299,7 +299,8 @@ static void write_properties(struct out *out, const char *type, const char *name
         out_printf(out, "property %s %.*s\n", type, (int)strcspn(p, " "), p);
 }
 
-void ply_head_write(struct out *out, const struct mesh_origin *origin, const struct ply_shape *shape)
+void ply_head_write(struct out *out, const struct mesh_origin *origin,
+                    const struct ply_shape *shape)
 {
     out_text(out, "ply\nformat ascii 1.0\n");
     ply_origin_write(out, origin);
@@ -333,7 +334,8 @@ void ply_vertex_write(struct out *out, const struct ply_vertex *v, const struct 
     out_bytes(out, "\n", 1);
 }
 
-void ply_face_write(struct out *out, const int corner[3], int surface, const struct ply_shape *shape)
+void ply_face_write(struct out *out, const int corner[3], int surface,
+                    const struct ply_shape *shape)
 {
     out_bytes(out, "3", 1);
     for (int k = 0; k < 3; k++) {
@@ -351,12 +353,12 @@ void ply_write(struct out *out, const struct mesh *mesh)
 {
     size_t n = mesh->vertex.n;
     const struct ply_shape shape = {.vertices = n,
-                                  .faces = mesh->face.n,
-                                  .normals = n && mesh->normal.n == n,
-                                  .kmax = n && mesh->kmax.n == n,
-                                  .rows = n && mesh->row.n == n && mesh->col.n == n,
-                                  .surfaces = mesh->origin.surface.n > 1 &&
-                                              mesh->surface.n == mesh->face.n};
+                                    .faces = mesh->face.n,
+                                    .normals = n && mesh->normal.n == n,
+                                    .kmax = n && mesh->kmax.n == n,
+                                    .rows = n && mesh->row.n == n && mesh->col.n == n,
+                                    .surfaces = mesh->origin.surface.n > 1 &&
+                                                mesh->surface.n == mesh->face.n};
 
     ply_head_write(out, &mesh->origin, &shape);
     for (size_t i = 0; i < n; i++) {
@@ -372,5 +374,6 @@ void ply_write(struct out *out, const struct mesh *mesh)
         ply_vertex_write(out, &v, &shape);
     }
     for (size_t i = 0; i < mesh->face.n; i++)
-        ply_face_write(out, mesh->face.item[i].v, shape.surfaces ? mesh->surface.item[i] : 0, &shape);
+        ply_face_write(out, mesh->face.item[i].v, shape.surfaces ? mesh->surface.item[i] : 0,
+                       &shape);
 }
