@@ -162,7 +162,8 @@ figures: all
 	@BIN="$(abspath $(BUILD))/bin" sh samples/figures.sh figures
 
 bench: all $(benches)
-	@BIN="$(abspath $(BUILD))/bin" FLOOR="$(abspath $(BUILD))/bench" sh tests/bench/bench.sh
+	@BIN="$(abspath $(BUILD))/bin" FLOOR="$(abspath $(BUILD))/bench" POINTS="$(POINTS)" RUNS="$(RUNS)" \
+	  ONLY="$(ONLY)" SCANS="$(SCANS)" sh tests/bench/bench.sh
 
 accuracy: all $(readback) $(cloud)
 	@BIN="$(abspath $(BUILD))/bin" READBACK="$(abspath $(BUILD))/tests/readback/readback" \

@@ -31,7 +31,9 @@ struct candidates {
     const struct vec3 *point;
     double spacing;
     bool *steep, *wall;
-    struct plane_fit *plane; /* through the neighbourhood of each */
+    struct plane_fit
+        *plane; /* through the neighbourhood of each steep one; of the others nothing is
+                                written, which takes no memory */
 };
 
 static size_t cell_of(const struct raster *r, struct vec3 p)
@@ -64,13 +66,6 @@ static bool make_raster(const struct vec3 *point, size_t n, double spacing, stru
         r->high[c] = fmax(r->high[c], point[i].z);
     }
     return true;
-}
-
-static void free_raster(struct raster *r)
-{
-    free(r->low);
-    free(r->high);
-    free(r->near);
 }
 
 /* Marks the cells that rise, and those around them for the neighbourhoods to be whole. */
@@ -107,14 +102,15 @@ static void fit_planes(void *context, size_t from, size_t to)
     for (size_t i = from; i < to; i++) {
         size_t index[NEAR];
         struct vec3 near[NEAR];
-        struct plane_fit *plane = &l->plane[i];
+        struct plane_fit plane;
         size_t n = kdtree_nearest(l->tree, l->point[i], NEAR, index, NULL);
         for (size_t k = 0; k < n; k++)
             near[k] = l->point[index[k]];
         /* where two walls meet at a corner a plane leaves more */
-        double most = fabs(plane_z(near, n, plane)) < STEEP / 2 ? 0.75 : 0.5;
-        l->steep[i] =
-            n == NEAR && fabs(plane->normal.z) < STEEP && plane->rms < most * plane->width;
+        double most = fabs(plane_z(near, n, &plane)) < STEEP / 2 ? 0.75 : 0.5;
+        l->steep[i] = n == NEAR && fabs(plane.normal.z) < STEEP && plane.rms < most * plane.width;
+        if (l->steep[i])
+            l->plane[i] = plane;
     }
 }
 
@@ -181,7 +177,10 @@ size_t wall_points_part(struct vec3 *point, size_t n, double spacing, int thread
     if (n == 0 || !(spacing > 0) || !make_raster(point, n, spacing, &raster))
         return n;
     size_t flat = n;
-    if (mark_rises(&raster) > 0) {
+    size_t rises = mark_rises(&raster);
+    free(raster.low);
+    free(raster.high);
+    if (rises > 0) {
         for (size_t i = 0; i < n; i++)
             if (raster.near[cell_of(&raster, point[i])])
                 *array_push(&close) = point[i];
@@ -201,6 +200,6 @@ size_t wall_points_part(struct vec3 *point, size_t n, double spacing, int thread
         kdtree_free(tree);
         array_free(&close);
     }
-    free_raster(&raster);
+    free(raster.near);
     return flat;
 }

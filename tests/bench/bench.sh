@@ -1,42 +1,151 @@
 #!/bin/sh
-# bench.sh - how long the tools take, beside bare C loops that do the least that must be done.  BIN:
-# the tools, FLOOR: the loops.  Every figure is the best of five.
+# bench.sh - how long the tools take and how much memory, beside bare C loops that do the least that
+# must be done.  BIN: the tools, FLOOR: the loops and makers of inputs (tests/bench/*.c).
+#
+# A row: what was done; the goal; ours: CPU seconds of all threads, and by the clock; the floor's CPU
+# and how many times that is; the most memory.  Each is the quickest of RUNS (default 3) runs.
+#
+#	make bench                          a million points
+#	make bench POINTS=10000000 RUNS=1   ten million, as the goals are set for
+#	make bench ONLY=cloud2mesh          part of it: reading cloud2mesh fit post verify
+#	make bench SCANS="a.xyz b.xyz"      instead of the samples
+#
+# Other programs (peers) run where they are installed: gmt, python3 with scipy.
 tmp=$(mktemp -d "${TMPDIR:-/tmp}/cloudmill.XXXXXX") || exit 1
 trap 'rm -rf "$tmp"' EXIT
 trap 'exit 130' INT TERM
+samples=$(cd "$(dirname "$0")/../../samples" && pwd)
+points=${POINTS:-1000000} runs=${RUNS:-3}
 
-# best NAME CMD...: prints the seconds of the quickest of five runs
-best() {
+wanted() { # PART
+	case " ${ONLY:-$1} " in *" $1 "*) ;; *) return 1 ;; esac
+}
+
+# measure CMD...: CPU, clock, memory and status of the quickest run in $tmp/took
+measure() {
+	run=0
+	while [ $run -lt "$runs" ]; do
+		run=$((run + 1))
+		"$FLOOR/measure" "$tmp/one" "$@" >"$tmp/out" 2>"$tmp/err"
+		cat "$tmp/one"
+	done | sort -n | head -n 1 >"$tmp/took"
+}
+
+# floor NAME CMD...: of the rows that follow
+floor() {
 	name=$1
 	shift
-	for run in 1 2 3 4 5; do
-		: "$run"
-		from=$(date +%s%N)
-		"$@" >"$tmp/out" 2>"$tmp/err" || exit 1
-		to=$(date +%s%N)
-		echo $(((to - from) / 1000))
-	done | sort -n | head -n 1 >"$tmp/best"
-	awk -v name="$name" '{ printf "%-44s %8.3f s\n", name, $1 / 1e6 }' "$tmp/best"
-}
-# lines a second of the last one, and how many times the floor's time
-rate() { # LINES FLOOR, microseconds
-	awk -v lines="$1" -v floor="$2" '{
-		printf "%-44s %8.2f million lines a second, %.2f times the floor\n", "", lines / $1, $1 / floor
-	}' "$tmp/best"
+	measure "$@"
+	cp "$tmp/took" "$tmp/floor"
+	awk -v name="$name" '{ printf "%-52s %9.3f s CPU %38.1f MB\n", "floor: " name, $1, $3 }' "$tmp/took"
 }
 
-# a million points on laser stripes four steps apart, over 74 x 54 mm
-awk 'BEGIN {
-	for (y = -27; y <= 27; y += 0.1264)
-		for (x = -37; x <= 37; x += 0.03161)
-			printf "%.4f %.4f %.4f\n", x, y, 15 - 0.005 * x * x - 0.007 * y * y + 2 * sin(x / 6) * cos(y / 7)
-}' >"$tmp/cloud.xyz"
-printf '%d points\n' "$(wc -l <"$tmp/cloud.xyz")"
-best 'floor: read and a hand-made parser' "$FLOOR/floor_read" "$tmp/cloud.xyz"
-best 'floor: fgets and strtod' "$FLOOR/floor_strtod" "$tmp/cloud.xyz"
-best 'cloud2mesh -t 1 --normals facet' "$BIN/cloud2mesh" -t 1 --normals facet "$tmp/cloud.xyz"
-best 'cloud2mesh -t 1' "$BIN/cloud2mesh" -t 1 "$tmp/cloud.xyz"
+# ours NAME GOAL CMD...: a row
+ours() {
+	name=$1 goal=$2
+	shift 2
+	measure "$@"
+	[ -s "$tmp/floor" ] || echo 0 >"$tmp/floor"
+	read -r least _ <"$tmp/floor"
+	awk -v name="$name" -v goal="$goal" -v least="$least" '{
+		printf "%-52s %9.3f s CPU %8.3f s %7s %12s %8.1f MB%s\n", name, $1, $2,
+			least > 0 ? sprintf("%.2f x", $1 / least) : "", goal, $3,
+			$4 ? " (exit " $4 ")" : ""
+	}' "$tmp/took"
+}
 
+# each NAME GOAL N CMD...: a row by the point
+each() {
+	name=$1 goal=$2 n=$3
+	shift 3
+	measure "$@"
+	awk -v name="$name" -v goal="$goal" -v n="$n" '{
+		printf "%-52s %9.3f s CPU %8.3f s %7s %12s %8.1f MB%s\n", name, $1, $2,
+			sprintf("%.2f us", 1e6 * $1 / n), goal, $3, $4 ? " (exit " $4 ")" : ""
+	}' "$tmp/took"
+}
+
+head_row() {
+	printf '\n%s\n' "$1"
+	printf '%-52s %15s %10s %7s %12s %11s\n' '' ours clock ratio goal memory
+}
+
+printf '%s points; %s, %s processors, %s\n' "$points" \
+	"$(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo 2>/dev/null | head -n 1)" \
+	"$(getconf _NPROCESSORS_ONLN)" "$(date -u +%Y-%m-%d)"
+
+if wanted reading || wanted cloud2mesh; then
+	"$FLOOR/make_cloud" random "$points" >"$tmp/cloud.xyz"
+fi
+
+if wanted reading; then
+	head_row "Reading and parsing $points rows"
+	floor 'read and a hand-made parser' "$FLOOR/floor_read" "$tmp/cloud.xyz"
+	ours 'the reader of clouds, points kept' '1.2 x' "$FLOOR/read_cloud" "$tmp/cloud.xyz"
+	# shellcheck disable=SC2016 # for the inner shell
+	ours 'the same through a pipe' '1.2 x' sh -c 'cat "$2" | "$1" -' sh "$FLOOR/read_cloud" "$tmp/cloud.xyz"
+	floor 'fgets and strtod' "$FLOOR/floor_strtod" "$tmp/cloud.xyz"
+	ours 'one million hard decimals, equal to strtod' '' "$FLOOR/prove_decimals" 1
+fi
+
+if wanted cloud2mesh; then
+	head_row "$points points in random order, 1 mm mesh"
+	floor 'read twice, grid, facet normals, PLY' "$FLOOR/floor_mesh" 1 "$tmp/cloud.xyz"
+	ours 'cloud2mesh -t 1 --normals facet' '1.3 x, 64 MB' "$BIN/cloud2mesh" -q -j 1 -t 1 --normals facet "$tmp/cloud.xyz"
+	ours 'the same, all processors' '' "$BIN/cloud2mesh" -q -t 1 --normals facet "$tmp/cloud.xyz"
+	ours 'cloud2mesh -t 1' '2.5 x' "$BIN/cloud2mesh" -q -j 1 -t 1 "$tmp/cloud.xyz"
+	ours 'the same, all processors' '' "$BIN/cloud2mesh" -q -t 1 "$tmp/cloud.xyz"
+	command -v gmt >/dev/null && ours 'peer: gmt blockmedian, the points alone' '' \
+		gmt blockmedian -R0/1000/0/1000 -I1 "$tmp/cloud.xyz"
+	python3 -c 'import scipy' 2>/dev/null && ours 'peer: scipy, the nearest point of each node' '' \
+		python3 -c 'import sys, numpy as n, scipy.spatial as s
+p = n.loadtxt(sys.argv[1]); x = n.arange(p[:, 0].min(), p[:, 0].max()); y = n.arange(p[:, 1].min(), p[:, 1].max())
+print(p[s.cKDTree(p[:, :2]).query(n.array(n.meshgrid(x, y)).reshape(2, -1).T)[1]].sum())' "$tmp/cloud.xyz"
+
+	head_row 'Growth: microseconds a point'
+	for n in 100000 $((points / 3)) "$points"; do
+		head -n "$n" "$tmp/cloud.xyz" >/dev/null # in memory, like the others
+		"$FLOOR/make_cloud" random "$n" >"$tmp/growing.xyz"
+		each "cloud2mesh -t 1 --normals facet, $n points" 'linear' "$n" "$BIN/cloud2mesh" -q -j 1 -t 1 --normals facet "$tmp/growing.xyz"
+		each "cloud2mesh -t 1, $n points" 'linear' "$n" "$BIN/cloud2mesh" -q -j 1 -t 1 "$tmp/growing.xyz"
+	done
+	rm -f "$tmp/growing.xyz" "$tmp/cloud.xyz"
+
+	head_row 'Scans with edges, defaults: microseconds a point'
+	for scan in ${SCANS:-"$samples"/face_nefertiti_26493.xyz "$samples"/panel_17036.xyz}; do
+		n=$(wc -l <"$scan")
+		each "cloud2mesh ${scan##*/}" '10 us' "$n" "$BIN/cloud2mesh" -q -j 1 "$scan"
+		each "cloud2mesh -e 0.05 ${scan##*/}" '20 us' "$n" "$BIN/cloud2mesh" -q -j 1 -e 0.05 "$scan"
+	done
+	"$FLOOR/make_cloud" lidar "$points" >"$tmp/lidar.xyz"
+	each "cloud2mesh, lidar, $points points" '1.1 us, 66 B' "$points" "$BIN/cloud2mesh" -q -j 1 "$tmp/lidar.xyz"
+	rm -f "$tmp/lidar.xyz"
+fi
+
+if wanted fit; then
+	rm -f "$tmp/floor"
+	head_row 'Paths'
+	"$FLOOR/make_cloud" random 300000 | "$BIN/cloud2mesh" -q -t 1 --normals facet -o "$tmp/part.ply" - 2>/dev/null
+	n=$(sed -n 's/^element face //p' "$tmp/part.ply")
+	ours "planecut -r 6 -s 3, $n facets" 'linear' "$BIN/planecut" -q -r 6 -s 3 "$tmp/part.ply"
+	awk 'BEGIN {
+		print "UNITS/MM\nMULTAX/ON\nCUTTER/8,4,0,4,0,0,60\nRAPID\nGOTO/0,0,60,0,0,1\nFEDRAT/MMPM,500"
+		for (i = 0; i < 13033; i++) {
+			x = i / 130
+			printf "GOTO/%.6f,%.6f,%.6f,0,0,1\n", x, 3 * sin(x / 7), 5 * sin(x / 20) + 0.4 * sin(x)
+		}
+		print "FINI"
+	}' >"$tmp/dense.cl"
+	ours 'biarcfit -e 0.005, 13,033 dense points' '2 s' "$BIN/biarcfit" -q -e 0.005 "$tmp/dense.cl"
+	ours 'bsplfit -e 0.005, 13,033 dense points' '2 s' "$BIN/bsplfit" -q -e 0.005 "$tmp/dense.cl"
+	scan=$samples/face_nefertiti_26493.xyz
+	"$BIN/cloud2mesh" -q -t 3 "$scan" >"$tmp/face.ply" 2>/dev/null
+	"$BIN/meshnorm" -q -r 5 --rows mesh "$tmp/face.ply" >"$tmp/face.cl" 2>/dev/null
+	ours 'biarcfit, guarded by a face of 26,493 points' '3 s' "$BIN/biarcfit" -q -e 0.02 -g "$scan" "$tmp/face.cl"
+	ours 'bsplfit, guarded by a face of 26,493 points' '6 s' "$BIN/bsplfit" -q -e 0.02 -g "$scan" "$tmp/face.cl"
+fi
+
+if wanted post; then
 # a million places with a tool axis that turns all the time, as CL text
 awk 'BEGIN {
 	print "UNITS/MM\nMULTAX/ON\nCUTTER/8,4,0,4,0,0,60\nRAPID\nGOTO/0,0,60,0,0,1\nFEDRAT/MMPM,500"
@@ -48,19 +157,29 @@ awk 'BEGIN {
 	print "FINI"
 }' >"$tmp/path.cl"
 lines=$(wc -l <"$tmp/path.cl")
-printf '%d lines of CL\n' "$lines"
+head_row "$lines lines of CL"
 post() { # WAY NAME OPTIONS...: one way of writing, and its floor
 	way=$1 what=$2
 	shift 2
-	best "floor: read, parse by hand, write ($way)" "$FLOOR/floor_post" "$way" "$tmp/path.cl"
-	least=$(cat "$tmp/best")
-	best "ncpost $what" "$BIN/ncpost" -q "$@" "$tmp/path.cl"
-	rate "$lines" "$least"
+	floor "read, parse by hand, write ($way)" "$FLOOR/floor_post" "$way" "$tmp/path.cl"
+	ours "ncpost $what" '2 x' "$BIN/ncpost" -q "$@" "$tmp/path.cl"
 }
 post tcp '-c fanuc' -c fanuc
 post axes '-c fanuc, no tool centre point control' -c fanuc --set tcp=no
 post vectors '-c siemens, vectors' -c siemens
 
+# the same length of path, the tool axis over the pole again and again
+sed -E 's|^(GOTO/[^,]*,[^,]*,[^,]*),.*|\1|' "$tmp/path.cl" | awk '/^GOTO/ && n++ {
+		t = n / 500; a = 0.3 * sin(t); b = 0.02 * cos(t * 1.3)
+		printf "%s,%.9f,%.9f,%.9f\n", $0, a, b, sqrt(1 - a * a - b * b); next
+	}
+	/^GOTO/ { $0 = $0 ",0,0,1" }
+	{ print }' >"$tmp/pole.cl"
+floor 'read, parse by hand, write (tcp, over the pole)' "$FLOOR/floor_post" tcp "$tmp/pole.cl"
+ours 'ncpost -c fanuc, over the pole' '2 x' "$BIN/ncpost" -q -c fanuc "$tmp/pole.cl"
+fi
+
+if wanted verify; then
 # a million blocks over the million points of a dome, the tool axis turning all the time; without
 # tool-centre-point control the machine's kinematics is run for each block
 awk 'BEGIN {
@@ -87,10 +206,11 @@ blocks() { # TCP: 1 with tool-centre-point control, 0 the places of the axes
 }
 blocks 1 >"$tmp/dome.nc"
 blocks 0 >"$tmp/axes.nc"
-printf '%d blocks, %d points\n' "$(wc -l <"$tmp/dome.nc")" "$(wc -l <"$tmp/dome.xyz")"
-verify() { # exit 3 is a verdict too
-	"$BIN/ncverify" -q -g "$tmp/dome.xyz" -r 5 "$@" || [ $? -eq 3 ]
-}
-best 'ncverify' verify "$tmp/dome.nc"
-best 'ncverify, no tool centre point control' verify --set tcp=no "$tmp/axes.nc"
-best 'ncverify --stock box,1' verify --stock box,1 "$tmp/dome.nc"
+rm -f "$tmp/floor"
+head_row "$(wc -l <"$tmp/dome.nc") blocks, $(wc -l <"$tmp/dome.xyz") points"
+# exit 3 is a verdict too
+ours 'ncverify' '' "$BIN/ncverify" -q -g "$tmp/dome.xyz" -r 5 "$tmp/dome.nc"
+ours 'ncverify, no tool centre point control' '' "$BIN/ncverify" -q -g "$tmp/dome.xyz" -r 5 --set tcp=no "$tmp/axes.nc"
+ours 'ncverify --stock box,1' '' "$BIN/ncverify" -q -g "$tmp/dome.xyz" -r 5 --stock box,1 "$tmp/dome.nc"
+fi
+exit 0

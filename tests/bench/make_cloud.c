@@ -23,7 +23,7 @@ static double uniform(void)
 
 static double smooth(double x, double y)
 {
-    return 15 - 0.0005 * x * x - 0.0007 * y * y + 2 * sin(x / 6) * cos(y / 7);
+    return 15 + 8 * sin(x / 90) * cos(y / 70) + 2 * sin(x / 6) * cos(y / 7);
 }
 
 /* A house of 12 x 9 mm in every square of 30 mm, 6 mm high with a ridged roof; trees in a quarter
