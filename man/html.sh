@@ -12,7 +12,7 @@ for page in "$man"/*.[157]; do
 	mv "$file.html.new" "$file.html"
 done
 for other in $(grep -ohE 'href="[^"#]*\.html' ./*.[157].html | sed 's/href="//' | sort -u); do
-	[ -e "$other" ] || sed -i "s|href=\"$other[^\"]*\"||g" ./*.html
+	[ -e "$other" ] || sed -i "s|href=\"${other}[^\"]*\"||g" ./*.html
 done
 
 cat >style.css <<'END'

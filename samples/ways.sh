@@ -3,7 +3,8 @@
 # their own, each on the same scans with the same ball, fitter and control: what each costs, how far
 # it is off, and what ncverify says of its program.
 #
-# SCAN: panel, face, dense (the panel's formula with ten times its points); by default all three.
+# SCAN: panel, face, dense (the panel's formula with ten times its points), or a file; by default
+# the first three.  WAYS: those of them to go (default: all seven).
 # BIN: where the tools are.  OUT: a folder to keep the streams and messages in.
 dir=$(cd "$(dirname "$0")" && pwd) || exit 1
 BIN=$(cd "${BIN:-$dir/../build/bin}" && pwd) || exit 1
@@ -18,6 +19,7 @@ else
 	trap 'rm -rf "$work"' EXIT
 	trap 'exit 130' INT TERM
 fi
+back=$PWD
 cd "$work" || exit 1
 ball=5 fit=0.01
 timer=$(command -v /usr/bin/time)
@@ -56,6 +58,7 @@ step() {
 way() {
 	name=$1 scan=$2 file=$3 scallop=$4
 	shift 4
+	case " ${WAYS:-$name} " in *" $name "*) ;; *) return ;; esac
 	failed=0 log=$work/$scan-$name.txt
 	: >"$log"
 	: >times.txt
@@ -63,7 +66,7 @@ way() {
 	cloud2surf)
 		step surface.nurbs "$@" "$file"
 		step mesh.ply nurbs2mesh -e 0.003 surface.nurbs
-		step path.cl planecut -r $ball --scallop "$scallop" --avoid -g "$file" mesh.ply
+		step path.cl planecut -r $ball --scallop "$scallop" --avoid mesh.ply
 		;;
 	*)
 		step mesh.ply "$@" "$file"
@@ -123,6 +126,10 @@ for scan; do
 		dense >dense.xyz
 		all dense "$work/dense.xyz" 0.02 0.01
 		;;
-	*) echo "ways.sh: found $scan, expected panel, face or dense" >&2 && exit 2 ;;
+	*)
+		file=$(cd "$back" && readlink -f -- "$scan") && [ -f "$file" ] ||
+			{ echo "ways.sh: found $scan, expected panel, face, dense or a file" >&2 && exit 2; }
+		all "$(basename "$scan" .xyz)" "$file" 0.05 0.02
+		;;
 	esac
 done

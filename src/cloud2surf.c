@@ -9,6 +9,7 @@
 #include "math/elementary.h"
 #include "base/cli.h"
 #include "cloud/plan_extent.h"
+#include "io/nurbs/surfaces_scan.h"
 #include "io/nurbs/surfaces_write.h"
 #include "stage/cloud_prepare.h"
 #include "stage/cloud_surface.h"
@@ -118,7 +119,8 @@ static void prepare(const char *name, struct settings *s, struct vec3s *points, 
 
 /* Bytes that no line of text can have do not get into the head. */
 static void write_surface(const struct cli *cli, const struct settings *s, const char *name,
-                          size_t points, const struct cloud_surface *result)
+                          size_t points, const struct scan_sources *scan,
+                          const struct cloud_surface *result)
 {
     char remark[1000];
     const char *end = cli->output ? strrchr(cli->output, '.') : NULL;
@@ -131,12 +133,17 @@ static void write_surface(const struct cli *cli, const struct settings *s, const
     for (char *c = remark; *c; c++)
         if (*c != '\n' && (*c < ' ' || *c > '~'))
             *c = '?';
+    char *sources = surfaces_scan_text(scan);
+    char *head = mem_alloc(strlen(remark) + strlen(sources) + 1, 1);
+    sprintf(head, "%s%s", remark, sources);
     struct out *out = out_open(cli->output);
     if (iges)
-        surfaces_write_iges(out, &result->patches, remark);
+        surfaces_write_iges(out, &result->patches, head);
     else
-        surfaces_write_text(out, &result->patches, remark);
+        surfaces_write_text(out, &result->patches, head);
     out_close(out);
+    free(sources);
+    free(head);
 }
 
 static void report(const struct settings *s, const struct cloud_surface *r)
@@ -182,7 +189,9 @@ int main(int argc, char **argv)
     prepare(name, &s, &points, cli.threads);
     if (cloud_surface_make(&s.fit, &points, &result, &error) < 0)
         die("%s: %s", name, error.text);
-    write_surface(&cli, &s, name, points.n, &result);
+    scan.placed = origin.placed;
+    scan.place = origin.place;
+    write_surface(&cli, &s, name, points.n, &scan, &result);
     report(&s, &result);
     patches_free(&result.patches);
     scan_sources_free(&scan);

@@ -234,12 +234,17 @@ static void name_surfaces(const struct patches *patches, const struct concave_ra
 
 static void write_mesh(const struct cli *cli, const struct patches *patches,
                        const struct concave_radius *concave, const struct patch_mesh *patch_mesh,
-                       double error, const struct unmets *unmet)
+                       double error, bool scan, const struct unmets *unmet)
 {
     struct mesh mesh = {.origin = {.ledger = error}};
     unmets_add_all(&mesh.origin.unmet, unmet);
     name_surfaces(patches, concave, &mesh.origin.surface);
     mesh.origin.source = source_of(cli);
+    if (scan) {
+        mesh.origin.scan = scan_sources_copy(&patches->scan);
+        mesh.origin.placed = patches->scan.placed;
+        mesh.origin.place = patches->scan.place;
+    }
     mesh.origin.maker = mem_string("nurbs2mesh", strlen("nurbs2mesh"));
     patch_mesh_mesh(patch_mesh, &mesh);
     double area = 0;
@@ -278,7 +283,7 @@ int main(int argc, char **argv)
         if (settings.report)
             nurbs_report_radii(cli.output, &patches, concave);
         else
-            write_mesh(&cli, &patches, concave, &patch_mesh, error, &unmet);
+            write_mesh(&cli, &patches, concave, &patch_mesh, error, !settings.unit_given, &unmet);
         free(concave);
     }
     int status = unmets_status(&unmet);

@@ -4,6 +4,7 @@
 #ifndef CLOUDMILL_PATCH_H
 #define CLOUDMILL_PATCH_H
 
+#include "mesh/scan_source.h"
 #include "nurbs/nurbs.h"
 
 /* A closed loop of curves in the plane of the parameters (x is u, y is v) or in space (mm), each
@@ -44,6 +45,7 @@ struct patches_left {
 struct patches {
     size_t n, cap;
     struct patch *item;
+    struct scan_sources scan; /* that they were fitted to; none: not said */
     int bodies; /* closed shells so far: faces of two of them are not joined where they touch */
     struct {
         size_t n, cap;

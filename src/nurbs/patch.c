@@ -73,6 +73,7 @@ void patches_free(struct patches *patches)
     for (size_t i = 0; i < patches->left.n; i++)
         free(patches->left.item[i].file);
     array_free(&patches->left);
+    scan_sources_free(&patches->scan);
     for (size_t i = 0; i < patches->n; i++)
         patch_free(&patches->item[i]);
     array_free(patches);

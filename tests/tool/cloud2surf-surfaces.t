@@ -72,10 +72,24 @@ same "the same bytes" panel.nurbs j.nurbs
 for kind in bspline ferguson bezier; do
 	ok "$kind of the panel" cloud2surf -q --$kind -e 0.01 -o $kind.nurbs "$panel"
 	ok "as a mesh" nurbs2mesh -q -e 0.005 -o $kind.ply $kind.nurbs
-	status 0 "its path" planecut -q -r 5 --scallop 0.1 -g "$panel" -o $kind.cl $kind.ply
+	status 0 "its path" planecut -q -r 5 --scallop 0.1 -o $kind.cl $kind.ply
 	status 0 "its program" sh -c "ncpost -q -c siemens $kind.cl >$kind.mpf"
 	status 0 "is accepted at 0.02 mm" ncverify -g "$panel" -r 5 -e 0.02 $kind.mpf
 done
+
+# the surface names its scan: later tools guard by it, where it lies now
+cloud2mesh -q -t 10 -u cm -o points.ply "$panel"
+grep -E '^comment (scan|place)' points.ply >named
+for kind in nurbs igs; do
+	cloud2surf -q -u cm --bspline -e 0.3 -o named.$kind "$panel"
+	nurbs2mesh -q -n 8 -o named.ply named.$kind
+	grep -E '^comment (scan|place)' named.ply >got
+	same "the mesh of .$kind names it as a mesh of the points does" named got
+	nurbs2mesh -q -u inch -n 8 -o named.ply named.$kind 2>/dev/null
+	hasnt "not where its unit is said to be another" '^comment scan' named.ply
+done
+result "$(awk 'length($0) != 80 { bad = 1 } END { exit bad }' named.igs; echo $?)" "lines of 80 all the same"
+has "planecut, given no scan, names it in the path" 'SCAN.*17036.*panel_17036.xyz' bspline.cl
 
 status 2 "two kinds" cloud2surf --bezier --ferguson wave.xyz
 status 2 "a net for a B-spline" cloud2surf -t 2 wave.xyz

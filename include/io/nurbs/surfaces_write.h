@@ -8,7 +8,7 @@
 #include "nurbs/patch.h"
 
 /* Loops must be polygons of straight lines in the parameters.  `remark`: lines for people at the
- * head, each ended by '\n', none of them longer than 70 characters. */
+ * head, each ended by '\n'; in IGES a longer one than 72 characters goes on after a backslash. */
 void surfaces_write_text(struct out *out, const struct patches *patches, const char *remark);
 
 /*

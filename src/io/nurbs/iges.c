@@ -10,6 +10,7 @@
 #include "math/elementary.h"
 #include "base/array.h"
 #include "base/num.h"
+#include "io/nurbs/surfaces_scan.h"
 
 /* A place in the text of some records. */
 struct iges_cursor {
@@ -283,6 +284,10 @@ struct scan {
     struct iges *iges;
     size_t count[5]; /* lines of each section */
     int section;     /* index in section_letter */
+    struct {
+        size_t n, cap;
+        char *item;
+    } start; /* a line of the start section so far */
     struct iges_records directory;
     struct iges_record terminate;
 };
@@ -300,6 +305,22 @@ static int read_field(const char *text, size_t from, size_t to, long *number)
     char *end;
     *number = strtol(word, &end, 10);
     return end[strspn(end, " ")] == '\0' ? 0 : -1;
+}
+
+/* A line of the start section; one that ends in a backslash goes on in the next. */
+static void take_start(struct scan *s, const char text[COLUMNS])
+{
+    size_t n = LETTER;
+    while (n > 0 && text[n - 1] == ' ')
+        n--;
+    bool more = n > 0 && text[n - 1] == '\\';
+    for (size_t i = 0; i < n - more; i++)
+        *array_push(&s->start) = text[i];
+    if (more)
+        return;
+    *array_push(&s->start) = '\0';
+    surfaces_scan_line(s->start.item, &s->iges->scan);
+    s->start.n = 0;
 }
 
 static int take_record(struct scan *s, const char *text, size_t line, struct error *error)
@@ -324,7 +345,9 @@ static int take_record(struct scan *s, const char *text, size_t line, struct err
         return error_at(error, s->iges->name, line,
                         "sequence number '%.7s' in section %c, expected %zu",
                         record.text + LETTER + 1, *letter, s->count[section]);
-    if (*letter == 'G')
+    if (*letter == 'S')
+        take_start(s, record.text);
+    else if (*letter == 'G')
         *array_push(&s->iges->global) = record;
     else if (*letter == 'D')
         *array_push(&s->directory) = record;
@@ -441,6 +464,7 @@ int iges_read(struct reader *r, struct iges *iges, struct error *error)
     if (status == 0)
         status = take_directory(&s, error);
     array_free(&s.directory);
+    array_free(&s.start);
     if (status < 0)
         iges_free(iges);
     return status;
@@ -536,5 +560,6 @@ void iges_free(struct iges *iges)
     array_free(&iges->global);
     array_free(&iges->parameter);
     array_free(&iges->entity);
+    scan_sources_free(&iges->scan);
     *iges = (struct iges){0};
 }

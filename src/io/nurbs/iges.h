@@ -9,6 +9,7 @@
 #ifndef CLOUDMILL_IGES_H
 #define CLOUDMILL_IGES_H
 
+#include "mesh/scan_source.h"
 #include "base/error.h"
 #include "base/reader.h"
 
@@ -37,12 +38,13 @@ struct iges_entities {
 };
 
 struct iges {
-    char *name;            /* of the file */
-    char comma, semicolon; /* the file's own delimiters of parameters and of records */
-    double unit;           /* mm in one of the file's units, its model scale worked in */
-    double scale;          /* model space scale as the file has it */
-    char unit_name[16];    /* of the unit flag */
-    char unit_text[16];    /* what the file calls it beside the flag */
+    char *name;               /* of the file */
+    char comma, semicolon;    /* the file's own delimiters of parameters and of records */
+    double unit;              /* mm in one of the file's units, its model scale worked in */
+    double scale;             /* model space scale as the file has it */
+    char unit_name[16];       /* of the unit flag */
+    char unit_text[16];       /* what the file calls it beside the flag */
+    struct scan_sources scan; /* that its start section names: surfaces_scan.h */
     struct iges_records global, parameter;
     struct iges_entities entity;
 };

@@ -236,7 +236,9 @@ static size_t write_start(struct out *out, const char *remark)
 
     while (*remark) {
         int n = (int)strcspn(remark, "\n");
-        out_printf(out, "%-*.*sS%7zu\n", WIDE, n < WIDE ? n : WIDE, remark, ++lines);
+        for (; n > WIDE; n -= WIDE - 1, remark += WIDE - 1)
+            out_printf(out, "%.*s\\S%7zu\n", WIDE - 1, remark, ++lines);
+        out_printf(out, "%-*.*sS%7zu\n", WIDE, n, remark, ++lines);
         remark += n + (remark[n] == '\n');
     }
     return lines;

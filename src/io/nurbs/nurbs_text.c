@@ -7,6 +7,7 @@
 #include "base/array.h"
 #include "io/cloud/cloud.h"
 #include "base/num.h"
+#include "io/nurbs/surfaces_scan.h"
 
 /* Words come one after the other, lines do not matter. */
 struct source {
@@ -48,6 +49,8 @@ static int next_word(struct source *s)
             s->word = from;
             return 0;
         }
+        if (from && *from == '#')
+            surfaces_scan_line(from + 1 + strspn(from + 1, " "), &s->patches->scan);
         int got = reader_line(s->reader, &s->rest, &n, s->error);
         if (got <= 0)
             return got;

@@ -2,8 +2,10 @@
 #include "io/nurbs/surfaces.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
+#include "base/array.h"
 #include "base/cli.h"
 #include "iges.h"
 #include "iges_surface.h"
@@ -24,6 +26,12 @@ static int read_iges(struct reader *r, double mm, struct patches *patches,
     size_t n = strlen(iges.unit_text);
     if (n > 0 && strncmp(iges.unit_name, iges.unit_text, n) != 0)
         snprintf(unit->other, sizeof unit->other, "%s", iges.unit_text);
+    for (size_t i = 0; i < iges.scan.n; i++) {
+        *array_push(&patches->scan) = iges.scan.item[i];
+        patches->scan.placed = iges.scan.placed;
+        patches->scan.place = iges.scan.place;
+    }
+    array_free(&iges.scan);
     iges_free(&iges);
     return status;
 }
