@@ -84,6 +84,19 @@ static inline double axis_off(const struct nc_planner *planner, struct vec3 said
     return planner->plan->ability.doubtful && off > unit ? off : unit;
 }
 
+/* The angle of axis i as printed, degrees, at the end of its travel if it is hardly beyond. */
+static double printed_angle(const struct nc_planner *planner, int i, double q, bool *at_end)
+{
+    const struct machine *m = planner->machine;
+    int letter = m->letter[i], digits = planner->plan->ability.digits.angle;
+    double at = num_round(DEGREES(q), digits);
+    double end = fmin(fmax(at, m->min[letter]), m->max[letter]);
+    if (i >= m->chain.n || end == at || fabs(at - end) > POST_IK_AT_END)
+        return at;
+    *at_end = true;
+    return num_round(end, digits);
+}
+
 /* The same, where the cosines and sines of q are known; *off: what its rounding does. */
 static void words_of_pose(const struct nc_planner *planner, const struct pose *to, const double q[],
                           const struct turned *turned, struct machine_pose *s,
@@ -93,13 +106,14 @@ static void words_of_pose(const struct nc_planner *planner, const struct pose *t
     const struct kinematic_chain *chain = &planner->machine->chain;
     struct vec3 p = to->p;
     double by[ROTARY_MAX];
+    bool at_end = false;
     for (int i = 0; i < ROTARY_MAX; i++) { /* 0 where there is no axis */
-        s->at.q[i] = RADIANS(num_round(DEGREES(q[i]), digits->angle));
+        s->at.q[i] = RADIANS(printed_angle(planner, i, q[i], &at_end));
         by[i] = s->at.q[i] - q[i];
     }
     s->turned = ik_turned_on(turned, by);
     if (planner->follow.mode == INTERPOLATE_VECTOR)
-        s->at.a = vec_round(to->a, digits->vector);
+        s->at.a = vec_round(at_end ? chain_axis_of(chain, &s->turned) : to->a, digits->vector);
     else
         s->at.a = chain->n == 2   ? ik_near_axis(&planner->near, &s->turned)
                   : chain->n == 1 ? chain_axis_of(chain, &s->turned)

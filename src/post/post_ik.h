@@ -34,6 +34,9 @@ bool post_ik_reach_near(const struct nc_planner *planner, const struct pose *to,
 double post_ik_pole_between(const struct nc_planner *planner, const struct motion *motion,
                             double s0, double s1);
 
+/* Degrees: an angle that is beyond the end of its travel by less is at the end. */
+#define POST_IK_AT_END 1e-4
+
 /*
  * A motion at feed from s0, where the program is, to `to` at s1: where vectors leave the rotary
  * axes to the control, these go on with the tool from where they stand, beside the singular

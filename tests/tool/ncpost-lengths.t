@@ -72,6 +72,20 @@ for c in fanuc heidenhain; do
 	# shellcheck disable=SC2086
 	status 1 "$c: beyond it" ncpost -c $c $turn --set digits.angle=3 out.cl
 done
+axis 120.00009 >hardly.cl
+axis 120.0002 >more.cl
+for c in siemens heidenhain linuxcnc; do # of five decimals and four
+	turn="--set a.min=0 --set c.min=-10 --set c.max=10"
+	for file in edge hardly; do
+		# shellcheck disable=SC2086
+		status 0 "$c: $file, with the control's own digits" ncpost -c $c $turn $file.cl
+		hasnt "nothing is beyond 120" ' A\+?120\.0*[1-9]' out
+	done
+	# shellcheck disable=SC2086
+	status 1 "$c: 120.0002 is beyond it" ncpost -c $c $turn more.cl
+done
+ncpost -q -c siemens --set a.min=0 --set c.min=-10 --set c.max=10 hardly.cl >vectors.mpf
+has "as a vector, too: A is 120" 'C3=-0\.5( |$)' vectors.mpf
 printf 'UNITS/MM\nLOADTL/1\nSPINDL/900\nRAPID\nGOTO/0,0,50\nFEDRAT/100\nGOTO/120.00004,0,0\nFINI\n' >x.cl
 status 0 "X 120.00004 is 120" ncpost -c fanuc --set x.max=120 x.cl
 sed 's/120.00004/120.002/' x.cl >y.cl
