@@ -13,8 +13,10 @@ START_TEST(grows_and_keeps)
         *array_push(&a) = i * i;
     ck_assert_uint_eq(a.n, 3000000);
     ck_assert_uint_ge(a.cap, a.n);
+    size_t other = 0;
     for (size_t i = 0; i < a.n; i++)
-        ck_assert(a.item[i] == i * i);
+        other += a.item[i] != i * i;
+    ck_assert_uint_eq(other, 0);
     array_free(&a);
     ck_assert_ptr_null(a.item);
     ck_assert_uint_eq(a.n + a.cap, 0);
