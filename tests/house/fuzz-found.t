@@ -6,9 +6,9 @@ REPLAY=${REPLAY:-$SRC/build/tests/fuzz/replay}
 cd "$TMP" || exit 1
 
 if [ -x "$REPLAY" ]; then
-	for folder in "$SRC"/tests/fuzz/seeds/* "$SRC"/tests/fuzz/found/*; do
-		[ -d "$folder" ] || continue
-		ok "${folder##*/tests/fuzz/}: read to their ends" "$REPLAY" "${folder##*/}" "$folder"/*
+	for reader in $(sh "$SRC/tests/fuzz/seeds.sh"); do
+		sh "$SRC/tests/fuzz/seeds.sh" "$reader" | tr '\n' '\0' >seeds
+		ok "$reader: seeds read to their ends" xargs -0 -a seeds "$REPLAY" "$reader"
 	done
 else
 	skip "seeds and cases of the fuzzers" "make check builds build/tests/fuzz/replay"
