@@ -120,11 +120,9 @@ START_TEST(random_lines)
         for (size_t at = 0, number = 1; at < n; number++) {
             char *line;
             size_t length = strcspn(text + at, "\r\n"), got;
-            ck_assert_int_eq(reader_line(&r, &line, &got, &error), 1);
-            ck_assert_uint_eq(got, length);
-            ck_assert_mem_eq(line, text + at, length);
-            ck_assert_int_eq(line[length], '\0');
-            ck_assert_uint_eq(r.line, number);
+            if (reader_line(&r, &line, &got, &error) != 1 || got != length ||
+                memcmp(line, text + at, length) != 0 || line[length] != '\0' || r.line != number)
+                ck_abort_msg("line %zu of round %d", number, round);
             at += length;
             at += text[at] == '\r' && text[at + 1] == '\n' ? 2 : 1;
         }
