@@ -312,13 +312,15 @@ static size_t reduce_smooth_part(const struct refit *like, size_t from, size_t e
 {
     bool still = reference_axis_still(like->reference, (size_t)pieces->item[from].from,
                                       (size_t)pieces->item[end - 1].to);
-    size_t stride = 1, window = still ? WIDE : WINDOW;
+    size_t window = still ? WIDE : WINDOW;
+    /* of those that are moved all together too, half a window apart does */
+    size_t least = still && end - from <= ALL_AT_ONCE ? WIDE / 2 : 1, stride = least;
 
-    for (size_t i = from; end - from > ALL_AT_ONCE && i < end;) {
+    for (size_t i = from; end - from > window && i < end;) {
         size_t n = end - i < window ? end - i : window;
         if (reduce_window(like, from, end, i, n, pieces)) {
             end--;
-            stride = 1;
+            stride = least;
         } else {
             i = i + n < end ? i + stride : end;
             stride = stride < window ? stride + 1 : window;
