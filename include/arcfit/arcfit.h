@@ -126,6 +126,17 @@ void arcfit_reduce(const struct reference *reference, const struct deviation *wi
 void arcfit_lengthen(const struct reference *reference, const struct deviation *within, int digits,
                      double least, struct pieces *pieces);
 
+/*
+ * Fits the pieces [from, to) anew where their part of the reference has moved a little, between the
+ * directions of those beside them: as many pieces, or up to `more` more, proven as by
+ * arcfit_reduce.  What does not touch them stays.  False: all stay.
+ */
+bool arcfit_refit(const struct reference *reference, const struct deviation *within, int digits,
+                  size_t from, size_t to, size_t more, struct pieces *pieces);
+
+/* No direction jumps between the pieces [from, to). */
+bool arcfit_smooth(const struct pieces *pieces, size_t from, size_t to);
+
 /* The length of the shortest of the pieces [from, to), mm. */
 double arcfit_shortest(const struct pieces *pieces, size_t from, size_t to);
 

@@ -37,11 +37,13 @@ struct arcrun_report {
 };
 
 /* The smooth parts of a run as they were fitted, for when some of its points have moved: a part
- * that comes again as it was is not fitted again.  Starts as all zero. */
+ * that comes again as it was is not fitted again, and of one where little has moved only the pieces
+ * there.  Starts as all zero. */
 struct arcrun_memo {
     size_t n, cap;
     struct arcrun_part {
         struct run points;
+        struct pieces pieces;
         struct path fitted;
         struct arcrun_report report;
     } * item;

@@ -2,6 +2,7 @@
 #include "arcfit/arcfit.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 #include "arcspline.h"
 
@@ -270,19 +271,34 @@ enum {
 /* Puts `some` in the place of n pieces at `at`. */
 static void replace_pieces(struct pieces *pieces, size_t at, size_t n, const struct pieces *some)
 {
-    for (size_t i = 0; i < some->n; i++)
-        pieces->item[at + i] = some->item[i];
-    for (size_t i = at + n; i < pieces->n; i++)
-        pieces->item[i - n + some->n] = pieces->item[i];
-    pieces->n -= n - some->n;
+    size_t after = pieces->n - at - n;
+    array_reserve(pieces, at + some->n + after);
+    struct arc_piece *here = &pieces->item[at];
+    memmove(here + some->n, here + n, after * sizeof *here);
+    memcpy(here, some->item, some->n * sizeof *here);
+    pieces->n = at + some->n + after;
+}
+
+/* The direction jumps where piece i begins. */
+static bool kinks_at(const struct pieces *pieces, size_t i)
+{
+    struct vec3 before = arc_tangent(&pieces->item[i - 1].arc, 1);
+    return vec_angle(before, pieces->item[i].arc.tangent) > 1.01 * ARCFIT_KINK;
+}
+
+bool arcfit_smooth(const struct pieces *pieces, size_t from, size_t to)
+{
+    for (size_t i = from + 1; i < to; i++)
+        if (kinks_at(pieces, i))
+            return false;
+    return true;
 }
 
 /* End of the smooth part that starts with piece `from`: where the direction jumps. */
 static size_t smooth_end(const struct pieces *pieces, size_t from)
 {
     size_t i = from + 1;
-    while (i < pieces->n && vec_angle(arc_tangent(&pieces->item[i - 1].arc, 1),
-                                      pieces->item[i].arc.tangent) <= 1.01 * ARCFIT_KINK)
+    while (i < pieces->n && !kinks_at(pieces, i))
         i++;
     return i;
 }
@@ -339,6 +355,29 @@ void arcfit_reduce(const struct reference *reference, const struct deviation *wi
 
     for (size_t from = 0; from < pieces->n;)
         from = reduce_smooth_part(&like, from, smooth_end(pieces, from), pieces);
+}
+
+/* ---- where the reference has moved */
+
+bool arcfit_refit(const struct reference *reference, const struct deviation *within, int digits,
+                  size_t from, size_t to, size_t more, struct pieces *pieces)
+{
+    struct refit part = {.reference = reference,
+                         .within = within,
+                         .digits = digits,
+                         .old = &pieces->item[from],
+                         .n = to - from,
+                         .start_held = from > 0 && !kinks_at(pieces, from),
+                         .end_held = to < pieces->n && !kinks_at(pieces, to)};
+    struct pieces some = {0};
+    bool good = false;
+
+    for (size_t arcs = part.n; arcs <= part.n + more && !good; arcs++)
+        good = refit_with(&part, arcs, &some);
+    if (good)
+        replace_pieces(pieces, from, part.n, &some);
+    array_free(&some);
+    return good;
 }
 
 /* ---- no arc shorter than a length */

@@ -3,6 +3,7 @@
 
 #include <stdlib.h>
 
+#include "arc_carry.h"
 #include "arcfit/arcfit.h"
 #include "arcprint.h"
 
@@ -109,14 +110,49 @@ static bool fit_once(struct fit *f, const struct deviation *within, const struct
     return good || is_proven(f, within);
 }
 
-/* Fits within less and less of the tolerance until the printed digits keep all of it. */
-static void fit_within(struct fit *f, double tolerance)
+enum {
+    BESIDE = 1,       /* pieces beside what has moved that are fitted anew with it */
+    MORE = 2,         /* pieces more there, at most */
+    WINDOW_MOST = 24, /* pieces that are fitted anew at once */
+};
+
+/* The pieces of the same part before some of its points moved, with those anew that touch them.
+ * False where they are too many, or one of them finds no place. */
+static bool fit_moved(struct fit *f, const struct arcrun_part *before, const struct run *now,
+                      const struct deviation *less)
+{
+    struct arc_moves windows = {0};
+    bool good = true;
+
+    f->pieces.n = 0;
+    arc_carry(&before->points, now, &before->pieces, BESIDE, &f->pieces, &windows);
+    for (size_t k = windows.n; k-- > 0 && good;) { /* those before stay where they are */
+        const struct arc_moved *w = &windows.item[k];
+        good = w->to - w->from <= WINDOW_MOST && arcfit_smooth(&f->pieces, w->from, w->to) &&
+               arcfit_refit(&f->reference, less, PATH_COORDINATE, w->from, w->to, MORE, &f->pieces);
+    }
+    array_free(&windows);
+    return good;
+}
+
+static struct deviation part_of(struct deviation d, double part)
+{
+    return (struct deviation){part * d.point, part * d.other, part * d.axis};
+}
+
+/* Fits within less and less of the tolerance until the printed digits keep all of it.  `before`:
+ * the part as it was, or NULL. */
+static void fit_within(struct fit *f, double tolerance, const struct arcrun_part *before,
+                       const struct run *now)
 {
     struct deviation within = {tolerance, tolerance, f->options->axis};
     double part = 1 - ARC_PRINTED / tolerance;
+    struct deviation less = part_of(within, part);
 
+    if (before && fit_moved(f, before, now, &less) && is_proven(f, &within))
+        return;
     for (int i = 0; i < 6; i++, part *= ARC_RETRY) {
-        struct deviation less = {part * tolerance, part * tolerance, part * f->options->axis};
+        less = part_of(within, part);
         if (fit_once(f, &within, &less))
             return;
     }
@@ -308,6 +344,7 @@ static struct sizes parts_of(const struct run *dense, const struct arcrun_option
 static void part_free(struct arcrun_part *part)
 {
     array_free(&part->points);
+    array_free(&part->pieces);
     path_free(&part->fitted);
 }
 
@@ -318,18 +355,6 @@ void arcrun_memo_free(struct arcrun_memo *memo)
     array_free(memo);
 }
 
-static bool vec_same(struct vec3 a, struct vec3 b)
-{
-    return a.x == b.x && a.y == b.y && a.z == b.z;
-}
-
-static bool is_same_point(const struct run_point *a, const struct run_point *b)
-{
-    return vec_same(a->tip, b->tip) && vec_same(a->ball, b->ball) && vec_same(a->axis, b->axis) &&
-           vec_same(a->contact, b->contact) && vec_same(a->normal, b->normal) &&
-           a->given == b->given;
-}
-
 /* The part of the memo with these points, NULL: there is none. */
 static const struct arcrun_part *find_part(const struct arcrun_memo *memo,
                                            const struct run_point *point, size_t n)
@@ -337,11 +362,20 @@ static const struct arcrun_part *find_part(const struct arcrun_memo *memo,
     for (size_t k = 0; memo && k < memo->n; k++) {
         const struct run *old = &memo->item[k].points;
         size_t same = 0;
-        while (old->n == n && same < n && is_same_point(&old->item[same], &point[same]))
+        while (old->n == n && same < n && arc_carry_same(&old->item[same], &point[same]))
             same++;
         if (n > 0 && same == n)
             return &memo->item[k];
     }
+    return NULL;
+}
+
+/* The part of the memo of which these are the points, some of them moved. */
+static const struct arcrun_part *find_moved(const struct arcrun_memo *memo, const struct run *now)
+{
+    for (size_t k = 0; memo && k < memo->n; k++)
+        if (arc_carry_alike(&memo->item[k].points, now))
+            return &memo->item[k];
     return NULL;
 }
 
@@ -356,12 +390,16 @@ static void fit_smooth_part(struct fit *f, size_t n, const struct arcrun_memo *m
         *array_push(&part->points) = point[i];
     if (before) {
         path_add_items(&part->fitted, &before->fitted, 0, before->fitted.item.n);
+        for (size_t i = 0; i < before->pieces.n; i++)
+            *array_push(&part->pieces) = before->pieces.item[i];
         part->report = before->report;
         return;
     }
     f->reference = reference_of(f->dense, f->first, n, f->options->centre, false);
-    fit_within(f, within);
+    fit_within(f, within, find_moved(memo, &part->points), &part->points);
     add_pieces(f, &part->fitted, &part->report);
+    for (size_t i = 0; i < f->pieces.n; i++)
+        *array_push(&part->pieces) = f->pieces.item[i];
     part->report.worst = f->worst;
     reference_free(&f->reference);
 }
