@@ -28,7 +28,8 @@
  *
  *   constant           of      what for
  *   ARC_REFERENCE_MAX  E       dense points put between sparse ones, off the smooth path; this much
- *                              is taken from E before a fit begins
+ *                              is taken from E before a fit begins; ...
+ *   ARC_REFERENCE_HURRIED   E  ... where very many points leave little time for each
  *   ARC_DENSE          E       points whose straight lines are this near to the smooth path are the
  *                              reference themselves, and nothing is taken
  *   ARC_CHORD          E       --linear-arcs: chords off their arcs; taken from E, too
@@ -46,6 +47,7 @@
 #include "arcfit/arc_piece.h"
 
 #define ARC_REFERENCE_MAX 0.02
+#define ARC_REFERENCE_HURRIED 0.06
 #define ARC_DENSE 0.25
 #define ARC_CHORD 0.25
 #define ARC_PRINTED 1e-6

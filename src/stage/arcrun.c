@@ -285,7 +285,8 @@ static void fit_each(struct fit *f, const struct run *run, struct arcrun_report 
 static double dense_run_of(const struct run *run, const struct arcrun_options *options,
                            struct run *dense)
 {
-    double taken = ARC_REFERENCE_MAX * options->tolerance;
+    double part = options->hurried ? ARC_REFERENCE_HURRIED : ARC_REFERENCE_MAX;
+    double taken = part * options->tolerance;
     double off = run_densify(run, taken, dense);
     if (off <= ARC_DENSE * options->tolerance) {
         dense->n = 0;
