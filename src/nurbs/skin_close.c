@@ -131,14 +131,36 @@ static size_t crumb_of(size_t *of, size_t f)
     return f;
 }
 
-/* Drops what hangs together by its sides, if no facet of it is wider than the gap: left over
- * between borders that were joined. */
+/* What hangs together by its sides. */
+struct crumb {
+    double area; /* mm^2 */
+    struct vec3 low, high;
+};
+
+static void add_to_crumb(struct crumb *c, const struct patch_mesh *q, size_t facet)
+{
+    const int *v = q->face.item[facet].v;
+    struct vec3 p[3];
+
+    for (int k = 0; k < 3; k++) {
+        p[k] = point_of(q, v[k]);
+        if (c->area == 0 && k == 0)
+            c->low = c->high = p[0];
+        c->low = vec(fmin(c->low.x, p[k].x), fmin(c->low.y, p[k].y), fmin(c->low.z, p[k].z));
+        c->high = vec(fmax(c->high.x, p[k].x), fmax(c->high.y, p[k].y), fmax(c->high.z, p[k].z));
+    }
+    c->area += vec_length(vec_cross(vec_sub(p[1], p[0]), vec_sub(p[2], p[0]))) / 2;
+}
+
+/* Drops what hangs together by its sides and is no wider, on the whole, than the gap: left over
+ * between borders that were joined.  Where all is so small nothing is dropped. */
 static void drop_crumbs(struct patch_mesh *q, double gap)
 {
-    size_t n;
+    size_t n, kept = 0;
     struct skin_side *side = skin_sides_find(q, &n);
     size_t *of = mem_alloc(q->face.n + 1, sizeof *of);
-    bool *wide = mem_alloc(q->face.n + 1, sizeof *wide), *out;
+    struct crumb *crumb = mem_alloc(q->face.n + 1, sizeof *crumb);
+    bool *out = mem_alloc(q->face.n + 1, sizeof *out);
 
     for (size_t f = 0; f < q->face.n; f++)
         of[f] = f;
@@ -147,16 +169,17 @@ static void drop_crumbs(struct patch_mesh *q, double gap)
         for (size_t a = i + 1; a < i + k; a++)
             of[crumb_of(of, side[a].facet)] = crumb_of(of, side[i].facet);
     }
-    for (size_t f = 0; f < q->face.n; f++) {
-        size_t crumb = crumb_of(of, f);
-        wide[crumb] = wide[crumb] || width_of(q, f) > gap;
-    }
-    out = mem_alloc(q->face.n + 1, sizeof *out);
     for (size_t f = 0; f < q->face.n; f++)
-        out[f] = !wide[crumb_of(of, f)];
-    drop_marked(q, out);
+        add_to_crumb(&crumb[crumb_of(of, f)], q, f);
+    for (size_t f = 0; f < q->face.n; f++) {
+        const struct crumb *c = &crumb[crumb_of(of, f)];
+        out[f] = c->area <= 2 * gap * vec_distance(c->low, c->high);
+        kept += !out[f];
+    }
+    if (kept > 0)
+        drop_marked(q, out);
     free(out);
-    free(wide);
+    free(crumb);
     free(of);
     free(side);
 }
@@ -463,8 +486,8 @@ static bool is_sound(const struct skin_side *side, size_t k)
 }
 
 /* Marks the facets, if they are no wider than the gap, along edges that more than two share or two
- * that are turned differently, and `around`: all that have a corner of such an edge or an open one;
- * returns how many edges of the skin are such, or open. */
+ * that are turned differently, and `around`: all that have a corner of such an edge; returns
+ * how many edges of the skin are such, or open. */
 static size_t mark_tangled(const struct patch_mesh *q, double gap, bool around, bool *out)
 {
     size_t n, bad = 0;
@@ -476,9 +499,10 @@ static size_t mark_tangled(const struct patch_mesh *q, double gap, bool around, 
         if (is_sound(&side[i], k))
             continue;
         bad++;
-        near[side[i].low] = near[side[i].high] = around;
-        for (size_t a = i; a < i + k && k > 1; a++)
+        for (size_t a = i; a < i + k && k > 1; a++) {
+            near[side[i].low] = near[side[i].high] = around;
             out[side[a].facet] = out[side[a].facet] || width_of(q, side[a].facet) <= gap;
+        }
     }
     for (size_t i = 0; i < n && around; i++) {
         size_t f = side[i].facet;
