@@ -47,18 +47,19 @@ static inline int num_digits(uint64_t eight, uint64_t *value)
 
 /*
  * A faster num_read for plain numbers, at most 15 digits without an exponent, of which files have
- * millions.  Returns the end of the number, or NULL if it is not plain.  It reads eight decimals at
- * a time, and so up to eight characters after the number.
+ * millions.  Returns the end of the number, or NULL if it is not plain.  It reads eight digits at a
+ * time, and so up to eight characters after the number.
  */
 static inline const char *num_plain(const char *p, double *value)
 {
     static const uint64_t scale[] = {1, 10, 100, 1000, 10000, 100000, 1000000, 10000000, 100000000};
     bool negative = *p == '-';
     p += negative;
-    uint64_t mantissa = 0, more;
+    uint64_t mantissa, more; /* eight digits at a time: how many there are is not guessed */
     size_t decimals = 0;
     const char *first = p;
-    for (; *p >= '0' && *p <= '9'; p++)
+    p += num_digits(num_eight(p), &mantissa);
+    for (; p - first >= 8 && *p >= '0' && *p <= '9' && p - first < 16; p++)
         mantissa = mantissa * 10 + (uint64_t)(*p - '0');
     size_t digits = (size_t)(p - first);
     if (*p == '.') {

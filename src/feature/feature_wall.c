@@ -70,24 +70,49 @@ static double allowed_rms(const struct feature_cloud *cloud)
     return 2.5 * cloud->noise + 0.15 * cloud->spacing;
 }
 
-/* Of the points on a wall that are nearest to `at`, lengths upright counting less, those between
- * its top and foot. */
-static size_t near_wall(const struct feature_cloud *cloud, const struct level level[2],
-                        struct vec3 at, size_t most, struct vec3 *near)
+/* Points on walls, those nearest to a place first. */
+struct walled {
+    size_t n, index[FEATURE_MOST];
+};
+
+static size_t tall_of(size_t most)
 {
-    size_t index[FEATURE_MOST], n = 0;
-    size_t all = TALL * most < FEATURE_MOST ? TALL * most : FEATURE_MOST;
+    return TALL * most < FEATURE_MOST ? TALL * most : FEATURE_MOST;
+}
+
+static void find_walled(const struct feature_cloud *cloud, struct vec3 at, size_t most,
+                        struct walled *walled)
+{
+    walled->n =
+        cloud->walls ? kdtree_nearest(cloud->walls, at, tall_of(most), walled->index, NULL) : 0;
+}
+
+/* Of the points on a wall that are nearest to `at`, lengths upright counting less, those between
+ * its top and foot.  `walled` has as many points about that place as these may be of, or more. */
+static size_t near_among(const struct feature_cloud *cloud, const struct walled *walled,
+                         const struct level level[2], struct vec3 at, size_t most,
+                         struct vec3 *near)
+{
+    size_t n = 0, all = tall_of(most) < walled->n ? tall_of(most) : walled->n;
     struct vec3 found[FEATURE_MOST];
     double step = side_fit_height(&level[0].sheet, at) - side_fit_height(&level[1].sheet, at);
 
-    all = cloud->walls ? kdtree_nearest(cloud->walls, at, all, index, NULL) : 0;
     for (size_t i = 0; i < all; i++) {
-        struct vec3 p = cloud->wall[index[i]];
+        struct vec3 p = cloud->wall[walled->index[i]];
         double part = -side_fit_above(&level[0].sheet, p) / step; /* of the way down from level 0 */
         if (part > 0.02 && part < 0.98 && hypot(p.x - at.x, p.y - at.y) < 6 * cloud->spacing)
             found[n++] = p;
     }
     return n > 0 ? neighbourhood_along(found, n, at, UP, TALL, most, near) : 0;
+}
+
+static size_t near_wall(const struct feature_cloud *cloud, const struct level level[2],
+                        struct vec3 at, size_t most, struct vec3 *near)
+{
+    struct walled walled;
+
+    find_walled(cloud, at, most, &walled);
+    return near_among(cloud, &walled, level, at, most, near);
 }
 
 /* Keeps the points within `most` of the plane, or those that are not, in their order. */
@@ -158,9 +183,12 @@ static bool plane_of_wall(const struct feature_cloud *cloud, const struct level 
     struct vec3 near[FEATURE_MOST];
     bool noisy = cloud->noise > 0.01 * cloud->spacing;
     double tight = 1.3 * cloud->noise + 0.03 * cloud->spacing;
+    size_t widest = noisy ? 8 * NEAR : NEAR;
+    struct walled walled;
 
-    for (size_t most = noisy ? 8 * NEAR : NEAR; most >= NEAR; most /= 2) {
-        size_t n = near_wall(cloud, level, at, most, near);
+    find_walled(cloud, at, widest, &walled);
+    for (size_t most = widest; most >= NEAR; most /= 2) {
+        size_t n = near_among(cloud, &walled, level, at, most, near);
         if (but)
             n = filter_by_plane(near, n, but, allowed_rms(cloud), false);
         /* what is rough, or rounded, last */

@@ -49,8 +49,8 @@ ours() {
 	read -r least _ <"$tmp/floor"
 	awk -v name="$name" -v goal="$goal" -v least="$least" '{
 		printf "%-52s %9.3f s CPU %8.3f s %7s %12s %8.1f MB%s\n", name, $1, $2,
-			least > 0 ? sprintf("%.2f x", $1 / least) : "", goal, $3,
-			$4 ? " (exit " $4 ")" : ""
+			(least > 0 ? sprintf("%.2f x", $1 / least) : ""), goal, $3,
+			($4 ? " (exit " $4 ")" : "")
 	}' "$tmp/took"
 }
 
@@ -61,7 +61,7 @@ each() {
 	measure "$@"
 	awk -v name="$name" -v goal="$goal" -v n="$n" '{
 		printf "%-52s %9.3f s CPU %8.3f s %7s %12s %8.1f MB%s\n", name, $1, $2,
-			sprintf("%.2f us", 1e6 * $1 / n), goal, $3, $4 ? " (exit " $4 ")" : ""
+			sprintf("%.2f us", 1e6 * $1 / n), goal, $3, ($4 ? " (exit " $4 ")" : "")
 	}' "$tmp/took"
 }
 
@@ -81,9 +81,9 @@ fi
 if wanted reading; then
 	head_row "Reading and parsing $points rows"
 	floor 'read and a hand-made parser' "$FLOOR/floor_read" "$tmp/cloud.xyz"
-	ours 'the reader of clouds, points kept' '1.2 x' "$FLOOR/read_cloud" "$tmp/cloud.xyz"
+	ours 'the reader of clouds' '1.2 x' "$FLOOR/read_cloud" "$tmp/cloud.xyz"
 	# shellcheck disable=SC2016 # for the inner shell
-	ours 'the same through a pipe' '1.2 x' sh -c 'cat "$2" | "$1" -' sh "$FLOOR/read_cloud" "$tmp/cloud.xyz"
+	ours 'the same through a pipe (with cat)' '1.2 x' sh -c 'cat "$2" | "$1" -' sh "$FLOOR/read_cloud" "$tmp/cloud.xyz"
 	floor 'fgets and strtod' "$FLOOR/floor_strtod" "$tmp/cloud.xyz"
 	ours 'one million hard decimals, equal to strtod' '' "$FLOOR/prove_decimals" 1
 fi

@@ -5,25 +5,28 @@
  *     read_cloud FILE
  */
 #include <stdio.h>
-#include <stdlib.h>
 
-#include "base/array.h"
 #include "io/cloud/cloud.h"
+
+static void add_up(void *context, const struct vec3 *point, size_t n)
+{
+    struct vec3 *sum = context, s = *sum;
+
+    for (size_t i = 0; i < n; i++)
+        s = vec_add(s, point[i]);
+    *sum = s;
+}
 
 int main(int argc, char **argv)
 {
-    struct vec3s points = {0};
     struct cloud_count count;
     struct error error;
     struct vec3 sum = {0, 0, 0};
 
-    if (cloud_read(argc > 1 ? argv[1] : "-", &points, &count, &error) < 0) {
+    if (cloud_read_blocks(argc > 1 ? argv[1] : "-", add_up, &sum, &count, &error) < 0) {
         fprintf(stderr, "%s\n", error.text);
         return 1;
     }
-    for (size_t i = 0; i < points.n; i++)
-        sum = vec_add(sum, points.item[i]);
-    printf("%zu %.3f %.3f %.3f\n", points.n, sum.x, sum.y, sum.z);
-    array_free(&points);
+    printf("%zu %.3f %.3f %.3f\n", count.points, sum.x, sum.y, sum.z);
     return 0;
 }
