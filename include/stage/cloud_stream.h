@@ -7,8 +7,8 @@
  *
  *   1. the extent, how many points, their hash
  *   2. the mean spacing (again where the cloud has gaps), and whether there is an area
- *   3. which cells have points (cloud/holes.h), which point each node takes (meshing/reposition.h)
- *   4. points for the nodes left empty, where there are such
+ *   3. which point each node takes (meshing/reposition.h); where the spacing is given, in look 2
+ *   4. which cells have points (cloud/holes.h), and points for the nodes left empty
  *
  * About 40 bytes a node, and a bit for each quarter of a point.
  */

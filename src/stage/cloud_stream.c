@@ -15,9 +15,12 @@ struct look {
     void (*see)(struct look *look, const struct vec3 *point, size_t n); /* as placed */
     struct cloud_stream *stream;
     struct vec3s placed;
-    struct vec3 from, far; /* the first point, and the farthest from it seen from above */
+    struct vec3 from, far; /* the first point, and the farthest from it seen from above ... */
+    double most;           /* ... by this, squared */
     bool clumps, line;     /* are there no points but near those two, or on their line? */
     struct plan_cells cells;
+    bool early; /* the spacing is given: nodes take their points in the look for the mean one */
+    bool empty; /* there are nodes to be filled */
 };
 
 bool cloud_stream_serves(const struct cloudmesh_options *o)
@@ -70,19 +73,26 @@ static double distance2_xy(struct vec3 a, struct vec3 b)
 static void see_extent(struct look *l, const struct vec3 *point, size_t n)
 {
     struct cloud_stream *s = l->stream;
-    struct box box = box_around(point, n);
+    double low = s->box.low.z, high = s->box.high.z, most = l->most;
 
     if (s->n == 0) {
-        s->box = box;
+        low = high = point[0].z;
         l->from = l->far = point[0];
     }
-    box_add(&s->box, box.low);
-    box_add(&s->box, box.high);
-    plan_extent_add(&l->stream->flat, point, n);
-    plan_extent_add(&l->stream->turned, point, n);
-    for (size_t i = 0; i < n; i++)
-        if (distance2_xy(point[i], l->from) > distance2_xy(l->far, l->from))
+    plan_extent_add(&s->flat, point, n);
+    if (s->options.direction != 0)
+        plan_extent_add(&s->turned, point, n);
+    for (size_t i = 0; i < n; i++) {
+        double away2 = distance2_xy(point[i], l->from);
+        low = point[i].z < low ? point[i].z : low;
+        high = point[i].z > high ? point[i].z : high;
+        if (away2 > most) {
+            most = away2;
             l->far = point[i];
+        }
+    }
+    l->most = most;
+    s->box = (struct box){{s->flat.xmin, s->flat.ymin, low}, {s->flat.xmax, s->flat.ymax, high}};
     s->n += n;
 }
 
@@ -93,6 +103,15 @@ static void take_first(void *context, const struct vec3 *point, size_t n)
 
     l->stream->hash += scan_source_hash(point, n);
     take_block(context, point, n);
+}
+
+static int begin_nodes(struct cloud_stream *s, struct error *error)
+{
+    struct grid grid;
+
+    if (grid_make(&s->turned, s->n, s->options.spacing, &grid, error) < 0)
+        return -1;
+    return reposition_begin(&grid, s->n, REACH_NEAREST, &s->nodes, error);
 }
 
 /* ---- the mean spacing, and whether there is an area */
@@ -107,6 +126,8 @@ static void see_cells(struct look *l, const struct vec3 *point, size_t n)
         l->line = l->line && !(fabs(vec_orient_xy(l->from, l->far, point[i])) > narrow);
     }
     plan_cells_add(&l->cells, point, n);
+    if (l->early)
+        reposition_add(&l->stream->nodes, point, n);
 }
 
 static int find_spacing(struct look *l, struct error *error)
@@ -118,6 +139,7 @@ static int find_spacing(struct look *l, struct error *error)
         l->cells = plan_cells_begin(&l->stream->turned, l->stream->n, plan_spacing_width(&spacing));
         int status = look_again(l, see_cells, error);
         area = plan_cells_end(&l->cells);
+        l->early = false;
         if (status < 0)
             return -1;
     } while (plan_spacing_next(&spacing, area));
@@ -129,13 +151,14 @@ static int find_spacing(struct look *l, struct error *error)
 
 static void see_nodes(struct look *l, const struct vec3 *point, size_t n)
 {
-    holes_add(&l->stream->holes, point, n);
     reposition_add(&l->stream->nodes, point, n);
 }
 
-static void see_empty(struct look *l, const struct vec3 *point, size_t n)
+static void see_rest(struct look *l, const struct vec3 *point, size_t n)
 {
-    reposition_fill(&l->stream->nodes, point, n);
+    holes_add(&l->stream->holes, point, n);
+    if (l->empty)
+        reposition_fill(&l->stream->nodes, point, n);
 }
 
 static int find_nodes(struct look *l, struct error *error)
@@ -143,19 +166,18 @@ static int find_nodes(struct look *l, struct error *error)
     struct cloud_stream *s = l->stream;
     double t = s->options.spacing, mean = s->mean;
     double gap = s->options.max_gap > 0 ? s->options.max_gap : 6 * mean;
-    struct grid grid;
+    bool seen = s->nodes.choice != NULL;
 
-    if (grid_make(&s->turned, s->n, t, &grid, error) < 0 ||
+    if ((!seen && begin_nodes(s, error) < 0) ||
         holes_begin(&s->flat, gap, fmax(t / 2, 1.5 * mean), &s->holes, error) < 0 ||
-        reposition_begin(&grid, s->n, REACH_NEAREST, &s->nodes, error) < 0 ||
-        look_again(l, see_nodes, error) < 0)
+        (!seen && look_again(l, see_nodes, error) < 0))
+        return -1;
+    l->empty = reposition_empty(&s->nodes);
+    if (look_again(l, see_rest, error) < 0)
         return -1;
     holes_end(&s->holes);
-    if (reposition_empty(&s->nodes)) {
-        if (look_again(l, see_empty, error) < 0)
-            return -1;
+    if (l->empty)
         reposition_settle(&s->nodes);
-    }
     s->facets = grid_facets_find(&s->nodes, &s->holes);
     if (s->facets.facets == 0)
         return error_set(error, CLOUDMESH_NO_FACET, t, s->turned.xmax - s->turned.xmin,
@@ -191,6 +213,9 @@ static int begin(struct look *l, struct error *error)
         return -1;
     if (s->n < 3 || distance2_xy(l->from, l->far) == 0)
         return 1;
+    if (!(s->options.direction != 0))
+        s->turned = s->flat;
+    l->early = s->options.spacing > 0 && begin_nodes(s, error) == 0; /* else it is said later */
     if (find_spacing(l, error) < 0)
         return -1;
     return l->clumps || l->line;
@@ -211,6 +236,8 @@ int cloud_stream_begin(const char *file, const struct transform *place,
         return 1;
     int status = begin(&look, error);
     array_free(&look.placed);
+    if (status != 0)
+        cloud_stream_free(stream);
     return status;
 }
 
