@@ -97,8 +97,8 @@ static void read_options(struct settings *s, struct cli *cli, int argc, char **a
          "the path that the program was made from: tip, tool axis and feed are\n"
          "compared with it",
          CLI_TEXT, &s->path, 0, 0, 0, NULL},
-        {'r', "radius", "MM", "radius of the ball", CLI_NUMBER, &s->radius, CLI_POSITIVE, 1e4, 0,
-         &s->radius_given},
+        {'r', "radius", "MM", "radius of the ball (default: what the program's head says)",
+         CLI_NUMBER, &s->radius, CLI_POSITIVE, 1e4, 0, &s->radius_given},
         machine_option_control(
             &s->machine, "control of the program, as with ncpost (default: the machine's own, or\n"
                          "recognized by its first lines)"),
@@ -161,20 +161,31 @@ static void read_options(struct settings *s, struct cli *cli, int argc, char **a
     };
     *cli = (struct cli){.tool = "ncverify",
                         .usual = "guard path radius control machine tolerance scallop report",
-                        .usage = "-g FILE -r MM [options] [PROGRAM]",
+                        .usage = "-g FILE [-r MM] [options] [PROGRAM]",
                         .about = "Checks an NC program against the scan or mesh it was made for.",
                         .option = option};
     cli_parse(cli, argc, argv);
-    if (!s->radius_given || s->part.n == 0)
-        die_usage("expected -r, the radius of the ball, and -g, the scan or mesh");
+    if (s->part.n == 0)
+        die_usage("expected -g, the scan or mesh that the program was made for");
     if (cli->files != 1)
         die_usage("found %d programs, expected one", cli->files);
-    s->band = s->band_given ? s->band : s->radius / 4;
     if (s->left_given && s->scallop_given)
         die_usage("found --left and --scallop, expected one of them");
     if (s->ball_only && (s->holder || s->flute_given))
         die_usage("found --ball-only with --flute or --holder, expected one of them");
     read_stock(s);
+}
+
+/* The ball, and how far below it the region cut reaches. */
+static void find_ball(struct settings *s, const struct ncread_head *head)
+{
+    if (!s->radius_given && head->ball == 0)
+        die_usage("expected -r, the radius of the ball: the program's head does not say it");
+    if (!s->radius_given) {
+        s->radius = head->ball;
+        note("ball: R %g (as the program's head says)", s->radius);
+    }
+    s->band = s->band_given ? s->band : s->radius / 4;
     if (s->band < s->tolerance)
         die_usage("option --band: found %g, expected more than the tolerance %g", s->band,
                   s->tolerance);
@@ -220,6 +231,7 @@ static struct verify_program read_program(const struct settings *s, const struct
                                    .machine = machine->name,
                                    .motion = motion,
                                    .ball = head->ball,
+                                   .made_for = head->machine,
                                    .contact_feed = head->contact_feed,
                                    .post = head->post,
                                    .axis = head->axis};
@@ -285,6 +297,7 @@ int main(int argc, char **argv)
     read_options(&s, &cli, argc, argv);
     struct machine machine = read_machine(&s);
     struct verify_program program = read_program(&s, &machine, cli.file[0], &motion, &head, &tcp);
+    find_ball(&s, &head);
     find_tool(&s, &head);
     find_limit(&s, &head);
     if (read_part(&s, &points)) {

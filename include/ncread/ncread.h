@@ -38,15 +38,16 @@ struct ncread_dialect;
 /* What the comments before the first move say, in mm: ncread_head.h. */
 enum { NCREAD_HEAD_TEXT = 1200 };
 struct ncread_head {
-    char tool[NCREAD_HEAD_TEXT];   /* all of it; "": nothing */
-    double ball;                   /* radius; 0: not said */
-    bool flute_given;              /* its length: */
-    double flute;                  /* 0: none */
-    char holder[NCREAD_HEAD_TEXT]; /* cones R0:R1:L or cylinders R:L joined by +; "": none */
-    double scallop, tolerance;     /* 0: not said */
-    double post, axis;             /* what ncpost spent, mm and degrees; below zero: not said */
-    bool contact_feed;             /* feeds are those of the contact point */
-    bool numbered;                 /* by ncpost: in even steps */
+    char tool[NCREAD_HEAD_TEXT];    /* all of it; "": nothing */
+    double ball;                    /* radius; 0: not said */
+    bool flute_given;               /* its length: */
+    double flute;                   /* 0: none */
+    char holder[NCREAD_HEAD_TEXT];  /* cones R0:R1:L or cylinders R:L joined by +; "": none */
+    double scallop, tolerance;      /* 0: not said */
+    double post, axis;              /* what ncpost spent, mm and degrees; below zero: not said */
+    bool contact_feed;              /* feeds are those of the contact point */
+    bool numbered;                  /* by ncpost: in even steps */
+    char machine[NCREAD_HEAD_TEXT]; /* its name, as far as it is there; "": not said */
 };
 
 struct ncread_options {

@@ -84,6 +84,18 @@ static bool has_word(const char **s, const char *word)
     return true;
 }
 
+/* What is left of a comment, without blanks around it. */
+static void read_name(char *to, size_t size, const char *s)
+{
+    s += strspn(s, " ");
+    size_t n = strcspn(s, ")\r\n");
+    while (n > 0 && s[n - 1] == ' ')
+        n--;
+    n = n < size ? n : size - 1;
+    memcpy(to, s, n);
+    to[n] = '\0';
+}
+
 void ncread_head_line(struct ncread_head *head, const char *line)
 {
     const char *s = line + strcspn(line, "(;");
@@ -99,6 +111,9 @@ void ncread_head_line(struct ncread_head *head, const char *line)
         head->contact_feed = true;
     } else if (has_word(&s, "cloudmill ncpost")) {
         head->numbered = true;
+        s += strcspn(s, ",");
+        if (*s)
+            read_name(head->machine, sizeof head->machine, s + 1);
     } else if (has_word(&s, "Tolerance ncpost")) {
         head->post = number_at(&s);
     } else if (has_word(&s, "Tolerance sum")) {

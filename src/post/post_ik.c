@@ -91,7 +91,7 @@ static double printed_angle(const struct nc_planner *planner, int i, double q, b
     int letter = m->letter[i], digits = planner->plan->ability.digits.angle;
     double at = num_round(DEGREES(q), digits);
     double end = fmin(fmax(at, m->min[letter]), m->max[letter]);
-    if (i >= m->chain.n || end == at || fabs(at - end) > POST_IK_AT_END)
+    if (i >= m->chain.n || end == at || fabs(DEGREES(q) - end) > POST_IK_AT_END)
         return at;
     *at_end = true;
     return num_round(end, digits);

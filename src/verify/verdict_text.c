@@ -98,8 +98,10 @@ static void print_deviation(const struct verdict *v, struct out *o, bool gouge)
     size_t piece[WORST_BLOCKS], n = verdict_worst(v, gouge, WORST_BLOCKS, piece);
     const char *name = gouge ? "gouge" : "left ";
     out_printf(o, "%s        worst %.4f mm at %.3f %.3f %.3f\n", name, worst, p.x, p.y, p.z);
-    out_printf(o, "%s        50%% %.4f, 95%% %.4f, 99%% %.4f mm; %zu points beyond\n", name,
-               part[0], part[1], part[2], gouge ? r->gouged : r->left);
+    out_printf(o, "%s        50%% %.4f, 95%% %.4f, 99%% %.4f mm; %zu points %s\n", name, part[0],
+               part[1], part[2], gouge ? r->gouged : r->left,
+               gouge ? "deeper than the tolerance"
+                     : "above the tolerance, scallops and what is out of reach too");
     for (size_t i = 0; i < n; i++) {
         char place[60];
         const struct verdict_piece *at = &v->piece[piece[i]];

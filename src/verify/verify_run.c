@@ -3,6 +3,7 @@
 #include <stdarg.h>
 #include <stdint.h>
 #include <stdio.h>
+#include <ctype.h>
 #include <stdlib.h>
 
 #include "math/elementary.h"
@@ -252,6 +253,31 @@ static void judge_ball(struct verdict *v)
                    said, v->options.radius);
 }
 
+/* Letters and digits alone, of any case, as far as the shorter one goes: controls print few others,
+ * and not all of a long name. */
+static bool same_name(const char *a, const char *b)
+{
+    for (;; a++, b++) {
+        while (*a && !isalnum((unsigned char)*a))
+            a++;
+        while (*b && !isalnum((unsigned char)*b))
+            b++;
+        if (!*a || !*b)
+            return true;
+        if (tolower((unsigned char)*a) != tolower((unsigned char)*b))
+            return false;
+    }
+}
+
+/* The machine that the program's head says. */
+static void judge_machine(struct verdict *v)
+{
+    const char *said = v->program.made_for;
+    if (said && *said && !same_name(said, v->program.machine))
+        add_remark(v, false, "the program's head says the machine %s, it is judged on %s (-m)",
+                   said, v->program.machine);
+}
+
 /* Shaft (what is no thicker than the ball) or holder in the part, or in the stock. */
 static void judge_holder(struct verdict *v, const struct holder_collision *found, const char *what)
 {
@@ -471,6 +497,7 @@ static void find_faults(struct verdict *v)
         judge_surface(v);
     judge_outliers(v);
     judge_ball(v);
+    judge_machine(v);
     judge_holder(v, &v->part_holder, "part");
     judge_stock(v);
     judge_holder(v, &v->stock.holder, "stock");

@@ -261,7 +261,7 @@ for control in fanuc siemens; do
 	ncpost -q -c $control spline.cl >spline.$control
 	status 0 "$control: a good spline" ncverify -q -g dome.xyz -r 6 -e 0.03 spline.$control
 	awk '/G0?6.2|BSPLINE/ { inside = 1 } / G1 | K[0-9.]+$/ { inside = 0 }
-		inside && ++n == 40 { for (i = 1; i <= NF; i++) if ($i ~ /^Z[0-9]/) $i = sprintf("Z%.3f", substr($i, 2) - 0.5)
+		inside && ++n == 20 { for (i = 1; i <= NF; i++) if ($i ~ /^Z[0-9]/) $i = sprintf("Z%.3f", substr($i, 2) - 0.5)
 			print $1 >"named" } { print }' spline.$control >bad.nc
 	status 3 "$control: a pole too deep" ncverify -g dome.xyz -r 6 -e 0.03 -c $control bad.nc
 	N=$(sed 's/N//' named) # or the one beside it, whose span it shapes as much
@@ -269,7 +269,7 @@ for control in fanuc siemens; do
 	# 100 mm up: the passes beside leave little on its place, but the curve leaves the part;
 	# not the first pole of Fanuc, which has to be where the tool is
 	awk '/G0?6.2|BSPLINE/ { inside = 1 } / G1 | K[0-9.]+$/ { inside = 0 }
-		inside && ++n > 40 && !done && !/G0?6.2/ { done = 1; for (i = 1; i <= NF; i++) if ($i ~ /^Z[0-9]/) $i = sprintf("Z%.3f", substr($i, 2) + 100)
+		inside && ++n > 20 && !done && !/G0?6.2/ { done = 1; for (i = 1; i <= NF; i++) if ($i ~ /^Z[0-9]/) $i = sprintf("Z%.3f", substr($i, 2) + 100)
 			print $1 >"named" } { print }' spline.$control >bad.nc
 	status 3 "$control: a pole far too high" ncverify -g dome.xyz -r 6 -e 0.03 -c $control bad.nc
 	N=$(sed 's/N//' named)
@@ -395,6 +395,24 @@ done
 sed '/^N12470 /s/Z.*/Z30. A85./' dome.fanuc >lean.nc
 status 3 "a holder in a rapid move" ncverify -g dome.xyz -r 6 -e 0.005 --holder 3:10+25:30 lean.nc
 has "is named" 'N124[78]0 .*the holder goes .*in a rapid move' err
+# ---- what the head says: the ball, and the machine
+awk 'NR == 2 { print; print "(TOOL: BALL R6 FLUTE 24)"; print "(cloudmill ncpost for Fanuc, Fork head C/A)"; next } { print }' \
+	dome.fanuc >said.nc
+ncverify -g dome.xyz -r 6 -c fanuc dome.fanuc >given
+status 0 "the radius is the head's" ncverify -v -g dome.xyz -c fanuc said.nc
+has "which is told" 'ball: R 6 .as the program.s head says' err
+has "another machine is told, with how to give it" \
+	'head says the machine Fork head C/A, it is judged on Table-table A/C .-m' err
+grep '^gouge .*worst' given >given.gouge
+grep '^gouge .*worst' out >out.gouge
+same "the figures are the same" given.gouge out.gouge
+status 0 "the machine that it says" ncverify -g dome.xyz -c fanuc --set 'name=FORK HEAD C/A' said.nc
+hasnt "nothing is told" 'head says the machine' err
+status 3 "another ball is refused" ncverify -g dome.xyz -r 5 -c fanuc said.nc
+has "and told" 'head says a ball of radius 6, it is judged with 5' err
+status 2 "no radius anywhere" ncverify -g dome.xyz -c fanuc dome.fanuc
+has "what is expected" 'expected -r, the radius of the ball' err
+
 status 2 "a holder of nothing" ncverify -g dome.xyz -r 6 --holder 3:0 dome.fanuc
 
 # ---- the stock: passes, layers, bites, what is left, by the formulas of a sphere and of planes
