@@ -70,6 +70,12 @@ static double above(const struct flank *flank, struct vec3 p, struct vec3 *norma
     return vec_dot(*normal, vec_sub(p, foot));
 }
 
+/* A surface of its own is known of the point: a flank, or one of all its neighbours. */
+static bool has_surface(const struct flank *flank)
+{
+    return flank->valid || (!flank->rough && flank->spacing > 0);
+}
+
 /* Points of a surface may be off it by this. */
 static double within(const struct edge_work *work, double spacing)
 {
@@ -238,8 +244,7 @@ static bool is_confirmed(const struct edge_work *work, const struct hood *near,
 
     for (size_t k = 1; k < near->n; k++) {
         const struct flank *other = &work->flank[near->index[k]];
-        bool known = other->valid || (!other->rough && other->spacing > 0);
-        if (!known || fabs(above(flank, near->point[k], &normal)) > least)
+        if (!has_surface(other) || fabs(above(flank, near->point[k], &normal)) > least)
             continue;
         on++;
         same += fabs(vec_dot(normal, quadric_normal_at(&other->q, near->point[k]))) > alike;
@@ -487,11 +492,11 @@ static void find_edges(void *context, size_t from, size_t to)
 
 /* ---- flanks filled up to their edges */
 
-/* What is known about a flank at point i: which of the neighbours are on it, which are across a
- * convex edge, and places of its edges. */
+/* What is known about a flank at point i: which of the neighbours are on it, which are in a hollow
+ * with it, each above the other's surface, and places of its edges. */
 struct flank_patch {
     const struct flank *flank;
-    bool on[NEAR], across[NEAR];
+    bool on[NEAR], hollow[NEAR];
     struct vec3s side; /* points and places of edges on it */
 };
 
@@ -504,8 +509,11 @@ static struct flank_patch find_patch(const struct edge_work *work, const struct 
 
     for (size_t k = 0; k < near->n; k++) {
         const struct vec3s *edge = &work->found[near->index[k]];
-        patch.on[k] = fabs(above(patch.flank, near->point[k], &normal)) <= least;
-        patch.across[k] = k > 0 && is_edge_between(work, i, near->index[k]);
+        const struct flank *other = &work->flank[near->index[k]];
+        double h = above(patch.flank, near->point[k], &normal);
+        patch.on[k] = fabs(h) <= least;
+        patch.hollow[k] =
+            h > least && has_surface(other) && above(other, near->point[0], &normal) > least;
         if (patch.on[k])
             *array_push(&patch.side) = near->point[k];
         for (size_t e = 0; e < edge->n; e++)
@@ -515,8 +523,8 @@ static struct flank_patch find_patch(const struct edge_work *work, const struct 
     return patch;
 }
 
-/* No point that knows the flank is nearer to the place than point i, the place is not over a flank beyond an
- * edge, and all points about are on flanks. */
+/* No point that knows the flank is nearer to the place than point i, all points about have surfaces,
+ * and the place is above none of these, but for hollows. */
 static bool is_on_patch(const struct edge_work *work, const struct hood *near,
                         const struct flank_patch *patch, struct vec3 at)
 {
@@ -529,9 +537,9 @@ static bool is_on_patch(const struct edge_work *work, const struct hood *near,
         double far = vec_distance(at, near->point[k]);
         if (patch->on[k] && other->valid && far < out)
             return false;
-        if (!patch->on[k] && far < about * out && other->rough && !other->valid)
-            return false;
-        if (patch->across[k] && above(other, at, &normal) > least / 4)
+        if (far >= about * out || patch->hollow[k])
+            continue;
+        if (!has_surface(other) || above(other, at, &normal) > (patch->on[k] ? least : least / 4))
             return false;
     }
     return true;

@@ -231,7 +231,8 @@ static void add_edges(const struct guard_work *work, struct guard_points *surfac
     struct edge_points_options edges = {.point_grid = work->point_grid,
                                         .noise = rule->noise,
                                         .along = sqrt(8 * rule->radius * rule->sink),
-                                        .fill = work->filled,
+                                        /* flanks of few points are as rough as these */
+                                        .fill = work->filled && rule->noise == 0,
                                         .threads = rule->threads};
     size_t before = surface->point.n;
 
