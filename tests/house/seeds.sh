@@ -21,5 +21,16 @@ for source in $with; do
 		echo "${source#tests/unit/}, SEED=$seed: $(grep -m 1 -E ':[FE]:' "$unit.seed")"
 	done
 done
+# the tool tests whose clouds and paths take SEED, under TOOL_SEEDS others (none, for they take long)
+seed=0
+while [ $seed -lt "${TOOL_SEEDS:-0}" ]; do
+	seed=$((seed + 1))
+	for test in $(grep -l 'ENVIRON\["SEED"\]' tests/tool/*.t); do
+		runs=$((runs + 1))
+		SEED=$seed sh "$test" >"$UNITS/tool.seed" 2>&1 && continue
+		bad=$((bad + 1))
+		echo "${test#tests/}, SEED=$seed: $(grep -m 1 '^not ok' "$UNITS/tool.seed")"
+	done
+done
 echo "$runs runs, $bad failed"
 [ $runs -gt 0 ] && [ $bad -eq 0 ]

@@ -30,7 +30,8 @@ static inline struct vec3s rib_cloud(double high, double noise)
 {
     struct vec3s p = {0};
     for (int i = 0; i < 2500; i++) {
-        struct vec3 q = rib_point(high, 10 * uniform() - 5, 10 * uniform() - 5);
+        double y = 10 * uniform() - 5, x = 10 * uniform() - 5; /* in this order everywhere */
+        struct vec3 q = rib_point(high, x, y);
         *array_push(&p) = vec_along(q, noise * normal(), rib_normal(high, q));
     }
     return p;

@@ -32,7 +32,8 @@ static inline void rectangle(struct vec3s *points, size_t n, struct vec3 corner,
 {
     struct vec3 w = vec_unit(vec_cross(u, v));
     for (size_t i = 0; i < n; i++) {
-        struct vec3 p = vec_along(vec_along(corner, uniform(), u), uniform(), v);
+        double t = uniform(), s = uniform(); /* in this order everywhere */
+        struct vec3 p = vec_along(vec_along(corner, s, u), t, v);
         *array_push(points) = vec_along(p, noise * normal(), w);
     }
 }

@@ -53,7 +53,7 @@ done
 # Rows run out to the border of the scan, whose random points no grid of nodes reaches: what is left
 # is within the scallop and the tolerance at every point beside and under the ball's ways.
 awk 'function uniform() { seed = (seed * 16807) % 2147483647; return seed / 2147483647 }
-	BEGIN { seed = 31; for (i = 0; i < 3000; i++) {
+	BEGIN { seed = 31 + 7919 * ENVIRON["SEED"]; for (i = 0; i < 3000; i++) {
 		x = 30 * uniform() - 15; y = 24 * uniform() - 12
 		printf "%.4f %.4f %.4f\n", x, y, 10 - x * x / 70 - y * y / 50 + x * y / 90 } }' >hump.xyz
 ok "a hump: a mesh" cloud2mesh -q -t 2 -o hump.ply hump.xyz
@@ -67,7 +67,7 @@ done
 # Laser lines, the last of them cut off short: no facet hangs on its end, and rows end with the scan.
 awk 'function uniform() { seed = (seed * 16807) % 2147483647; return seed / 2147483647 }
 	function put(x, y) { printf "%.4f %.4f %.4f\n", x, y, 2 * sin(x / 4) * cos(y / 5) + x / 10 }
-	BEGIN { seed = 5; for (j = 0; j <= 24; j++) for (i = 0; i <= (j < 24 ? 140 : 9); i++)
+	BEGIN { seed = 5 + 7919 * ENVIRON["SEED"]; for (j = 0; j <= 24; j++) for (i = 0; i <= (j < 24 ? 140 : 9); i++)
 		put(0.2 * (i + uniform() - 0.5), 0.8 * j + 0.16 * (uniform() - 0.5)) }' >lines.xyz
 awk 'BEGIN { for (x = -1; x <= 29; x += 0.1) for (y = -1; y <= 20.5; y += 0.1)
 	printf "%.4f %.4f %.5f\n", x, y, 2 * sin(x / 4) * cos(y / 5) + x / 10 }' >lines.true

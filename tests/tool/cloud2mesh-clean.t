@@ -6,7 +6,7 @@ cd "$TMP" || exit 1
 
 # A hill with noise of 0.01 and five strays, in no order; row 100 and so on.
 awk 'function normal() { return sqrt(-2 * log(1 - rand())) * cos(6.2831853 * rand()) }
-	BEGIN { srand(5); for (i = 0; i < 6000; i++) { x = 30 * rand(); y = 20 * rand()
+	BEGIN { srand(5 + ENVIRON["SEED"]); for (i = 0; i < 6000; i++) { x = 30 * rand(); y = 20 * rand()
 		z = 3 + sin(x / 5) * cos(y / 6) + 0.01 * normal(); if (i % 1200 == 100) z += 2 + i / 1000
 		printf "%.4f %.4f %.4f\n", x, y, z > (i % 1200 == 100 ? "strays" : "good"); printf "%.4f %.4f %.4f\n", x, y, z } }' >scan.xyz
 

@@ -7,7 +7,7 @@
 shape() {
 	LC_ALL=C awk -v noise="$1" 'function u() { seed = seed * 16807 % 2147483647; return seed / 2147483647 }
 	BEGIN {
-		seed = 7
+		seed = 7 + 7919 * ENVIRON["SEED"]
 		for (i = 1; i <= 9000; i++) {
 			x = 24 * (i * 0.7548776662466927 % 1); y = 24 * (i * 0.5698402909980532 % 1)
 			e = noise * (u() + u() + u() - 1.5) * 2

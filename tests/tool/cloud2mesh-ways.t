@@ -8,7 +8,7 @@ cd "$TMP" || exit 1
 
 # cloud HOLE Z: about 6,400 uneven points over 40 x 40 mm, none nearer than HOLE to the middle
 cloud() {
-	awk -v hole="$1" 'BEGIN { seed = 3
+	awk -v hole="$1" 'BEGIN { seed = 3 + 7919 * ENVIRON["SEED"]
 		for (i = 0; i < 80; i++) for (j = 0; j < 80; j++) {
 			seed = (seed * 16807) % 2147483647; x = (i + 0.7 * seed / 2147483647) / 2
 			seed = (seed * 16807) % 2147483647; y = (j + 0.7 * seed / 2147483647) / 2
