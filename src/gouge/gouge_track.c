@@ -80,7 +80,8 @@ double gouge_track_depth(struct gouge_track *track, const struct gouge_check *gu
     const struct gouge_beside *piece = find_piece(track, a, b, radius);
     if (!piece)
         piece = gather(track, guard, a, b, radius);
-    return radius - kdtree_nearest_among(&track->point.item[piece->first], piece->n, a, b, radius);
+    const struct vec3 *point = piece->n > 0 ? &track->point.item[piece->first] : NULL;
+    return radius - kdtree_nearest_among(point, piece->n, a, b, radius);
 }
 
 /* No place of a holder moves farther than this from one pose to another. */

@@ -214,6 +214,7 @@ START_TEST(seek)
         struct vec3 foot = pullback_point(&on, pullback_seek(&on, q));
         ck_assert_double_lt(fabs(vec_distance(foot, q) - fabs(r - 5)), 1e-9);
     }
+    pullback_free(&on);
     patch_free(&p);
 }
 END_TEST
@@ -238,6 +239,7 @@ START_TEST(over_the_seam)
         }
         ck_assert_double_lt(fabs(at.u - first.u - way * 12), 1e-9);
     }
+    pullback_free(&on);
     patch_free(&p);
 }
 END_TEST
