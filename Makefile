@@ -249,15 +249,27 @@ fuzz:
 # What is installed where, FILE=PLACE under PREFIX.  The tools find their data from where they lie, so
 # PREFIX is in none of them.
 share    := share/cloudmill
+names    := $(basename $(notdir $(tools)))
 installs  = $(foreach f,$(tools),$(f)=bin/$(notdir $(f))) \
+  $(foreach n,$(names),$(BUILD)/completions/$(n)=share/bash-completion/completions/$(n) \
+    $(BUILD)/completions/_$(n)=share/zsh/site-functions/_$(n) \
+    $(BUILD)/completions/$(n).fish=share/fish/vendor_completions.d/$(n).fish) \
   $(foreach f,$(machines) $(controls) $(tool_files),$(f)=$(share)/$(f)) \
   $(foreach f,$(manuals),$(f)=share/man/man$(subst .,,$(suffix $(f)))/$(notdir $(f)))
 
-install: all
+# For bash, zsh and fish, made from what the tools say with --help all.
+completions: $(BUILD)/completions/made
+$(BUILD)/completions/made: $(tools) completions/completions.sh
+	sh completions/completions.sh $(BUILD)/bin $(BUILD)/completions
+	@touch $@
+
+install: all completions
 	@for pair in $(installs); do \
+	  [ -e "$${pair%%=*}" ] || case $$pair in */completions/*) continue ;; esac; \
 	  to=$(DESTDIR)$(PREFIX)/$${pair#*=}; mkdir -p "$${to%/*}" || exit 1; \
 	  case $${pair#*=} in bin/*) mode=755 ;; *) mode=644 ;; esac; \
-	  install -m $$mode "$${pair%%=*}" "$$to" || exit 1; done
+	  install -m $$mode "$${pair%%=*}" "$$to" || exit 1; \
+	  case $$to in */man/*) sed 's/^\.Os cloudmill$$/& $(VERSION)/' "$${pair%%=*}" >"$$to" || exit 1 ;; esac; done
 	@echo 'installed in $(DESTDIR)$(PREFIX)'
 
 # Data that are not as they were installed are the user's, and stay; so do folders that hold any.
@@ -272,11 +284,20 @@ uninstall:
 
 # The sources as they lie here, without git, and the same bytes from the same files.
 sources = .ci .clang-format .clang-tidy .editorconfig .gitignore HACKING.md LICENSE Makefile NEWS.md \
-  README.md VERSION controls include machines man samples src tests tools
+  README.md VERSION completions controls debian include machines man samples src tests tools
 dist:
 	find $(sources) -type f ! -name '*~' ! -name '.*.sw?' ! -name '*.[od]' | LC_ALL=C sort | \
 	  tar --transform 's,^,cloudmill-$(VERSION)/,' --owner=0 --group=0 --numeric-owner \
 	  --mtime=@$(or $(SOURCE_DATE_EPOCH),0) --mode=u+w,go+r-w -cf - -T - | gzip -n9 >cloudmill-$(VERSION).tar.gz
+
+# A package for Debian in $(BUILD)/deb, by debian/ and from the tarball.
+deb: dist
+	head -n 1 debian/changelog | grep -Fq '($(VERSION)-' || { echo 'debian/changelog is not of $(VERSION)'; exit 1; }
+	rm -rf $(BUILD)/deb && mkdir -p $(BUILD)/deb
+	cp cloudmill-$(VERSION).tar.gz $(BUILD)/deb/cloudmill_$(VERSION).orig.tar.gz
+	tar -xzf cloudmill-$(VERSION).tar.gz -C $(BUILD)/deb
+	cd $(BUILD)/deb/cloudmill-$(VERSION) && env -u MAKEFLAGS -u MFLAGS -u MAKELEVEL dpkg-buildpackage -us -uc
+	if command -v lintian >/dev/null; then lintian --fail-on error,warning $(BUILD)/deb/*.changes; fi
 
 distcheck: dist
 	rm -rf $(BUILD)/distcheck && mkdir -p $(BUILD)/distcheck
@@ -287,8 +308,10 @@ clean:
 	rm -rf $(BUILD) demo figures html cloudmill-$(VERSION).tar.gz
 
 .PHONY: always all units check demo samples html figures bench accuracy freeze deps deps-all lint \
-  sanitize fuzz faults check-seeds mutate coverage nc-faults safety static windows portability deb \
+  sanitize fuzz faults check-seeds mutate coverage nc-faults safety static windows portability deb completions \
   install uninstall dist distcheck clean
 .SECONDARY:
 
--include $(shell find $(BUILD) -name '*.d' 2>/dev/null)
+# Not those of other builds, in folders of their own.
+-include $(shell find $(BUILD) $(foreach other,deb distcheck portable static windows sanitize coverage fuzz,\
+  -path '$(BUILD)/$(other)' -prune -o) -type f -name '*.d' -print 2>/dev/null)

@@ -64,7 +64,44 @@ ok "-m table-bc finds the installed machine" \
 has "and turns its axes" '^[^(]*B[-0-9.]+' "$TMP/out"
 status 1 "-m of a machine that is not there" elsewhere ncpost -c fanuc -m no-such "$TMP/path.cl"
 
+# ---- completions, from the options' one source
+
+complete() { # WORD...: what bash offers for the last of them
+	bash -c 'source "$1" && shift && COMP_WORDS=("$@") COMP_CWORD=$(($# - 1)) && "_cloudmill_$1" "$1" &&
+		printf "%s\n" "${COMPREPLY[@]}"' - "$prefix/share/bash-completion/completions/$1" "$@" >"$TMP/offered" 2>&1
+}
+if command -v bash >/dev/null; then
+	for tool in $tools; do
+		elsewhere "$tool" --help all | sed -nE 's/^  (-[a-zA-Z], |    )--([a-z0-9-]+).*/--\2/p' | sort >"$TMP/want"
+		elsewhere complete "$tool" - && sort "$TMP/offered" >"$TMP/sorted"
+		same "bash: the options of $tool" "$TMP/want" "$TMP/sorted"
+	done
+	elsewhere complete ncpost -m table-
+	has "bash: machines that are installed" '^table-bc$' "$TMP/offered"
+	elsewhere complete meshnorm --rows s
+	has "bash: the words of a choice" '^scallop$' "$TMP/offered"
+else
+	skip "completions of bash" "no bash"
+fi
+for shell in zsh fish; do
+	if ! command -v $shell >/dev/null; then
+		skip "completions of $shell" "no $shell"
+		continue
+	fi
+	for tool in $tools; do
+		file=$prefix/share/zsh/site-functions/_$tool
+		[ $shell = zsh ] || file=$prefix/share/fish/vendor_completions.d/$tool.fish
+		ok "$shell reads the completions of $tool" $shell -n "$file"
+	done
+done
+if command -v fish >/dev/null; then
+	elsewhere env HOME="$TMP" XDG_CONFIG_HOME="$TMP" fish -c \
+		"source $prefix/share/fish/vendor_completions.d/ncpost.fish; complete -C 'ncpost -m table-'" >"$TMP/offered" 2>&1
+	has "fish: machines that are installed" '^table-bc' "$TMP/offered"
+fi
+
 mine=$prefix/share/cloudmill/machines
+cp "$prefix/share/man/man1/ncpost.1" "$TMP/page"
 echo 'include = table-bc' >"$mine/shop.txt"
 echo '# B is slow on ours' >>"$mine/table-bc.txt"
 ok "make uninstall" build uninstall PREFIX="$prefix" DESTDIR=
@@ -134,7 +171,7 @@ empty "uninstall leaves no file there" "$TMP/found"
 # ---- a tarball, with git or without
 
 cp -R "$SRC"/[A-Z]* "$SRC"/.[a-z]* "$SRC/src" "$SRC/include" "$SRC/machines" "$SRC/tools" \
-	"$SRC/controls" "$SRC/man" "$SRC/samples" "$TMP/stage"
+	"$SRC/controls" "$SRC/man" "$SRC/samples" "$SRC/completions" "$SRC/debian" "$TMP/stage"
 rm -rf "$stage/.git"
 mkdir -p "$stage/tests"
 echo scratch >"$stage/notes"
@@ -163,6 +200,8 @@ for tool in "$BIN"/*; do
 	ok "${tool##*/} --version" "$tool" --version
 	has "is what the file VERSION says" "^${tool##*/} \(cloudmill\) $version\$" "$TMP/out"
 done
+has "debian/changelog begins with it" "^cloudmill \\($version-[0-9]+\\)" "$SRC/debian/changelog"
+has "a manual that is installed says it" "^\\.Os cloudmill $version\$" "$TMP/page"
 has "NEWS begins with it" "^## $version( |\$)" "$SRC/NEWS.md"
 
 done_testing
