@@ -245,20 +245,27 @@ static bool may_be_crossed(const struct nc_planner *planner, struct vec3 axis)
 
 static const double POLE_SHARE = 0.95; /* of what is allowed: how far off the pole is the pole */
 
-/* How far a vector may be off the singular direction to be said as it, radians; 0: it may not. */
-static double near_pole(const struct nc_planner *planner)
+/* Where the control does not lead the tip, the axes' own way past the pole has its share, and the
+ * pole is no wider than so many of the last digit of an angle: nearer the digits say nothing. */
+static const double POLE_SHARE_JOINT = 0.25, POLE_DIGITS = 10;
+
+double post_ik_near_pole(const struct nc_planner *planner)
 {
     struct pose_deviation allowed = planner->allowed;
     double ball = fabs(planner->follow.ball);
-    if (planner->follow.mode != INTERPOLATE_VECTOR || planner->machine->chain.n != 2)
+    double most = fmin(allowed.axis, ball > 0 ? allowed.point / ball : HUGE_VAL);
+    if (planner->machine->chain.n != 2 || planner->follow.mode == INTERPOLATE_ROTARY)
         return 0;
-    return POLE_SHARE * fmin(allowed.axis, ball > 0 ? allowed.point / ball : HUGE_VAL);
+    if (planner->follow.mode == INTERPOLATE_VECTOR)
+        return POLE_SHARE * most;
+    return fmin(POLE_SHARE_JOINT * most,
+                RADIANS(POLE_DIGITS / num_ten[planner->plan->ability.digits.angle]));
 }
 
 /* The pose, its axis the singular direction where it is near it.  True: it was changed. */
 static bool snap_to_pole(const struct nc_planner *planner, struct pose *to)
 {
-    double near = near_pole(planner);
+    double near = post_ik_near_pole(planner);
     struct vec3 pole = planner->machine->chain.rotary[0].axis, off = vec_cross(pole, to->a);
     double off2 = near > 0 ? vec_dot(off, off) : HUGE_VAL;
     if (!(off2 < near * near) || chain_free(&planner->machine->chain, to->a))
@@ -271,10 +278,10 @@ double post_ik_pole_between(const struct nc_planner *planner, const struct motio
                             double s0, double s1)
 {
     const double beside = 1e-6; /* of the motion: as good as its end */
-    double near = near_pole(planner);
+    double near = post_ik_near_pole(planner);
     struct vec3 a = motion->from.a, b = motion->to.a;
     struct vec3 pole = planner->machine->chain.rotary[0].axis;
-    if (near == 0 || motion->kind == MOTION_SPLINE ||
+    if (planner->follow.mode != INTERPOLATE_VECTOR || near == 0 || motion->kind == MOTION_SPLINE ||
         vec_dot(vec_cross(pole, a), vec_cross(pole, b)) >= 0) /* to one side */
         return s1;
     double turn = vec_angle(a, b);

@@ -271,6 +271,17 @@ static double pole_step(const struct nc_planner *planner)
     return fmin(sqrt(8 * arc / far), RADIANS(TURN_STEP));
 }
 
+/* How far the tool axis is off the singular direction, radians; below 0: too far to be said as it.
+ */
+static double off_pole(const struct nc_planner *planner)
+{
+    double off =
+        vec_length(vec_cross(planner->machine->chain.rotary[0].axis, planner->state.pose.a));
+    bool at = chain_free(&planner->machine->chain, planner->state.pose.a) ||
+              off < post_ik_near_pole(planner);
+    return at ? off : -1;
+}
+
 /*
  * In the singular direction the axis nearest the work turns about the tool itself: to where the
  * motion that follows needs it, at feed, with the tip at rest.  False: the tool is tilted, or the
@@ -281,13 +292,15 @@ static bool turn_at_pole(struct nc_planner *planner, const struct machine_pose *
     struct nc_state *state = &planner->state;
     const double q[ROTARY_MAX] = {to->at.q[0], state->at.q[1]};
     double step = pole_step(planner), turn = q[0] - state->at.q[0];
-    if (planner->machine->chain.n != 2 || planner->follow.mode == INTERPOLATE_VECTOR ||
-        !chain_free(&planner->machine->chain, state->pose.a) || turn == 0)
+    if (planner->machine->chain.n != 2 || planner->follow.mode == INTERPOLATE_VECTOR || turn == 0)
+        return false;
+    double off = off_pole(planner);
+    if (off < 0)
         return false;
     int n = (int)ceil(fabs(turn) / step);
     turn_standing(planner, NC_LINE, q, n);
-    struct pose_deviation spent = {planner->allowed.point / 2, 0};
-    if (n > 1 || step < PI)
+    struct pose_deviation spent = {planner->allowed.point / 2, 2 * off};
+    if (n > 1 || step < PI || off > 0)
         planner->plan->total.spent = pose_deviation_worst(planner->plan->total.spent, spent);
     return true;
 }
@@ -299,9 +312,9 @@ static bool turn_out_of_pole(struct nc_planner *planner, const struct motion *mo
 {
     double turn = vec_angle(motion_at(motion, s0).a, motion_at(motion, s1).a);
     struct machine_pose beside;
-    if (!(turn > BESIDE_POLE))
+    if (!(turn > 0))
         return false;
-    double s = s0 + (s1 - s0) * BESIDE_POLE / turn;
+    double s = s0 + (s1 - s0) * fmin(1, BESIDE_POLE / turn);
     return post_ik_reach(planner, motion_at(motion, s), s, &beside) == 0 &&
            turn_at_pole(planner, &beside);
 }

@@ -232,8 +232,9 @@ printf '%s\n' UNITS/MM MULTAX/ON CUTTER/8,4,0,4,0,0,60 LOADTL/1 SPINDL/900 RAPID
 	'GOTO/20,20,5,0.02,-0.3,0.953729528' RAPID 'GOTO/20,20,60,0.02,-0.3,0.953729528' FINI >"$TMP/kink.cl"
 sed -e 's|^GOTO/14,|CIRCLE/13,20,5,0,0,1,1\n&|' -e 's|^GOTO/20,20,5,|CIRCLE/19,20.5,5,0,0,1,1.118034\n&|' \
 	"$TMP/kink.cl" >"$TMP/arcs.cl" # the same on arcs
+sed 's|^\(GOTO/1[0-9],20,5,\)0,0,1|\10.000004,-0.000003,1|' "$TMP/arcs.cl" >"$TMP/beside.cl" # hardly past it
 for c in fanuc siemens heidenhain linuxcnc; do
-	for path in kink arcs; do
+	for path in kink arcs beside; do
 		status 0 "$c, $path: out of the pole in another direction" \
 			ncpost -c $c -m table-ac-notcp -o "$TMP/kink.nc" "$TMP/$path.cl"
 		status 0 "read back it is the path" "$READBACK" -c $c -m table-ac-notcp -e 0.006 --axis 0.06 \
