@@ -30,19 +30,29 @@ static double area(const struct mesh *mesh)
     return sum;
 }
 
-/* Points between the vertices of a face, its edges with them. */
+/* By the spacing: rows of points on a face, and the points of a row, are so far apart at most, that
+ * no place is farther than half the spacing from the nearest. */
+static const double CLOSE = 0.7;
+
+/* Points between the vertices of a face, its edges with them: rows along its longest side, so that
+ * a needle gets no more than its length asks for. */
 static void fill_face(const struct vec3 v[3], double spacing, struct vec3s *points)
 {
-    double longest =
-        fmax(vec_distance(v[0], v[1]), fmax(vec_distance(v[1], v[2]), vec_distance(v[2], v[0])));
-    int n = (int)fmin(ceil(longest / spacing), 10000);
-    for (int i = 0; i <= n; i++)
-        for (int k = 0; k <= n - i; k++) {
-            bool corner = (i == 0 || i == n) && (k == 0 || k == n - i);
-            struct vec3 p = vec_along(v[0], (double)i / n, vec_sub(v[1], v[0]));
-            if (!corner)
-                *array_push(points) = vec_along(p, (double)k / n, vec_sub(v[2], v[0]));
-        }
+    int first = 0;
+    for (int k = 1; k < 3; k++)
+        if (vec_distance(v[k], v[(k + 1) % 3]) > vec_distance(v[first], v[(first + 1) % 3]))
+            first = k;
+    struct vec3 a = v[first], b = v[(first + 1) % 3], c = v[(first + 2) % 3];
+    double longest = vec_distance(a, b);
+    double height = longest > 0 ? vec_length(vec_cross(vec_sub(b, a), vec_sub(c, a))) / longest : 0;
+    int rows = (int)fmin(fmax(ceil(height / (CLOSE * spacing)), 1), 10000);
+    for (int r = 0; r <= rows; r++) { /* the last row half a row before the corner */
+        double t = (r < rows ? r : rows - 0.5) / rows;
+        struct vec3 p = vec_mix(a, c, t), q = vec_mix(b, c, t);
+        int n = (int)fmin(fmax(ceil(vec_distance(p, q) / (CLOSE * spacing)), 1), 1e6);
+        for (int i = r == 0; i <= n - (r == 0); i++)
+            *array_push(points) = vec_mix(p, q, (double)i / n);
+    }
 }
 
 static void densify(const struct mesh *mesh, double unit, double radius, struct vec3s *points,

@@ -22,6 +22,14 @@ for x in -16 16 30; do
 	done
 done
 
+# A face that a representation names by itself, as for a tolerance, is a face of the shell, not another.
+{
+	dprism 44 16 6
+	echo "named SHAPE_REPRESENTATION('',({f2}),{CONTEXT})"
+} | step named
+closed "a face named once more" 0 -e 0.1 "$TMP/named.step"
+has "is read once" '4 surfaces in' "$TMP/report"
+
 # A box of which one side ends askew, so that a needle is open between it and its neighbour: narrower
 # than the gap, but long.  And a strip of the neighbour folded back along it.
 box_with() { # NAME Y: the side at y 0 is at Y where x is 30; the others are not

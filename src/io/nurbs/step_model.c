@@ -718,6 +718,35 @@ static int add_roots(struct model *m, struct error *error)
     return status;
 }
 
+static int compare_entities(const void *p, const void *q)
+{
+    int a = *(const int *)p, b = *(const int *)q;
+    return (a > b) - (a < b);
+}
+
+/* Drops faces that a representation names by themselves, as the place of a tolerance or a colour,
+ * when they are faces of a closed shell too. */
+static void drop_named_faces(struct patches *patches, size_t from)
+{
+    struct ints of_shell = {0};
+    size_t kept = from;
+    for (size_t i = from; i < patches->n; i++)
+        if (patches->item[i].body > 0)
+            *array_push(&of_shell) = patches->item[i].entity;
+    if (of_shell.n > 0)
+        qsort(of_shell.item, of_shell.n, sizeof *of_shell.item, compare_entities);
+    for (size_t i = from; i < patches->n; i++) {
+        struct patch *p = &patches->item[i];
+        if (p->body == 0 && of_shell.n > 0 &&
+            bsearch(&p->entity, of_shell.item, of_shell.n, sizeof p->entity, compare_entities))
+            patch_free(p);
+        else
+            patches->item[kept++] = *p;
+    }
+    patches->n = kept;
+    array_free(&of_shell);
+}
+
 int step_surfaces(const struct step *step, double mm, struct patches *patches, struct error *error)
 {
     struct model m = {.step = step, .patches = patches, .mm = mm};
@@ -729,6 +758,7 @@ int step_surfaces(const struct step *step, double mm, struct patches *patches, s
         status = add_roots(&m, error);
     array_free(&m.component);
     array_free(&m.alias);
+    drop_named_faces(patches, before);
     if (status == 0 && patches->n == before && patches->left.n == left)
         return error_at(error, step->name, 0,
                         "no face of a solid or a shell among %zu instances, expected one",

@@ -3,10 +3,13 @@
  * none where there is none; the stock of an option.
  */
 #include <check.h>
+#include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/array.h"
+#include "scratch.h"
 #include "verify/verify.h"
 
 #define RADIUS 4.0
@@ -153,6 +156,49 @@ START_TEST(stock_of_an_option)
 }
 END_TEST
 
+/* Faces of a mesh: a needle, one with its apex beyond an end, and a fat one. */
+static const struct {
+    struct vec3 v[3];
+} faces[] = {{{{0, 0, 0}, {100, 0, 0}, {50, 0.05, 0}}},
+             {{{0, 0, 0}, {100, 0, 0}, {100, 0.05, 0}}},
+             {{{0, 0, 0}, {3, 0, 0}, {100, 1, 0}}},
+             {{{0, 0, 0}, {5, 0, 0}, {1, 6, 2}}}};
+
+/* No place of a face is farther than half the spacing from a point, and there are not many more
+ * points than its length and its area ask for. */
+START_TEST(points_on_a_face)
+{
+    const struct vec3 *v = faces[_i].v;
+    struct vec3s points = {0};
+    struct error error;
+    char name[400];
+    double spacing, worst = 0;
+    snprintf(name, sizeof name, "%s.off", scratch_name());
+    FILE *file = fopen(name, "w");
+    ck_assert_ptr_nonnull(file);
+    fprintf(file, "OFF\n3 1 0\n");
+    for (int k = 0; k < 3; k++)
+        fprintf(file, "%g %g %g\n", v[k].x, v[k].y, v[k].z);
+    fprintf(file, "3 0 1 2\n");
+    fclose(file);
+    ck_assert_int_eq(verify_part_read(name, 1, RADIUS, &points, &spacing, &error), 0);
+    remove(name);
+    for (int i = 0; i <= 60; i++)
+        for (int k = 0; k <= 60 - i; k++) {
+            struct vec3 p = vec_along(v[0], i / 60.0, vec_sub(v[1], v[0]));
+            double least = HUGE_VAL;
+            p = vec_along(p, k / 60.0, vec_sub(v[2], v[0]));
+            for (size_t m = 0; m < points.n; m++)
+                least = fmin(least, vec_distance(p, points.item[m]));
+            worst = fmax(worst, least);
+        }
+    ck_assert_double_le(worst, 0.5 * spacing);
+    double area = vec_length(vec_cross(vec_sub(v[1], v[0]), vec_sub(v[2], v[0]))) / 2;
+    ck_assert_double_le((double)points.n, 10 + 3 * area / (spacing * spacing) + 5 * 100 / spacing);
+    array_free(&points);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("verify");
@@ -160,6 +206,7 @@ int main(void)
     tcase_add_loop_test(tcase, faults_of_the_surface, 0, (int)(sizeof cases / sizeof *cases));
     tcase_add_test(tcase, stock_is_cut_down_to_the_plane);
     tcase_add_loop_test(tcase, stock_of_an_option, 0, (int)(sizeof stocks / sizeof *stocks));
+    tcase_add_loop_test(tcase, points_on_a_face, 0, (int)(sizeof faces / sizeof *faces));
     suite_add_tcase(suite, tcase);
     SRunner *runner = srunner_create(suite);
     srunner_run_all(runner, CK_ENV);
