@@ -124,6 +124,73 @@ START_TEST(chords_keep_the_tolerance)
 }
 END_TEST
 
+/* A long row of dense points with hills, 0.5 mm apart, the tool upright or swinging. */
+static struct run hills(double lean)
+{
+    struct run run = {.radius = 5};
+    for (int i = 0; i <= 400; i++) {
+        double x = 0.5 * i;
+        struct run_point p = {.given = true, .axis = vec_unit(vec(0, lean * sin(x / 30), 1))};
+        p.ball = vec(x, 0.3 * sin(x / 17), 3 * sin(x / 9) + cos(x / 4));
+        p.tip = vec_along(p.ball, -5, p.axis);
+        *array_push(&run) = p;
+    }
+    return run;
+}
+
+static void lift_at(struct run *run, size_t at, double by)
+{
+    for (size_t i = at - 3; i <= at + 3; i++) {
+        struct run_point *p = &run->item[i];
+        p->ball = vec_along(p->ball, by, p->axis);
+        p->tip = vec_along(p->tip, by, p->axis);
+    }
+}
+
+/* So many items at the end, or at the beginning, are the same. */
+static size_t alike(const struct path *a, const struct path *b, bool from_end)
+{
+    size_t n = 0, most = a->item.n < b->item.n ? a->item.n : b->item.n;
+    while (n < most) {
+        const struct path_item *p = &a->item.item[from_end ? a->item.n - 1 - n : n],
+                               *q = &b->item.item[from_end ? b->item.n - 1 - n : n];
+        if (p->kind != q->kind || vec_distance(p->to.p, q->to.p) > 0 ||
+            vec_distance(p->to.a, q->to.a) > 0)
+            break;
+        n++;
+    }
+    return n;
+}
+
+/* Of all pieces of a row only those at the two places that were lifted are others, and what is off
+ * is still known. */
+START_TEST(a_lift_refits_what_it_moved)
+{
+    for (int swinging = 0; swinging < 2; swinging++) {
+        struct run run = hills(swinging ? 0.3 : 0);
+        struct arcrun_options options = {.tolerance = 0.01, .axis = 0.02, .guarded = true};
+        struct arcrun_report before = {0}, after = {0};
+        struct arcrun_memo memo = {0};
+        struct path first = {0}, second = {0};
+        arcrun_fit(&run, &options, &memo, &first, &before);
+        lift_at(&run, 180, 0.004);
+        lift_at(&run, 220, 0.006);
+        arcrun_fit(&run, &options, &memo, &second, &after);
+        size_t same = alike(&first, &second, false) + alike(&first, &second, true);
+        ck_assert_uint_gt(first.item.n, 40);
+        ck_assert_uint_gt(same, first.item.n * 2 / 3);
+        ck_assert_uint_lt(same, first.item.n); /* it has moved */
+        ck_assert_uint_le(second.item.n, first.item.n + 4);
+        ck_assert_double_le(after.spent, 0.01);
+        ck_assert_double_gt(after.spent, 0.001);
+        arcrun_memo_free(&memo);
+        path_free(&first);
+        path_free(&second);
+        array_free(&run);
+    }
+}
+END_TEST
+
 int main(void)
 {
     TCase *t = tcase_create("arcrun");
@@ -131,6 +198,7 @@ int main(void)
     tcase_add_test(t, paper_makes_two_arcs_an_interval);
     tcase_add_test(t, a_corner_is_kept);
     tcase_add_test(t, chords_keep_the_tolerance);
+    tcase_add_test(t, a_lift_refits_what_it_moved);
     Suite *s = suite_create("arcrun");
     suite_add_tcase(s, t);
     SRunner *r = srunner_create(s);
