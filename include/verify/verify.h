@@ -70,11 +70,11 @@ struct verify_program {
     const struct vec3s *part;             /* its points, mm */
     const struct verify_surface *surface; /* of a scan, what more is known; NULL: not a scan */
     double ball;                          /* the radius that its head says, mm; 0: none */
-    const char *made_for;                 /* the machine that it says; "": none */
     const struct nc_motion *path;         /* that it was made from; NULL: not known */
     /* by what its head says: */
-    bool contact_feed; /* feeds are those of the contact point */
-    double post, axis; /* off the path by, mm and degrees; below zero: not said */
+    bool contact_feed;    /* feeds are those of the contact point */
+    double post, axis;    /* off the path by, mm and degrees; below zero: not said */
+    const char *made_for; /* the machine; "": not said */
 };
 
 struct verify_options {

@@ -58,7 +58,7 @@ static struct verdict judge(const struct nc_motion *motion, const struct vec3s *
                             const struct stock_options *stock)
 {
     struct verify_program program = {"rows", "by hand", "none", motion, part, NULL,
-                                     0,      NULL,      false,  -1,     -1};
+                                     0,      NULL,      false,  -1,     -1,   ""};
     struct verify_options options = {.radius = RADIUS,
                                      .tolerance = 0.01,
                                      .left = 0.05,
