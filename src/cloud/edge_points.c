@@ -498,6 +498,7 @@ struct flank_patch {
     const struct flank *flank;
     bool on[NEAR], hollow[NEAR];
     struct vec3s side; /* points and places of edges on it */
+    size_t edges;      /* of these, places of edges */
 };
 
 static struct flank_patch find_patch(const struct edge_work *work, const struct hood *near,
@@ -517,8 +518,10 @@ static struct flank_patch find_patch(const struct edge_work *work, const struct 
         if (patch.on[k])
             *array_push(&patch.side) = near->point[k];
         for (size_t e = 0; e < edge->n; e++)
-            if (fabs(above(patch.flank, edge->item[e], &normal)) <= least)
+            if (fabs(above(patch.flank, edge->item[e], &normal)) <= least) {
                 *array_push(&patch.side) = edge->item[e];
+                patch.edges++;
+            }
     }
     return patch;
 }
@@ -600,7 +603,8 @@ static void fill_flanks(void *context, size_t from, size_t to)
             continue;
         find_hood(work->options->point_grid, i, &near);
         struct flank_patch patch = find_patch(work, &near, i);
-        fill_patch(work, &near, &patch, &work->between[i]);
+        if (patch.edges > 0) /* elsewhere it is rough, and nothing sharp */
+            fill_patch(work, &near, &patch, &work->between[i]);
         array_free(&patch.side);
     }
 }
