@@ -1,7 +1,7 @@
 /* arc_carry - see arc_carry.h. */
 #include "arc_carry.h"
 
-#include <math.h>
+#include "math/elementary.h"
 #include <stdlib.h>
 
 static bool vec_same(struct vec3 a, struct vec3 b)

@@ -2,7 +2,7 @@
 #include "io/nurbs/surfaces_scan.h"
 
 #include <inttypes.h>
-#include <math.h>
+#include "math/elementary.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
