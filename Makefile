@@ -283,7 +283,7 @@ uninstall:
 	  rmdir '$(DESTDIR)$(PREFIX)/$(share)'$$folder 2>/dev/null || :; done
 
 # The sources as they lie here, without git, and the same bytes from the same files.
-sources = .ci .clang-format .clang-tidy .editorconfig .gitignore HACKING.md LICENSE Makefile NEWS.md \
+sources = .ci .clang-format .clang-tidy .editorconfig .gitignore CONTRIBUTING.md HACKING.md LICENSE Makefile NEWS.md \
   README.md VERSION completions controls debian include machines man samples src tests tools
 dist:
 	find $(sources) -type f ! -name '*~' ! -name '.*.sw?' ! -name '*.[od]' | LC_ALL=C sort | \
