@@ -20,7 +20,7 @@ static const double BESIDE = 0.002;
 static double step, scallop, plane[3], gap = 0.1;
 static struct cli_list surfaces;
 static double up[3] = {0, 0, 1}, box[6];
-static const char *faces, *steep;
+static const char *faces, *steep, *region_file;
 static bool box_given;
 static bool step_given, scallop_given, plane_given;
 static const char *direction; /* as text: auto or degrees */
@@ -45,6 +45,9 @@ static const struct cli_option options[] = {
      CLI_NUMBERS, up, 0, 0, 3, NULL},
     {0, "box", "X0,Y0,Z0,X1,Y1,Z1", "cut what is inside this box",
      CLI_NUMBERS, box, 0, 0, 6, &box_given},
+    {0, "region", "FILE", "cut what is inside the polygons of FILE, seen along z: a corner `x y` a\n"
+     "line, an empty line between two polygons",
+     CLI_TEXT, &region_file, 0, 0, 0, NULL},
     {0, "faces", "N,N-M,...", "cut these surfaces, by their numbers in the file of the model",
      CLI_TEXT, &faces, 0, 0, 0, NULL},
     {0, "steep", "A:B", "cut what is inclined by A to B degrees against --up: 0:45",
@@ -170,7 +173,7 @@ static void read_surfaces(struct mesh *mesh, struct patches *patches, struct pla
 /* The part of the mesh that is cut; the mesh itself, when all of it is. */
 static const struct mesh *take_region(const struct mesh *mesh, struct mesh *part)
 {
-    struct mesh_region_options region = {box_given ? box : NULL, faces, steep,
+    struct mesh_region_options region = {box_given ? box : NULL, faces, steep, region_file,
                                          vec_unit(vec(up[0], up[1], up[2]))};
     struct error error;
 
@@ -179,7 +182,7 @@ static const struct mesh *take_region(const struct mesh *mesh, struct mesh *part
     if (mesh_region_take(&region, mesh, part, &error) != 0)
         die_given(&error);
     if (part->face.n == 0)
-        die("nothing of the mesh is in the region asked for (--box, --faces, --steep)");
+        die("nothing of the mesh is in the region asked for (--box, --region, --faces, --steep)");
     note("region: %zu facets of the mesh's %zu", part->face.n, mesh->face.n);
     return part;
 }

@@ -14,6 +14,15 @@
 /* Keeps where x . direction >= at; a unit vector, mm. */
 void mesh_clip_plane(struct mesh *mesh, struct vec3 direction, double at);
 
+/* Corners of closed polygons seen along z, mm; `from` is where each begins among them. */
+struct mesh_polygons {
+    struct vec3s corner;
+    struct ints from;
+};
+
+/* Keeps what lies inside an odd number of the polygons. */
+void mesh_clip_polygons(struct mesh *mesh, const struct mesh_polygons *polygons);
+
 /* Keeps where the normal's angle to `up` (unit) is from `least` to `most` radians; between
  * vertices the cosine runs evenly. */
 void mesh_clip_steep(struct mesh *mesh, struct vec3 up, double least, double most);

@@ -9,10 +9,12 @@
 #include "mesh/mesh.h"
 
 struct mesh_region_options {
-    const double *box; /* X0,Y0,Z0,X1,Y1,Z1, mm; NULL: all of it */
-    const char *faces; /* numbers of surfaces as messages name them: 5,7-12; NULL: all */
-    const char *steep; /* angles between the normal and `up`, degrees: 0:45; NULL: all */
-    struct vec3 up;    /* unit */
+    const double *box;  /* X0,Y0,Z0,X1,Y1,Z1, mm; NULL: all of it */
+    const char *faces;  /* numbers of surfaces as messages name them: 5,7-12; NULL: all */
+    const char *steep;  /* angles between the normal and `up`, degrees: 0:45; NULL: all */
+    const char *region; /* file of polygons seen along z, mm: a corner `x y` a line, an empty line
+                           between two of them; NULL: all */
+    struct vec3 up;     /* unit */
 };
 
 /* Is anything asked for? */

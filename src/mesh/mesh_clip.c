@@ -10,6 +10,7 @@ enum { NONE = -1 };
 
 /* One cut: what is kept has a value of 0 and above. */
 struct clip {
+    bool both; /* keep what is below, too: facets are split alone */
     struct mesh *mesh;
     struct mesh_edges edges;
     double *value;                /* of each vertex */
@@ -53,14 +54,15 @@ static int vertex_on(struct clip *c, int edge)
     return c->on[edge] = (int)mesh->vertex.n - 1;
 }
 
-/* The corners of what is kept of a facet: none, three or four. */
-static int clip_facet(struct clip *c, size_t facet, int corner[4])
+/* The corners of what is kept of a facet, or of what is below: none, three or four. */
+static int clip_facet(struct clip *c, size_t facet, bool below, int corner[4])
 {
     struct face f = c->mesh->face.item[facet];
     int n = 0;
 
     for (int i = 0; i < 3; i++) {
-        bool in = c->value[f.v[i]] >= 0, next_in = c->value[f.v[(i + 1) % 3]] >= 0;
+        bool in = (c->value[f.v[i]] >= 0) != below;
+        bool next_in = (c->value[f.v[(i + 1) % 3]] >= 0) != below;
         if (in)
             corner[n++] = f.v[i];
         if (in != next_in)
@@ -81,8 +83,9 @@ static void clip_all(struct clip *c)
     c->on = mem_alloc(c->edges.n + 1, sizeof *c->on);
     for (size_t e = 0; e < c->edges.n; e++)
         c->on[e] = NONE;
-    for (size_t f = 0; f < mesh->face.n; f++) {
-        int n = clip_facet(c, f, corner);
+    for (size_t k = 0; k < mesh->face.n * (c->both ? 2 : 1); k++) {
+        size_t f = c->both ? k / 2 : k;
+        int n = clip_facet(c, f, c->both && k % 2 == 1, corner);
         for (int i = 2; i < n; i++) {
             *array_push(&face) = (struct face){{corner[0], corner[i - 1], corner[i]}};
             if (surfaces)
@@ -106,6 +109,96 @@ void mesh_clip_plane(struct mesh *mesh, struct vec3 direction, double at)
     for (size_t v = 0; v < mesh->vertex.n; v++)
         c.value[v] = vec_dot(mesh->vertex.item[v], direction) - at;
     clip_all(&c);
+}
+
+/* Some facet of the mesh is near a segment, seen along z. */
+static bool is_near(const struct mesh *mesh, struct vec3 a, struct vec3 b)
+{
+    double x0 = fmin(a.x, b.x), x1 = fmax(a.x, b.x), y0 = fmin(a.y, b.y), y1 = fmax(a.y, b.y);
+    for (size_t f = 0; f < mesh->face.n; f++) {
+        const int *v = mesh->face.item[f].v;
+        const struct vec3 *p = mesh->vertex.item;
+        if (fmax(p[v[0]].x, fmax(p[v[1]].x, p[v[2]].x)) >= x0 &&
+            fmin(p[v[0]].x, fmin(p[v[1]].x, p[v[2]].x)) <= x1 &&
+            fmax(p[v[0]].y, fmax(p[v[1]].y, p[v[2]].y)) >= y0 &&
+            fmin(p[v[0]].y, fmin(p[v[1]].y, p[v[2]].y)) <= y1)
+            return true;
+    }
+    return false;
+}
+
+/* Splits all facets along the upright plane through a segment, which is moved by less than a
+ * thousandth of a micrometre where a vertex would lie in it. */
+static void split_along(struct mesh *mesh, struct vec3 a, struct vec3 b)
+{
+    const double aside = 1e-8;
+    enum { TRIES = 50 };
+    struct vec3 direction = vec_unit(vec(b.y - a.y, a.x - b.x, 0));
+    struct clip c = {.mesh = mesh, .direction = &direction, .at = vec_dot(a, direction)};
+    bool met = true;
+
+    c.both = true;
+    c.value = mem_alloc(mesh->vertex.n + 1, sizeof *c.value);
+    for (int i = 0; met && i < TRIES; i++) {
+        met = false;
+        for (size_t v = 0; v < mesh->vertex.n; v++) {
+            c.value[v] = vec_dot(mesh->vertex.item[v], direction) - c.at;
+            met = met || fabs(c.value[v]) < aside;
+        }
+        if (met)
+            c.at += 2.1 * aside;
+    }
+    clip_all(&c);
+}
+
+static size_t polygon_end(const struct mesh_polygons *p, size_t k)
+{
+    return k + 1 < p->from.n ? (size_t)p->from.item[k + 1] : p->corner.n;
+}
+
+/* Whether a ray from the point in the direction of x crosses an odd number of sides. */
+static bool is_inside(const struct mesh_polygons *polygons, struct vec3 p)
+{
+    bool inside = false;
+    for (size_t k = 0; k < polygons->from.n; k++) {
+        size_t from = (size_t)polygons->from.item[k], end = polygon_end(polygons, k);
+        for (size_t i = from; i < end; i++) {
+            struct vec3 a = polygons->corner.item[i];
+            struct vec3 b = polygons->corner.item[i + 1 < end ? i + 1 : from];
+            if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x))
+                inside = !inside;
+        }
+    }
+    return inside;
+}
+
+void mesh_clip_polygons(struct mesh *mesh, const struct mesh_polygons *polygons)
+{
+    bool surfaces = mesh->surface.n == mesh->face.n;
+    size_t n = 0;
+
+    for (size_t k = 0; k < polygons->from.n; k++) {
+        size_t from = (size_t)polygons->from.item[k], end = polygon_end(polygons, k);
+        for (size_t i = from; i < end; i++) {
+            struct vec3 a = polygons->corner.item[i];
+            struct vec3 b = polygons->corner.item[i + 1 < end ? i + 1 : from];
+            if (vec_distance(a, b) > 0 && is_near(mesh, a, b))
+                split_along(mesh, a, b);
+        }
+    }
+    for (size_t f = 0; f < mesh->face.n; f++) {
+        const int *v = mesh->face.item[f].v;
+        const struct vec3 *p = mesh->vertex.item;
+        struct vec3 middle = vec_scale(1.0 / 3, vec_add(p[v[0]], vec_add(p[v[1]], p[v[2]])));
+        if (!is_inside(polygons, middle))
+            continue;
+        if (surfaces)
+            mesh->surface.item[n] = mesh->surface.item[f];
+        mesh->face.item[n++] = mesh->face.item[f];
+    }
+    mesh->face.n = n;
+    if (surfaces)
+        mesh->surface.n = n;
 }
 
 /* Where the cosine is on this side of a limit: `way` 1 not below, -1 not above. */

@@ -5,11 +5,13 @@
 #include <string.h>
 
 #include "base/num.h"
+#include "base/reader.h"
+#include "math/box.h"
 #include "mesh/mesh_clip.h"
 
 bool mesh_region_given(const struct mesh_region_options *options)
 {
-    return options->box || options->faces || options->steep;
+    return options->box || options->faces || options->steep || options->region;
 }
 
 /* The number that a surface has in its file: what stands behind the last colon of its name. */
@@ -118,6 +120,87 @@ static int take_box(const double *box, struct mesh *part, struct error *error)
     return 0;
 }
 
+enum { CORNERS_MAX = 1000 };
+
+/* A polygon ends: it must be one. */
+static int end_polygon(const struct reader *r, const struct mesh_polygons *p, struct error *error)
+{
+    size_t corners = p->from.n > 0 ? p->corner.n - (size_t)p->from.item[p->from.n - 1] : 3;
+    if (corners >= 3)
+        return 0;
+    return error_at(error, r->name, r->line, "found a polygon of %zu corners, expected three",
+                    corners);
+}
+
+/* A corner `x y`, with `#` before a comment, or an empty line. */
+static int take_corner(const struct reader *r, const char *line, bool *open,
+                       struct mesh_polygons *p, struct error *error)
+{
+    double x, y;
+
+    line += strspn(line, " \t\r");
+    if (*line == '#')
+        return 0;
+    if (!*line) {
+        *open = false;
+        return end_polygon(r, p, error);
+    }
+    bool read = num_read(&line, &x) && strchr(" \t,;", *line) != NULL && *line;
+    line += strspn(line, " \t,;");
+    if (!read || !num_read(&line, &y) || !isfinite(x) || !isfinite(y) ||
+        line[strspn(line, " \t\r")])
+        return error_at(error, r->name, r->line, "found no two numbers, expected a corner `x y`");
+    if (p->corner.n == CORNERS_MAX)
+        return error_at(error, r->name, r->line, "found more corners, expected at most %d",
+                        CORNERS_MAX);
+    if (!*open)
+        *array_push(&p->from) = (int)p->corner.n;
+    *open = true;
+    *array_push(&p->corner) = vec(x, y, 0);
+    return 0;
+}
+
+static int read_polygons(const char *file, struct mesh_polygons *p, struct error *error)
+{
+    struct reader r;
+    bool open = false;
+    char *line;
+    size_t n;
+    int got;
+
+    if (reader_open(&r, file, error) < 0)
+        return -1;
+    while ((got = reader_line(&r, &line, &n, error)) > 0 &&
+           (got = take_corner(&r, line, &open, p, error)) == 0)
+        ;
+    if (got == 0)
+        got = end_polygon(&r, p, error);
+    if (got == 0 && p->from.n == 0)
+        got = error_at(error, r.name, 0, "found no polygon, expected corners `x y`");
+    reader_close(&r);
+    return got;
+}
+
+static int take_polygons(const char *file, struct mesh *part, struct error *error)
+{
+    struct mesh_polygons polygons = {0};
+    int status = read_polygons(file, &polygons, error);
+
+    error->file = status != 0;
+    if (status == 0) {
+        const struct box box = box_around(polygons.corner.item, polygons.corner.n);
+        const double bound[] = {box.low.x, box.low.y, box.high.x, box.high.y};
+        for (int i = 0; i < 4; i++) { /* little is then left to be split */
+            double way = i < 2 ? 1 : -1;
+            mesh_clip_plane(part, i % 2 ? vec(0, way, 0) : vec(way, 0, 0), way * bound[i] - 0.01);
+        }
+        mesh_clip_polygons(part, &polygons);
+    }
+    array_free(&polygons.corner);
+    array_free(&polygons.from);
+    return status;
+}
+
 /* What is said of whole surfaces does not hold of a part of them: kmax does. */
 static void forget_surfaces(struct mesh *part)
 {
@@ -136,7 +219,9 @@ int mesh_region_take(const struct mesh_region_options *options, const struct mes
         return -1;
     if (options->box && take_box(options->box, part, error) != 0)
         return -1;
-    if (options->steep || options->box)
+    if (options->region && take_polygons(options->region, part, error) != 0)
+        return -1;
+    if (options->steep || options->box || options->region)
         forget_surfaces(part);
     array_free(&part->surface);
     mesh_clip_unused(part);

@@ -31,6 +31,14 @@ ok "the wall on that side is" awk '$2 < 1e-6 { n++ } END { exit !(n > 10) }' "$T
 contacts box --box 5,5,8,12.5,15,11
 every "--box: inside it" box '$1 > 5 - 1e-6 && $1 < 12.5 + 1e-6 && $2 > 5 - 1e-6 && $2 < 15 + 1e-6 && $3 > 8 - 1e-6'
 ok "up to its sides" awk '$1 < 5 + 1e-5 { a++ } $1 > 12.5 - 1e-5 { b++ } END { exit !(a > 5 && b > 3) }' "$TMP/box"
+# An L with a hole, by a file of polygons
+printf '# an L\n2 2\n28 2\n28 8\n10 8\n10 18\n2 18\n\n4 4\n8 4\n8 6\n4 6\n' >"$TMP/region"
+inside='($1 > 2 - 1e-6 && $1 < 28 + 1e-6 && $2 > 2 - 1e-6 && $2 < 18 + 1e-6 && ($2 < 8 + 1e-6 || $1 < 10 + 1e-6) && !($1 > 4 + 1e-6 && $1 < 8 - 1e-6 && $2 > 4 + 1e-6 && $2 < 6 - 1e-6))'
+contacts l --region "$TMP/region" --steep 0:45
+every "--region: inside its polygons" l "$inside"
+ok "up to their sides" awk '$1 > 28 - 1e-4 { a++ } $1 < 2 + 1e-4 { b++ } $2 > 17 { c++ } $1 > 4 - 1e-4 && $1 < 4 + 1e-4 && $2 > 4 && $2 < 6 { d++ }
+	END { exit !(a > 3 && b > 5 && c > 3 && d > 0) }' "$TMP/l"
+ok "on both sides of the hole in it" awk '$2 > 4.1 && $2 < 5.9 && $1 < 4 + 1e-4 { a++ } $2 > 4.1 && $2 < 5.9 && $1 > 8 - 1e-4 && $1 < 28 { b++ } END { exit !(a > 0 && b > 0) }' "$TMP/l"
 contacts top --faces "$(surface 2)"
 every "--faces: one, the top" top '$3 > 10 - 1e-6 && $6 > 1 - 1e-6'
 contacts two --faces "$(surface 2),$(surface 7)-$(surface 7)"
@@ -67,6 +75,13 @@ box() {
 }
 box 2 "a box without inside" -s 1 --box 0,0,0,0,1,1 "lower bound first"
 box 2 "no angles" -s 1 --steep 45 "expected two angles"
+printf '1 1\n2 2\n' >"$TMP/two"
+printf '1 1\n2 2\n3 x\n' >"$TMP/word"
+: >"$TMP/empty"
+box 1 "a polygon of two corners" -s 1 --region "$TMP/two" "two:2: found a polygon of 2 corners"
+box 1 "a corner that is none" -s 1 --region "$TMP/word" "word:3: found no two numbers"
+box 1 "no polygon" -s 1 --region "$TMP/empty" "found no polygon"
+box 1 "no such file" -s 1 --region "$TMP/nothing" "nothing: "
 box 2 "a surface that there is not" -s 1 --faces 1 "expected the number of a surface"
 box 2 "no number" -s 1 --faces top "expected numbers"
 box 1 "nothing in the box" -s 1 --box 50,50,50,60,60,60 "nothing of the mesh"
