@@ -288,13 +288,14 @@ sources = .ci .clang-format .clang-tidy .editorconfig .gitignore CONTRIBUTING.md
 dist:
 	find $(sources) -type f ! -name '*~' ! -name '.*.sw?' ! -name '*.[od]' | LC_ALL=C sort | \
 	  tar --transform 's,^,cloudmill-$(VERSION)/,' --owner=0 --group=0 --numeric-owner \
-	  --mtime=@$(or $(SOURCE_DATE_EPOCH),0) --mode=u+w,go+r-w -cf - -T - | gzip -n9 >cloudmill-$(VERSION).tar.gz
+	  --mtime=@$(or $(SOURCE_DATE_EPOCH),1767225600) --mode=u+w,go+r-w -cf - -T - | gzip -n9 >cloudmill-$(VERSION).tar.gz
 
 # A package for Debian in $(BUILD)/deb, by debian/ and from the tarball.
 deb: dist
 	head -n 1 debian/changelog | grep -Fq '($(VERSION)-' || { echo 'debian/changelog is not of $(VERSION)'; exit 1; }
 	rm -rf $(BUILD)/deb && mkdir -p $(BUILD)/deb
-	cp cloudmill-$(VERSION).tar.gz $(BUILD)/deb/cloudmill_$(VERSION).orig.tar.gz
+	gzip -dc cloudmill-$(VERSION).tar.gz | tar --delete --wildcards '*/debian/*' | \
+	  gzip -n9 >$(BUILD)/deb/cloudmill_$(VERSION).orig.tar.gz
 	tar -xzf cloudmill-$(VERSION).tar.gz -C $(BUILD)/deb
 	cd $(BUILD)/deb/cloudmill-$(VERSION) && env -u MAKEFLAGS -u MFLAGS -u MAKELEVEL dpkg-buildpackage -us -uc
 	if command -v lintian >/dev/null; then lintian --fail-on error,warning $(BUILD)/deb/*.changes; fi
