@@ -121,7 +121,7 @@ $(BUILD)/tests/unit/%: $(BUILD)/tests/unit/%.o $(help_obj) $(lib)
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $< $(help_obj) $(lib) $$(pkg-config --libs check) $(LIBS)
 
 $(BUILD)/tests/accuracy/%.o: FLAGS += -iquote src -iquote tests/lib
-$(cloud): $(BUILD)/tests/accuracy/cloud.o $(BUILD)/tests/lib/panel.o
+$(cloud): $(BUILD)/tests/accuracy/cloud.o $(BUILD)/tests/lib/panel.o $(lib)
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBS)
 
 $(BUILD)/tests/fuzz/%.o: FLAGS += -iquote tests/lib
