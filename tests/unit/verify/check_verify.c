@@ -57,8 +57,14 @@ static struct nc_motion rows(double height, double over)
 static struct verdict judge(const struct nc_motion *motion, const struct vec3s *part,
                             const struct stock_options *stock)
 {
-    struct verify_program program = {"rows", "by hand", "none", motion, part, NULL,
-                                     0,      NULL,      false,  -1,     -1,   ""};
+    struct verify_program program = {.file = "rows",
+                                     .control = "by hand",
+                                     .machine = "none",
+                                     .motion = motion,
+                                     .part = part,
+                                     .post = -1,
+                                     .axis = -1,
+                                     .made_for = ""};
     struct verify_options options = {.radius = RADIUS,
                                      .tolerance = 0.01,
                                      .left = 0.05,
