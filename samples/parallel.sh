@@ -65,11 +65,12 @@ fi
 # shellcheck disable=SC2086 # options, one by one
 seq "$parts" | parallel --sshlogin "$hosts" --retries 3 $how sh part.sh '{}'
 ran=$?
-cat said.* | sort -u >&2
-[ "$ran" -eq 0 ] || {
-	echo "parallel.sh: $ran of $parts parts could not be fitted; nothing is written" >&2
+cat said.* 2>/dev/null | sort -u >&2
+for k in $(seq "$parts"); do
+	[ -e "fitted.$k" ] && [ -e "status.$k" ] && continue
+	echo "parallel.sh: part $k of $parts could not be fitted (parallel: $ran); nothing is written" >&2
 	exit 1
-}
+done
 for k in $(seq "$parts"); do
 	cat "fitted.$k"
 done >joined

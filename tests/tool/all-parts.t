@@ -85,7 +85,9 @@ done
 HOME=$TMP/home-\$1
 shift
 [ "\$1" = -- ] && shift
-mkdir -p "\$HOME" && cd "\$HOME" && export HOME && exec sh -c "\$*"
+SHELL=/bin/sh
+export HOME SHELL
+mkdir -p "\$HOME" && cd "\$HOME" && exec sh -c "\$*"
 END
 chmod +x ssh
 awk 'BEGIN { for (i = -20; i <= 20; i++) for (j = -10; j <= 10; j++)
@@ -100,6 +102,9 @@ status $whole "on two hosts, with the scan" \
 	sh "$together" -n 3 -s one,two biarcfit guarded.cl joined
 has "the path names its scan" 'SCAN/.*scan.xyz' whole.cl
 same "on two hosts it is the same" joined whole.cl
+status 1 "a host without the tools" env PATH="/usr/bin:/bin" BIN="$BIN" \
+	sh "$together" -n 2 -s one biarcfit guarded.cl none.out
+ok "nothing is written then" test ! -e none.out
 ok "both were used" test -d home-one -a -d home-two
 ok "and nothing is left there" [ -z "$(find home-one home-two -type f)" ]
 
