@@ -86,7 +86,8 @@ HOME=$TMP/home-\$1
 shift
 [ "\$1" = -- ] && shift
 SHELL=/bin/sh
-export HOME SHELL
+case \$HOME in *bare) PATH=/usr/bin:/bin ;; esac
+export HOME SHELL PATH
 mkdir -p "\$HOME" && cd "\$HOME" && exec sh -c "\$*"
 END
 chmod +x ssh
@@ -102,8 +103,8 @@ status $whole "on two hosts, with the scan" \
 	sh "$together" -n 3 -s one,two biarcfit guarded.cl joined
 has "the path names its scan" 'SCAN/.*scan.xyz' whole.cl
 same "on two hosts it is the same" joined whole.cl
-status 1 "a host without the tools" env PATH="/usr/bin:/bin" BIN="$BIN" \
-	sh "$together" -n 2 -s one biarcfit guarded.cl none.out
+status 1 "a host without the tools" \
+	sh "$together" -n 2 -s bare biarcfit guarded.cl none.out
 ok "nothing is written then" test ! -e none.out
 ok "both were used" test -d home-one -a -d home-two
 ok "and nothing is left there" [ -z "$(find home-one home-two -type f)" ]
