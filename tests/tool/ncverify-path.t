@@ -28,13 +28,17 @@ for control in fanuc siemens heidenhain linuxcnc; do
 	grep -q 'off the path' err || result 0 "$control: arcs are within the fitter's tolerance of the lines"
 done
 
-# edit OP K [WORD VALUE]: the K-th block of line.$control that goes straight at feed, changed; a G1
-# or F that stands in it alone is kept.  N is its number.
+# edit OP K [WORD VALUE]: the K-th block of line.$control that goes straight at feed, changed; of a
+# WORD the first from there on that has it, and not as 0; a G1 or F that stands in it alone is kept.
+# N is its number.
 edit() {
 	awk -v op="$1" -v k="$2" -v word="$3" -v value="$4" -v control=$control '
 	function digits(v,   s) { s = sprintf("%.4f", v); return control == "heidenhain" && v >= 0 ? "+" s : s }
 	/ G1 | F[0-9]/ { feed = 1 } / G0 |FMAX/ { feed = 0 }
 	/ [XYZ][-+0-9.]/ && feed && !/M91|G53|SUPA/ { n++; mine = n == k } !/ [XYZ]/ || !feed { mine = 0 }
+	op == "add" || op == "turn" { mine = 0
+		if (feed && n >= k && !did) for (i = 2; i <= NF; i++)
+			if (index($i, word) == 1 && substr($i, length(word) + 1) + 0 != 0) mine = did = 1 }
 	!mine { print; next }
 	{ print $1 >"named" }
 	op == "rapid" { if (control == "heidenhain") { sub(/ F[0-9.]+/, ""); $0 = $0 " FMAX" } else {
@@ -63,7 +67,7 @@ for control in fanuc siemens heidenhain linuxcnc; do
 	[ $control = linuxcnc ] && machine=linuxcnc-xyzac
 	table=
 	axis=A
-	[ $control = siemens ] && axis=A3=
+	[ $control = siemens ] && axis=B3= # A3 is 0 all along
 	edit rapid 45; found "G0 in place of G1" "$N .*a rapid move ends on the part"
 	edit add 45 Z -0.03; found "a place 0.03 off" "N?[0-9]+ .*the tip is 0\.0[23][0-9]* mm off the path"
 	if [ $control = siemens ]; then edit add 45 $axis 0.02; else edit add 45 $axis 5; fi
