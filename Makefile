@@ -59,7 +59,7 @@ started := $(shell date +%s)
 packages = check pkg-config mandoc python3 locales
 # `make deps-all`: every test, make lint, fuzz, coverage, portability, deb.  A package that this
 # Debian does not have is told and left out.
-packages_all = $(packages) chromium linuxcnc-uspace parallel \
+packages_all = $(packages) chromium linuxcnc-uspace parallel rsync \
   clang clang-format clang-tidy libclang-rt-dev cppcheck shellcheck gcovr \
   musl-tools gcc-mingw-w64-x86-64-posix wine wine64 qemu-user-static gcc-aarch64-linux-gnu \
   gcc-i686-linux-gnu lintian debhelper fakeroot zsh fish bash-completion
