@@ -61,11 +61,12 @@ way() {
 	case " ${WAYS:-$name} " in *" $name "*) ;; *) return ;; esac
 	failed=0 log=$work/$scan-$name.txt
 	: >"$log"
+	: >verdict.txt
 	: >times.txt
 	case $1 in
 	cloud2surf)
 		step surface.nurbs "$@" "$file"
-		step mesh.ply nurbs2mesh -e 0.003 surface.nurbs
+		step mesh.ply nurbs2mesh -e "$fine" surface.nurbs
 		step path.cl planecut -r $ball --scallop "$scallop" --avoid mesh.ply
 		;;
 	*)
@@ -106,6 +107,7 @@ way() {
 # all SCAN FILE SCALLOP ERROR: ERROR: of a surface or a triangulation
 all() {
 	scan=$1 file=$2 scallop=$3 error=$4
+	fine=$(awk -v e="$error" 'BEGIN { print e / 5 > 0.003 ? e / 5 : 0.003 }') # of a surface's mesh
 	way direct "$scan" "$file" "$scallop" cloud2mesh
 	way lin "$scan" "$file" "$scallop" cloud2mesh --method lin
 	way lai "$scan" "$file" "$scallop" cloud2mesh --method lin

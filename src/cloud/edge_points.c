@@ -531,8 +531,9 @@ static struct flank_patch find_patch(const struct edge_work *work, const struct 
 static bool is_on_patch(const struct edge_work *work, const struct hood *near,
                         const struct flank_patch *patch, struct vec3 at)
 {
-    const double about = 2;
+    const double about = 2, beside = 1.5; /* beside: in spacings, for a point on the edge itself */
     double out = vec_distance(at, near->point[0]), least = within(work, patch->flank->spacing);
+    double reach = fmax(about * out, beside * patch->flank->spacing);
     struct vec3 normal;
 
     for (size_t k = 1; k < near->n; k++) {
@@ -540,9 +541,10 @@ static bool is_on_patch(const struct edge_work *work, const struct hood *near,
         double far = vec_distance(at, near->point[k]);
         if (patch->on[k] && other->valid && far < out)
             return false;
-        if (far >= about * out || patch->hollow[k])
+        if (far >= reach || patch->hollow[k])
             continue;
-        if (!has_surface(other) || above(other, at, &normal) > (patch->on[k] ? least : least / 4))
+        if (!has_surface(other) ? far < about * out
+                                : above(other, at, &normal) > (patch->on[k] ? least : least / 4))
             return false;
     }
     return true;

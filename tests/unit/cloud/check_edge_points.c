@@ -275,6 +275,40 @@ START_TEST(steep_flanks)
 }
 END_TEST
 
+/* A roof, some points of whose grid are all but on the ridge: no place is put above it. */
+static double roof(double x, double y)
+{
+    turned(&x, &y);
+    return 12 - fabs(x) / 2;
+}
+
+START_TEST(points_on_a_ridge)
+{
+    struct vec3s scan = {0};
+    struct point_grid grid;
+    struct error error;
+
+    turn = 0.2094395 + 0.2 * _i; /* of 12 degrees: z is 12 less 0.0016 at (0.6, -2.8) */
+    for (int i = -37; i <= 37; i++)
+        for (int j = -30; j <= 30; j++)
+            *array_push(&scan) = vec(0.4 * i + 0.2, 0.4 * j, roof(0.4 * i + 0.2, 0.4 * j));
+    ck_assert_int_eq(point_grid_make(scan.item, scan.n, 0.8, 2, &grid, &error), 0);
+    struct guard_points_options options = {
+        .radius = RADIUS, .sink = TOLERANCE / 5, .vague = TOLERANCE, .effort = 1, .threads = 2};
+    struct guard_points points = guard_points_of_scan(&grid, &options);
+    ck_assert_uint_gt(points.point.n, scan.n); /* there are places at all */
+    for (size_t i = 0; i < points.point.n; i++) {
+        struct vec3 p = points.point.item[i];
+        ck_assert_double_le(p.z - roof(p.x, p.y), TOLERANCE);
+    }
+    array_free(&points.point);
+    array_free(&points.certain);
+    array_free(&points.doubtful);
+    point_grid_free(&grid);
+    array_free(&scan);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("edge_points");
@@ -283,6 +317,7 @@ int main(void)
     tcase_add_loop_test(tests, no_gouge, 0, 4 * SHAPES);
     tcase_add_loop_test(tests, rounded_edges, 0, 8);
     tcase_add_loop_test(tests, steep_flanks, 0, 4);
+    tcase_add_loop_test(tests, points_on_a_ridge, 0, 3);
     suite_add_tcase(suite, tests);
     tcase_set_timeout(tests, 60);
     srunner_run_all(runner, CK_ENV);
