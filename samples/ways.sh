@@ -107,7 +107,7 @@ way() {
 # all SCAN FILE SCALLOP ERROR: ERROR: of a surface or a triangulation
 all() {
 	scan=$1 file=$2 scallop=$3 error=$4
-	fine=$(awk -v e="$error" 'BEGIN { print e / 5 > 0.003 ? e / 5 : 0.003 }') # of a surface's mesh
+	fine=$(awk -v e="$error" 'BEGIN { print (e / 5 > 0.003 ? e / 5 : 0.003) }') # of a surface's mesh
 	way direct "$scan" "$file" "$scallop" cloud2mesh
 	way lin "$scan" "$file" "$scallop" cloud2mesh --method lin
 	way lai "$scan" "$file" "$scallop" cloud2mesh --method lin
