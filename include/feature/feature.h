@@ -84,8 +84,9 @@ struct crests {
  * the order from an edge's first vertex to its second; those of an edge along a row get its row and
  * the column of its first vertex, the others row and column -1.
  *
- * The n points of the cloud are on no wall, and get sorted.  The mesh must have normals.  Where a look needs more
- * edges than EFFORT_CRESTS, or on large scans EFFORT_CRESTS_LARGE, has left it is the end.
+ * The n points of the cloud are on no wall, and get sorted.  The mesh must have normals.  Where a
+ * look needs more edges than EFFORT_CRESTS, or on large scans EFFORT_CRESTS_LARGE, has left it is
+ * the end.
  */
 struct crests crest_mesh_keep(struct mesh *mesh, size_t first, struct vec3 *point, size_t n,
                               const struct crest_mesh_options *options);

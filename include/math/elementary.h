@@ -1,15 +1,15 @@
 /*
  * elementary - sin, atan2, pow, hypot and their like, with the same result on every machine, C
- * library, compiler and level of optimisation.  Included in place of <math.h>, whose functions differ
- * in the last digit from one library to the next; what stands below is done by + - * / and sqrt alone,
- * which IEEE 754 rounds in one way.
+ * library, compiler and level of optimisation.  Included in place of <math.h>, whose functions
+ * differ in the last digit from one library to the next; what stands below is done by + - * / and
+ * sqrt alone, which IEEE 754 rounds in one way.
  *
- * Errors are below 0.52 units in the last place for atan2, atan, asin, acos, exp, log, log10, pow; 0.6
- * for hypot, cbrt; 0.95 for sin, cos, tan; 2 for sinh, cosh, asinh, log1p (check_elementary.c measures
- * them).  Special values are those of C11, annex F; errno and exceptions are left alone.
+ * Errors are below 0.52 units in the last place for atan2, atan, asin, acos, exp, log, log10, pow;
+ * 0.6 for hypot, cbrt; 0.95 for sin, cos, tan; 2 for sinh, cosh, asinh, log1p (check_elementary.c
+ * measures them).  Special values are those of C11, annex F; errno and exceptions are left alone.
  *
- * Of <math.h> are exact, and used as they are: sqrt fabs floor ceil trunc round lround fmod remainder
- * ldexp frexp copysign.
+ * Of <math.h> are exact, and used as they are: sqrt fabs floor ceil trunc round lround fmod
+ * remainder ldexp frexp copysign.
  */
 #ifndef CLOUDMILL_ELEMENTARY_H
 #define CLOUDMILL_ELEMENTARY_H
@@ -33,8 +33,8 @@ double elementary_asinh(double x);
 double elementary_hypot(double x, double y);
 double elementary_cbrt(double x);
 
-/* C leaves open which zero fmax(0, -0) is: here the first of two equals.  A NaN, b if b != b, gives the
- * other. */
+/* C leaves open which zero fmax(0, -0) is: here the first of two equals.  A NaN, b if b != b, gives
+ * the other. */
 static inline double elementary_fmax(double a, double b)
 {
     return a >= b || b != b ? a : b;

@@ -2,9 +2,9 @@
  * point_grid - a cloud sorted in place into square cells seen from above: what is near, and what
  * lies over a place.
  *
- * The points are sorted within their own array: row by row of cells, in each cell by x, y, z.  So their order, and whatever is computed in it, does not depend
- * on the order of the file, and equal points are neighbours.  Besides the points there are four
- * bytes a cell.
+ * The points are sorted within their own array: row by row of cells, in each cell by x, y, z.  So
+ * their order, and whatever is computed in it, does not depend on the order of the file, and equal
+ * points are neighbours.  Besides the points there are four bytes a cell.
  */
 #ifndef CLOUDMILL_POINT_GRID_H
 #define CLOUDMILL_POINT_GRID_H

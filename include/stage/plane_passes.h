@@ -35,9 +35,9 @@ struct pass_options plane_passes_upright(double angle, double radius);
  * that these lie in. */
 struct pass_options plane_passes_along(const struct mesh_part *part, double radius);
 
-/* Planes across `normal` (unit; 0: any upright ones), `step` mm apart, through all of the mesh are no
- * more than can be made in reasonable time and memory: 100,000, and 20 million points, as each crosses
- * the facets between its neighbours.  -1: they are, the error says how many. */
+/* Planes across `normal` (unit; 0: any upright ones), `step` mm apart, through all of the mesh are
+ * no more than can be made in reasonable time and memory: 100,000, and 20 million points, as each
+ * crosses the facets between its neighbours.  -1: they are, the error says how many. */
 int plane_passes_bounded(const struct mesh *mesh, struct vec3 normal, double step,
                          struct error *error);
 

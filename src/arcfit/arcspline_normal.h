@@ -25,9 +25,9 @@ struct joint_axis_slope {
 
 /*
  * How the distances of one point (arcspline_residual) change with what gives its arc: along u and
- * v; with an offset along s and w too.  To first order: the feet are kept, for along the arc nothing
- * changes.  An arc is taken as a conic, ((1 - b)^2 P0 + 2 b (1 - b) c M + b^2 P1) / sum, with M
- * where its tangents meet and c the cosine of half its turn: no angle functions are needed.
+ * v; with an offset along s and w too.  To first order: the feet are kept, for along the arc
+ * nothing changes.  An arc is taken as a conic, ((1 - b)^2 P0 + 2 b (1 - b) c M + b^2 P1) / sum,
+ * with M where its tangents meet and c the cosine of half its turn: no angle functions are needed.
  */
 struct foot_slopes {
     double along[4][ARC_GIVEN];

@@ -1,6 +1,6 @@
 /*
- * system - POSIX as base uses it.  Windows (mingw-w64) has most of it under other names; what it has
- * not at all, signals that are held and permissions, does nothing there.
+ * system - POSIX as base uses it.  Windows (mingw-w64) has most of it under other names; what it
+ * has not at all, signals that are held and permissions, does nothing there.
  */
 #ifndef CLOUDMILL_SYSTEM_H
 #define CLOUDMILL_SYSTEM_H

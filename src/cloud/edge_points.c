@@ -526,8 +526,8 @@ static struct flank_patch find_patch(const struct edge_work *work, const struct 
     return patch;
 }
 
-/* No point that knows the flank is nearer to the place than point i, all points about have surfaces,
- * and the place is above none of these, but for hollows. */
+/* No point that knows the flank is nearer to the place than point i, all points about have
+ * surfaces, and the place is above none of these, but for hollows. */
 static bool is_on_patch(const struct edge_work *work, const struct hood *near,
                         const struct flank_patch *patch, struct vec3 at)
 {
@@ -573,7 +573,8 @@ static bool is_surrounded(const struct flank_patch *patch, struct vec3 at, doubl
     return true;
 }
 
-/* Places of the flank of point i that are nearest to it, as dense as those of edges are on these. */
+/* Places of the flank of point i that are nearest to it, as dense as those of edges are on
+ * these. */
 static void fill_patch(const struct edge_work *work, const struct hood *near,
                        const struct flank_patch *patch, struct vec3s *to)
 {

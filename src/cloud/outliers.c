@@ -373,8 +373,8 @@ static bool is_at_rim(const struct point_grid *b, const struct vec3 *near, size_
 
 /* A point of a step or a cliff that was seen from above has few others on the wall near to it: but
  * the surface comes from below it and goes on above it, and those points go up a cliff, or are
- * about as little on one smooth surface as it is; or the surface ends above it, as at the outline of
- * a part, where the wall goes on down to where nothing was seen. */
+ * about as little on one smooth surface as it is; or the surface ends above it, as at the outline
+ * of a part, where the wall goes on down to where nothing was seen. */
 static bool is_on_step(const struct point_grid *b, const unsigned char *out, size_t i)
 {
     enum { EACH_SIDE = 2 };

@@ -482,7 +482,8 @@ static size_t insert_crests(struct search *s)
     return found;
 }
 
-/* Looks once at the edges of the vertices from `fresh` on.  The points are sorted when it is needed. */
+/* Looks once at the edges of the vertices from `fresh` on.  The points are sorted when it is
+ * needed. */
 static size_t search_once(struct search *s, size_t fresh, struct vec3 *point, size_t n,
                           struct point_grid *scan, const struct crest_mesh_options *options)
 {

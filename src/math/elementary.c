@@ -3,8 +3,8 @@
 
 #include "double_double.h"
 
-/* C. Borges, An improved algorithm for hypot(x, y), 2019: the root, and what its square lacks, without
- * a product of more than 53 digits. */
+/* C. Borges, An improved algorithm for hypot(x, y), 2019: the root, and what its square lacks,
+ * without a product of more than 53 digits. */
 static double hypot_within(double x, double y)
 {
     double h = sqrt(x * x + y * y), lacks;

@@ -2,8 +2,8 @@
  * elementary_angle - sin, cos, tan and their inverses; see elementary.h.
  *
  * sin and cos: Cody and Waite's reduction to |r| <= pi/4, in two doubles; beyond 2^20 that of Payne
- * and Hanek; then polynomials through the Chebyshev nodes.  atan2: the ratio minus the nearest k/16,
- * by the tangent of a difference, and Taylor's series for what is left.
+ * and Hanek; then polynomials through the Chebyshev nodes.  atan2: the ratio minus the nearest
+ * k/16, by the tangent of a difference, and Taylor's series for what is left.
  */
 #include "math/elementary.h"
 
@@ -19,7 +19,8 @@ struct reduced {
     struct pair rest;
 };
 
-/* pi/2 in parts of 33 binary digits, so that up to 2^20 times a part is exact, and the rest of it. */
+/* pi/2 in parts of 33 binary digits, so that up to 2^20 times a part is exact, and the rest
+ * of it. */
 static const double QUARTER[4] = {0x1.921fb544p0, 0x1.0b4611a6p-34, 0x1.3198a2ep-69,
                                   0x1.b839a252049c1p-104};
 #define QUARTER_HIGH 0x1.921fb54442d18p0
@@ -276,8 +277,8 @@ double elementary_atan2(double y, double x)
     return copysign(a.high + a.low, y);
 }
 
-/* The other side of the triangle: sqrt(1 - x^2), of |x| < 1.  On the unit circle an error of it turns
- * the angle by that times x. */
+/* The other side of the triangle: sqrt(1 - x^2), of |x| < 1.  On the unit circle an error of it
+ * turns the angle by that times x. */
 static struct pair other_side(double x)
 {
     struct pair less = two_sum(1, -x), more = two_sum(1, x);

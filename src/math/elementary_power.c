@@ -1,9 +1,9 @@
 /*
  * elementary_power - exp, log, pow and what is made of them; see elementary.h.
  *
- * log: x = 2^k z, 1/z nearly one of 64 short numbers c, so that r = c z - 1 is exact in two doubles,
- * and Taylor's series of log(1 + r); exp: the nearest multiple of log 2 / 32, and Taylor's series
- * (after Tang, ACM TOMS 15 and 16).  The sums are kept in two doubles, for pow.
+ * log: x = 2^k z, 1/z nearly one of 64 short numbers c, so that r = c z - 1 is exact in two
+ * doubles, and Taylor's series of log(1 + r); exp: the nearest multiple of log 2 / 32, and Taylor's
+ * series (after Tang, ACM TOMS 15 and 16).  The sums are kept in two doubles, for pow.
  */
 #include "math/elementary.h"
 

@@ -1,6 +1,6 @@
 /*
- * read_cloud - the reader of clouds alone, to be compared with floor_read: reads a file and says how
- * many points there are and what they add up to.
+ * read_cloud - the reader of clouds alone, to be compared with floor_read: reads a file and says
+ * how many points there are and what they add up to.
  *
  *     read_cloud FILE
  */

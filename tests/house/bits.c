@@ -1,5 +1,5 @@
-/* bits - prints the bits of 320,000 results of math/elementary.h, added up as by check_elementary.c, for
- * compilers that have no Check; portability.t. */
+/* bits - prints the bits of 320,000 results of math/elementary.h, added up as by
+ * check_elementary.c, for compilers that have no Check; portability.t. */
 #include <stdbool.h>
 #include <stdint.h>
 #include <stdio.h>

@@ -1,8 +1,8 @@
 /*
  * leasttime - the least time of a Siemens program of lines and arcs on a trunnion table (A carries
- * C, the part on the turning centre), by code that shares nothing with the suite: it reads the words
- * itself, turns tool vectors into angles itself, and drives the five axes along the way as fast as
- * their largest speeds and accelerations allow.
+ * C, the part on the turning centre), by code that shares nothing with the suite: it reads the
+ * words itself, turns tool vectors into angles itself, and drives the five axes along the way as
+ * fast as their largest speeds and accelerations allow.
  *
  *   leasttime PROGRAM [FEED]
  *
@@ -82,8 +82,8 @@ static double length(struct v a)
     return sqrt(dot(a, a));
 }
 
-/* The tool as the part sees it when the table stands at A, C: the part turns by C about z, then by A
- * about x, and the tool stands along z. */
+/* The tool as the part sees it when the table stands at A, C: the part turns by C about z, then by
+ * A about x, and the tool stands along z. */
 static struct v tool_of(const double q[2])
 {
     double a = q[0] * PI / 180, c = q[1] * PI / 180;

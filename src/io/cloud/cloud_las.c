@@ -2,8 +2,8 @@
  * cloud_las - LAS 1.0 to 1.4, the format of airborne and mobile scanners, not compressed; see
  * cloud_source.h.  Source: ASPRS, LAS Specification 1.4 R15.
  *
- * A head of fixed places, then records of one length, each with whole numbers X Y Z first; the point
- * is scale times number plus offset.
+ * A head of fixed places, then records of one length, each with whole numbers X Y Z first; the
+ * point is scale times number plus offset.
  */
 #include <stdlib.h>
 #include <string.h>

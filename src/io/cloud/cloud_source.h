@@ -17,8 +17,8 @@ struct cloud_source {
     void *context;
 };
 
-/* Hands on the points so far, where they are taken; a reader may do so when it will not come back to
- * them. */
+/* Hands on the points so far, where they are taken; a reader may do so when it will not come back
+ * to them. */
 void cloud_hand_on(struct cloud_source *s);
 
 /* The next line, as reader_line; a NUL byte in it is an error. */

@@ -1,5 +1,5 @@
-/* Tests of arcspline_normal.h: the right side is the slope of the sum of powers by each unknown, the
- * matrix that of the slopes. */
+/* Tests of arcspline_normal.h: the right side is the slope of the sum of powers by each unknown,
+ * the matrix that of the slopes. */
 #include "arcfit/arcspline_normal.h"
 
 #include <check.h>

@@ -163,7 +163,8 @@ START_TEST(walls_seen_from_above)
 END_TEST
 
 /* A plate with a rim turned down at its outline, and of the wall below only a few points, each far
- * from all others: they are believed.  Strays as far below the middle, or above the rim, are not. */
+ * from all others: they are believed.  Strays as far below the middle, or above the rim, are
+ * not. */
 START_TEST(below_a_rim)
 {
     enum { POINTS = 16000, WALL = 24, STRAYS = 24 };
@@ -200,8 +201,8 @@ START_TEST(below_a_rim)
 END_TEST
 
 /* A blade that stands on a floor, 0.3 mm thick at its edge and 0.7 at its root, points on both of
- * its sides: they are all believed, at its edge and at its root, turned anyhow, dense and sparse.
- * */
+ * its sides: they are all believed, at its edge and at its root, turned anyhow, dense and
+ * sparse. */
 START_TEST(thin_blade)
 {
     const double sigma = _i % 2 * 0.005, step = _i / 2 % 2 ? 0.4 : 0.8, turn = 0.4 * _i;

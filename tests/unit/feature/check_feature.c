@@ -22,10 +22,10 @@ static void free_cloud(struct feature_cloud *c)
         kdtree_free((struct kdtree *)c->walls);
 }
 
-/* How far the ridge of two planes with half of 72 noisy points each may be off: at the straight side
- * of a half disc a plane's height has 1 / 36 (1 + 0.18 / 0.07) of the noise's variance, and where two
- * of slope m meet is off by half their sum in height, and by half their difference over m aside; five
- * deviations. */
+/* How far the ridge of two planes with half of 72 noisy points each may be off: at the straight
+ * side of a half disc a plane's height has 1 / 36 (1 + 0.18 / 0.07) of the noise's variance, and
+ * where two of slope m meet is off by half their sum in height, and by half their difference over m
+ * aside; five deviations. */
 static double ridge_noise(double m, double sigma)
 {
     return 5 * sigma * sqrt(1 + m * m) * sqrt(0.1) * sqrt((1 + 1 / (m * m)) / 2);

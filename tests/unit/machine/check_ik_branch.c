@@ -20,8 +20,8 @@ static struct vec3 leaning(double tilt, double turn)
     return vec(sin(tilt) * sin(turn), -sin(tilt) * cos(turn), cos(tilt));
 }
 
-/* For both solutions every whole turn within the travel is a state of its own, whose angles have the
- * direction; what is outside of it is none. */
+/* For both solutions every whole turn within the travel is a state of its own, whose angles have
+ * the direction; what is outside of it is none. */
 START_TEST(states)
 {
     static const double ends[][2] = {{-180, 180}, {-360, 360}, {0, 360}, {-540, 900}, {-10, 400}};

@@ -27,8 +27,8 @@ START_TEST(all_round)
 }
 END_TEST
 
-/* A cell is a step high and, where there are more than the least in a ring, a step wide: its corners
- * are no farther than its diagonal. */
+/* A cell is a step high and, where there are more than the least in a ring, a step wide: its
+ * corners are no farther than its diagonal. */
 START_TEST(corners)
 {
     struct sphere_grid g = sphere_grid_new(vec(0, 0, 1));
