@@ -12,9 +12,9 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { CHUNK = 1 << 16 };
+#include "floor.h"
 
-static char buffer[2 * CHUNK + 1], text[CHUNK + 512];
+static char text[FLOOR_CHUNK + 512];
 static size_t used;
 
 struct node {
@@ -24,23 +24,6 @@ struct node {
 static double low[2] = {1e30, 1e30}, high[2] = {-1e30, -1e30}, t;
 static long columns, rows;
 static struct node *node;
-
-static const char *number(const char *p, double *value)
-{
-    static const double ten[] = {1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9};
-    while (*p == ' ')
-        p++;
-    int negative = *p == '-';
-    p += negative;
-    long mantissa = 0, decimals = 0;
-    for (; *p >= '0' && *p <= '9'; p++)
-        mantissa = mantissa * 10 + (*p - '0');
-    if (*p == '.')
-        for (p++; *p >= '0' && *p <= '9'; p++, decimals++)
-            mantissa = mantissa * 10 + (*p - '0');
-    *value = (double)(negative ? -mantissa : mantissa) / ten[decimals];
-    return p;
-}
 
 static void extend(double x, double y, double z)
 {
@@ -66,19 +49,7 @@ static void compete(double x, double y, double z)
 static int read_all(const char *file, void (*take)(double x, double y, double z))
 {
     int fd = open(file, O_RDONLY);
-    size_t have = 0;
-    for (ssize_t n; (n = read(fd, buffer + have, CHUNK)) > 0;) {
-        const char *p = buffer, *end = buffer + have + (size_t)n, *last = end;
-        while (last > p && last[-1] != '\n')
-            last--;
-        while (p < last) {
-            double x, y, z;
-            p = number(number(number(p, &x), &y), &z) + 1;
-            take(x, y, z);
-        }
-        have = (size_t)(end - last);
-        memmove(buffer, last, have);
-    }
+    floor_rows(fd, take);
     close(fd);
     return fd < 0;
 }
@@ -104,7 +75,7 @@ static void put(double value, double scale, int places, char after)
         *--p = '-';
     memcpy(text + used, p, (size_t)(digits + sizeof digits - p));
     used += (size_t)(digits + sizeof digits - p);
-    if (used > CHUNK)
+    if (used > FLOOR_CHUNK)
         flush();
 }
 

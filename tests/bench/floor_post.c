@@ -12,24 +12,11 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { CHUNK = 1 << 16, LINE = 200 };
+#include "floor.h"
+
+enum { CHUNK = FLOOR_CHUNK, LINE = 200 };
 
 static char in[2 * CHUNK + 1], out[CHUNK + LINE];
-
-static const char *number(const char *p, double *value)
-{
-    static const double ten[] = {1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9};
-    int negative = *p == '-';
-    p += negative;
-    long mantissa = 0, decimals = 0;
-    for (; *p >= '0' && *p <= '9'; p++)
-        mantissa = mantissa * 10 + (*p - '0');
-    if (*p == '.')
-        for (p++; *p >= '0' && *p <= '9'; p++, decimals++)
-            mantissa = mantissa * 10 + (*p - '0');
-    *value = (double)(negative ? -mantissa : mantissa) / ten[decimals];
-    return p;
-}
 
 /* The address and the value with so many decimals; `scale` is ten to that power. */
 static inline char *decimals(char *to, char address, double value, double scale, int places)
@@ -109,7 +96,7 @@ int main(int argc, char **argv)
                 continue;
             line += 5;
             for (int i = 0; i < 6; i++)
-                line = number(line, &v[i]) + 1;
+                line = floor_number(line, &v[i]) + 1;
             char *to = block(out + made, v);
             to[-1] = '\n';
             made = (size_t)(to - out);
