@@ -35,6 +35,12 @@ struct kinematic_chain {
     struct vec3 tool;                 /* unit axis from tip to spindle when all stand at zero */
 };
 
+/* The angle q with as many whole turns more or fewer as bring it nearest to `from`. */
+static inline double angle_nearest(double q, double from)
+{
+    return q + 2 * PI * round((from - q) / (2 * PI));
+}
+
 /* Angles as their cosines and sines, where the trigonometry would be most of the time. */
 struct turned {
     double cosine[ROTARY_MAX], sine[ROTARY_MAX];

@@ -177,15 +177,20 @@ static void average_angles(struct chain *c, double half)
 
 /* ---- kept clear */
 
+/* The station's angles when it has gone so far from those that it had. */
+static struct rotary_angles angles_at(const struct station *s, double part)
+{
+    return (struct rotary_angles){s->was.lean + part * (s->angles.lean - s->was.lean),
+                                  s->was.turn + part * (s->angles.turn - s->was.turn)};
+}
+
 /* The point as it is for this part of the way. */
 static struct run_point point_of(const struct chain *c, const struct station *s)
 {
     struct run_point p = *s->point;
 
     if (s->part > 0) {
-        struct rotary_angles a = {s->was.lean + s->part * (s->angles.lean - s->was.lean),
-                                  s->was.turn + s->part * (s->angles.turn - s->was.turn)};
-        p.axis = rotary_axis(&c->frame, a);
+        p.axis = rotary_axis(&c->frame, angles_at(s, s->part));
         p.tip = vec_along(p.ball, -c->options->radius, p.axis);
     }
     return p;
@@ -245,12 +250,9 @@ static double travel_of(const struct chain *c, bool calm)
     double sum = 0;
 
     for (size_t i = 1; i < c->n; i++) {
-        const struct station *a = &c->at[i - 1], *b = &c->at[i];
-        double pa = calm ? a->part : 0, pb = calm ? b->part : 0;
-        sum += fabs(a->was.lean + pa * (a->angles.lean - a->was.lean) - b->was.lean -
-                    pb * (b->angles.lean - b->was.lean)) +
-               fabs(a->was.turn + pa * (a->angles.turn - a->was.turn) - b->was.turn -
-                    pb * (b->angles.turn - b->was.turn));
+        struct rotary_angles a = angles_at(&c->at[i - 1], calm ? c->at[i - 1].part : 0);
+        struct rotary_angles b = angles_at(&c->at[i], calm ? c->at[i].part : 0);
+        sum += fabs(a.lean - b.lean) + fabs(a.turn - b.turn);
     }
     return sum;
 }

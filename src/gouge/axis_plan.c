@@ -621,8 +621,7 @@ static bool is_without(const struct work *w, size_t n, size_t at)
 }
 
 /* Appends a point, and before it, if it is joined to the last, as many on the straight line of the
- * ball's centre that a tip that goes straight does not swing the ball off it by more than may be.
- * */
+ * ball's centre that a tip that goes straight does not swing the ball off it by more than may be. */
 static void put_point(const struct work *w, size_t after, struct run_point end, double at,
                       bool joined, struct run *to, struct doubles *along)
 {

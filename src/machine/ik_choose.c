@@ -7,7 +7,7 @@
 static bool within_travel(const struct rotary *rotary, double from, double *q)
 {
     const double slack = 1e-9;
-    double turned = *q + 2 * PI * round((from - *q) / (2 * PI));
+    double turned = angle_nearest(*q, from);
     if (turned > rotary->max + slack)
         turned -= 2 * PI * ceil((turned - rotary->max - slack) / (2 * PI));
     if (turned < rotary->min - slack)

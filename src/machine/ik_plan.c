@@ -94,7 +94,7 @@ static void extend_by_block(struct search *s, const struct ik_plan_place *place,
         double q[ROTARY_MAX] = {0}, base[ROTARY_MAX] = {0}, most = 0;
         for (int i = 0; i < s->chain->n; i++) {
             base[i] = target->found.q[k][i];
-            q[i] = base[i] + 2 * PI * round((from->q[i] - base[i]) / (2 * PI));
+            q[i] = angle_nearest(base[i], from->q[i]);
             if (i == 0 && target->stays) {
                 q[i] = from->q[i];
                 base[i] = remainder(q[i], 2 * PI);

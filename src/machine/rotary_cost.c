@@ -71,8 +71,8 @@ struct rotary_angles rotary_angles_near(const struct rotary_frame *f, struct vec
     if (plus.lean < UPRIGHT)
         return (struct rotary_angles){0, to.turn};
     minus = (struct rotary_angles){-plus.lean, plus.turn + PI};
-    plus.turn += 2 * PI * round((to.turn - plus.turn) / (2 * PI));
-    minus.turn += 2 * PI * round((to.turn - minus.turn) / (2 * PI));
+    plus.turn = angle_nearest(plus.turn, to.turn);
+    minus.turn = angle_nearest(minus.turn, to.turn);
     return f->both && off_by(minus, to) < off_by(plus, to) ? minus : plus;
 }
 

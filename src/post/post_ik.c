@@ -224,7 +224,7 @@ static bool nearest_of_both(const struct nc_planner *planner, struct vec3 axis, 
     struct chain_solutions found = chain_angles(chain, axis);
     for (int k = 0; k < found.n; k++) {
         for (int i = 0; i < chain->n; i++)
-            found.q[k][i] += 2 * PI * round((from[i] - found.q[k][i]) / (2 * PI));
+            found.q[k][i] = angle_nearest(found.q[k][i], from[i]);
         if (found.free)
             found.q[k][0] = from[0];
         if (ik_travel(chain, from, found.q[k]) < ik_travel(chain, from, q) - 1e-9)
@@ -346,9 +346,7 @@ static bool nearest_angles(const struct kinematic_chain *chain, struct vec3 axis
     for (int k = 0; k < found.n; k++) {
         double at[ROTARY_MAX] = {0}, most;
         for (int i = 0; i < chain->n; i++)
-            at[i] = found.free && i == 0
-                        ? from[0]
-                        : found.q[k][i] + 2 * PI * round((from[i] - found.q[k][i]) / (2 * PI));
+            at[i] = found.free && i == 0 ? from[0] : angle_nearest(found.q[k][i], from[i]);
         most = ik_most_turn(chain, at, from);
         if (most < least) {
             least = most;

@@ -265,7 +265,7 @@ static bool changes_within(const struct lookahead *ahead, const struct crossing 
     if (from.n < 2 || to.n < 2)
         return false;
     for (int i = 0; i < ROTARY_MAX; i++)
-        q[i] = to.q[1][i] + 2 * PI * round((from.q[0][i] - to.q[1][i]) / (2 * PI));
+        q[i] = angle_nearest(to.q[1][i], from.q[0][i]);
     return crosses_within(ahead, c, from.q[0], q);
 }
 

@@ -206,12 +206,10 @@ int path_read_as(const char *file, enum path_unit unit, struct path *path, struc
 /* Writes the stream with its head and FINI.  Coordinates with 6 decimals, vectors with 9. */
 void path_write(struct out *out, const struct path *path);
 
-/* The same in pieces: the head, items as often as there are more, the end: with
- * what is unmet, which is known only then.  A range of items has what was spent in the passes that
- * end in it. */
+/* The same in pieces: the head, items as often as there are more, what is unmet, and the end with
+ * what the head knows of that. */
 void path_write_head(struct out *out, const struct path_head *head);
 void path_write_items(struct out *out, const struct path *path);
-void path_write_range(struct out *out, const struct path *path, size_t from, size_t to);
 void path_write_unmet(struct out *out, const struct unmets *unmet);
 void path_write_end(struct out *out, const struct path_head *head);
 

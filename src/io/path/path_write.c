@@ -271,13 +271,10 @@ static void write_item(struct out *out, const struct path *path, const struct pa
     }
 }
 
-void path_write_range(struct out *out, const struct path *path, size_t from, size_t to)
+void path_write_items(struct out *out, const struct path *path)
 {
     const struct path_cycle *on = NULL;
-    size_t k = 0;
-    while (k < path->spent.n && path->spent.item[k].before <= from)
-        k++;
-    for (size_t i = from; i < to; i++) {
+    for (size_t i = 0, k = 0; i < path->item.n; i++) {
         write_cycle(out, path, &path->item.item[i], &on);
         write_item(out, path, &path->item.item[i]);
         for (; k < path->spent.n && path->spent.item[k].before == i + 1; k++)
@@ -285,11 +282,6 @@ void path_write_range(struct out *out, const struct path *path, size_t from, siz
     }
     if (on)
         out_text(out, "CYCLE/OFF\n");
-}
-
-void path_write_items(struct out *out, const struct path *path)
-{
-    path_write_range(out, path, 0, path->item.n);
 }
 
 /* A $ at the end of a line would continue it: it becomes a `?` anywhere. */
