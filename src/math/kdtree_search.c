@@ -1,0 +1,340 @@
+/*
+ * kdtree_search - see kdtree.h: the point nearest to a segment, or lowest; a visit.
+ *
+ * Points of a surface lie thin in the cells of the planes between the nodes, and a ball that
+ * touches it reaches into all cells under it: these searches go by the boxes around the points
+ * instead.
+ */
+#include "math/kdtree.h"
+
+#include <stdint.h>
+
+#include "kdtree_parts.h"
+
+/* The nearest point to a segment so far. */
+struct beside {
+    const struct kdtree *tree;
+    struct vec3 a, along; /* from one end to the other */
+    double length2;
+    double low[3], high[3]; /* the segment's box */
+    double best, best2;
+    size_t index;      /* as in the caller's array */
+    struct vec3 place; /* of that point */
+};
+
+static double distance2_beside(const struct beside *s, struct vec3 p)
+{
+    struct vec3 d = vec_sub(p, s->a);
+    double at = s->length2 > 0 ? vec_dot(d, s->along) / s->length2 : 0;
+    struct vec3 off = vec_along(d, -(at < 0 ? 0 : at > 1 ? 1 : at), s->along);
+
+    return vec_dot(off, off);
+}
+
+static void offer_beside(struct beside *s, const struct kd_point *p)
+{
+    double d2 = distance2_beside(s, vec(p->c[0], p->c[1], p->c[2]));
+
+    if (d2 < s->best2 || (d2 == s->best2 && p->index < s->index)) {
+        s->best2 = d2;
+        s->best = sqrt(d2);
+        s->index = p->index;
+        s->place = vec(p->c[0], p->c[1], p->c[2]);
+    }
+}
+
+/* No point in the box is nearer than this: the gap to the segment's own box, or to the ball around
+ * the box. */
+static double bound2(const struct beside *s, const struct kd_box *box)
+{
+    double x = kd_gap(box, 0, s->low[0], s->high[0]), y = kd_gap(box, 1, s->low[1], s->high[1]);
+    double z = kd_gap(box, 2, s->low[2], s->high[2]), gap2 = x * x + y * y + z * z;
+
+    if (s->length2 == 0 || gap2 > s->best2)
+        return gap2;
+    struct vec3 low = vec(box->low[0], box->low[1], box->low[2]);
+    struct vec3 half = vec_scale(0.5, vec_sub(vec(box->high[0], box->high[1], box->high[2]), low));
+    double beyond = sqrt(distance2_beside(s, vec_add(low, half))) - sqrt(vec_dot(half, half));
+    return beyond > 0 && beyond * beyond > gap2 ? beyond * beyond : gap2;
+}
+
+static void search_beside(struct beside *s, size_t from, size_t to, size_t number)
+{
+    if (to - from <= KD_LEAF) {
+        for (size_t i = from; i < to; i++)
+            offer_beside(s, &s->tree->point[i]);
+        return;
+    }
+    size_t middle = from + (to - from) / 2;
+    double first = bound2(s, &s->tree->box[2 * number]);
+    double second = bound2(s, &s->tree->box[2 * number + 1]);
+    bool left = first <= second;
+
+    offer_beside(s, &s->tree->point[middle]);
+    for (int turn = 0; turn < 2; turn++, left = !left) {
+        if ((left ? first : second) * (1 - 1e-12) > s->best2)
+            continue;
+        if (left)
+            search_beside(s, from, middle, 2 * number);
+        else
+            search_beside(s, middle + 1, to, 2 * number + 1);
+    }
+}
+
+static struct beside beside_of(const struct kdtree *tree, struct vec3 a, struct vec3 b,
+                               double within)
+{
+    struct beside s = {.tree = tree,
+                       .a = a,
+                       .along = vec_sub(b, a),
+                       .low = {fmin(a.x, b.x), fmin(a.y, b.y), fmin(a.z, b.z)},
+                       .high = {fmax(a.x, b.x), fmax(a.y, b.y), fmax(a.z, b.z)},
+                       .best = within,
+                       .best2 = square(within),
+                       .index = SIZE_MAX};
+
+    s.length2 = vec_dot(s.along, s.along);
+    return s;
+}
+
+double kdtree_nearest_segment(const struct kdtree *tree, struct vec3 a, struct vec3 b,
+                              double within, size_t *index)
+{
+    struct beside s = beside_of(tree, a, b, within);
+
+    if (tree->n > 0)
+        search_beside(&s, 0, tree->n, 1);
+    if (s.index == SIZE_MAX)
+        return within;
+    *index = s.index;
+    return s.best;
+}
+
+double kdtree_nearest_place(const struct kdtree *tree, struct vec3 p, double within,
+                            struct vec3 *place)
+{
+    struct beside s = beside_of(tree, p, p, within);
+
+    if (tree->n > 0)
+        search_beside(&s, 0, tree->n, 1);
+    if (s.index == SIZE_MAX)
+        return within;
+    *place = s.place;
+    return s.best;
+}
+
+double kdtree_nearest_among(const struct vec3 *point, size_t n, struct vec3 a, struct vec3 b,
+                            double within)
+{
+    struct beside s = beside_of(NULL, a, b, within);
+
+    for (size_t i = 0; i < n; i++) {
+        double d2 = distance2_beside(&s, point[i]);
+        s.best2 = d2 < s.best2 ? d2 : s.best2;
+    }
+    return s.best2 < square(within) ? sqrt(s.best2) : within;
+}
+
+static void collect_beside(const struct beside *s, size_t from, size_t to, size_t number,
+                           struct vec3s *found)
+{
+    if (bound2(s, &s->tree->box[number]) * (1 - 1e-12) > s->best2)
+        return;
+    size_t middle = from + (to - from) / 2;
+    bool leaf = to - from <= KD_LEAF;
+
+    if (!leaf)
+        collect_beside(s, from, middle, 2 * number, found);
+    for (size_t i = leaf ? from : middle; i < (leaf ? to : middle + 1); i++) {
+        struct vec3 p = vec(s->tree->point[i].c[0], s->tree->point[i].c[1], s->tree->point[i].c[2]);
+        if (distance2_beside(s, p) <= s->best2)
+            *array_push(found) = p;
+    }
+    if (!leaf)
+        collect_beside(s, middle + 1, to, 2 * number + 1, found);
+}
+
+void kdtree_beside(const struct kdtree *tree, struct vec3 a, struct vec3 b, double within,
+                   struct vec3s *found)
+{
+    struct beside s = beside_of(tree, a, b, within);
+
+    if (tree->n > 0)
+        collect_beside(&s, 0, tree->n, 1, found);
+}
+
+/* Is a point nearer than s->best? */
+static bool any_beside(const struct beside *s, size_t from, size_t to, size_t number)
+{
+    if (to - from <= KD_LEAF) {
+        for (size_t i = from; i < to; i++) {
+            const double *c = s->tree->point[i].c;
+            if (distance2_beside(s, vec(c[0], c[1], c[2])) < s->best2)
+                return true;
+        }
+        return false;
+    }
+    size_t middle = from + (to - from) / 2;
+    const double *c = s->tree->point[middle].c;
+    double first = bound2(s, &s->tree->box[2 * number]) * (1 - 1e-12);
+    double second = bound2(s, &s->tree->box[2 * number + 1]) * (1 - 1e-12);
+    bool left = first <= second;
+
+    if (distance2_beside(s, vec(c[0], c[1], c[2])) < s->best2)
+        return true;
+    for (int turn = 0; turn < 2; turn++, left = !left) {
+        if ((left ? first : second) >= s->best2)
+            continue;
+        if (left ? any_beside(s, from, middle, 2 * number)
+                 : any_beside(s, middle + 1, to, 2 * number + 1))
+            return true;
+    }
+    return false;
+}
+
+bool kdtree_any_beside(const struct kdtree *tree, struct vec3 a, struct vec3 b, double within)
+{
+    struct beside s = beside_of(tree, a, b, within);
+
+    return within > 0 && tree->n > 0 && any_beside(&s, 0, tree->n, 1);
+}
+
+/* The lowest value so far. */
+struct lowest {
+    const struct kdtree *tree;
+    double (*value)(const void *context, struct vec3 p);
+    const void *context;
+    double best;
+    size_t index; /* as in the caller's array */
+};
+
+static void offer_lowest(struct lowest *s, const struct kd_point *p)
+{
+    double value = s->value(s->context, vec(p->c[0], p->c[1], p->c[2]));
+
+    if (value < s->best || (value == s->best && p->index < s->index)) {
+        s->best = value;
+        s->index = p->index;
+    }
+}
+
+/* No point in the box has a lower value. */
+static double lower_bound(const struct lowest *s, const struct kd_box *box)
+{
+    double half2 = 0, middle[3];
+
+    for (int d = 0; d < 3; d++) {
+        middle[d] = (box->low[d] + box->high[d]) / 2;
+        half2 += square(box->high[d] - box->low[d]) / 4;
+    }
+    return s->value(s->context, vec(middle[0], middle[1], middle[2])) - sqrt(half2) * (1 + 1e-12);
+}
+
+static void search_lowest(struct lowest *s, size_t from, size_t to, size_t number)
+{
+    if (to - from <= KD_LEAF) {
+        for (size_t i = from; i < to; i++)
+            offer_lowest(s, &s->tree->point[i]);
+        return;
+    }
+    size_t middle = from + (to - from) / 2;
+    double first = lower_bound(s, &s->tree->box[2 * number]);
+    double second = lower_bound(s, &s->tree->box[2 * number + 1]);
+    bool left = first <= second;
+
+    offer_lowest(s, &s->tree->point[middle]);
+    for (int turn = 0; turn < 2; turn++, left = !left) {
+        if ((left ? first : second) > s->best)
+            continue;
+        if (left)
+            search_lowest(s, from, middle, 2 * number);
+        else
+            search_lowest(s, middle + 1, to, 2 * number + 1);
+    }
+}
+
+double kdtree_lowest(const struct kdtree *tree, double (*value)(const void *context, struct vec3 p),
+                     const void *context, double below, size_t *index)
+{
+    struct lowest s = {tree, value, context, below, SIZE_MAX};
+
+    if (tree->n > 0)
+        search_lowest(&s, 0, tree->n, 1);
+    if (s.index != SIZE_MAX)
+        *index = s.index;
+    return s.best;
+}
+
+static bool any_lower(const struct lowest *s, size_t from, size_t to, size_t number)
+{
+    if (to - from <= KD_LEAF) {
+        for (size_t i = from; i < to; i++) {
+            const double *c = s->tree->point[i].c;
+            if (s->value(s->context, vec(c[0], c[1], c[2])) < s->best)
+                return true;
+        }
+        return false;
+    }
+    size_t middle = from + (to - from) / 2;
+    const double *c = s->tree->point[middle].c;
+    double first = lower_bound(s, &s->tree->box[2 * number]);
+    double second = lower_bound(s, &s->tree->box[2 * number + 1]);
+    bool left = first <= second;
+
+    if (s->value(s->context, vec(c[0], c[1], c[2])) < s->best)
+        return true;
+    for (int turn = 0; turn < 2; turn++, left = !left) {
+        if ((left ? first : second) >= s->best)
+            continue;
+        if (left ? any_lower(s, from, middle, 2 * number)
+                 : any_lower(s, middle + 1, to, 2 * number + 1))
+            return true;
+    }
+    return false;
+}
+
+bool kdtree_any_lower(const struct kdtree *tree,
+                      double (*value)(const void *context, struct vec3 p), const void *context,
+                      double below)
+{
+    struct lowest s = {tree, value, context, below, SIZE_MAX};
+
+    return tree->n > 0 && any_lower(&s, 0, tree->n, 1);
+}
+
+static void visit_node(const struct kdtree *tree, const double from[3],
+                       const struct kdtree_visitor *v, size_t first, size_t last, size_t number,
+                       int depth)
+{
+    const struct kd_box *box = &tree->box[number];
+    struct vec3 low = vec(box->low[0], box->low[1], box->low[2]);
+    struct vec3 half = vec_scale(0.5, vec_sub(vec(box->high[0], box->high[1], box->high[2]), low));
+    size_t middle = first + (last - first) / 2;
+
+    if (!v->box(v->context, depth, vec_add(low, half), half))
+        return;
+    if (last - first <= KD_LEAF) {
+        for (size_t i = first; i < last; i++) {
+            const double *c = tree->point[i].c;
+            v->point(v->context, depth, vec(c[0], c[1], c[2]));
+        }
+        return;
+    }
+    const double *c = tree->point[middle].c;
+    v->point(v->context, depth, vec(c[0], c[1], c[2]));
+    bool left = kd_gap2(&tree->box[2 * number], from) <= kd_gap2(&tree->box[2 * number + 1], from);
+    for (int turn = 0; turn < 2; turn++, left = !left) {
+        if (left)
+            visit_node(tree, from, v, first, middle, 2 * number, depth + 1);
+        else
+            visit_node(tree, from, v, middle + 1, last, 2 * number + 1, depth + 1);
+    }
+}
+
+void kdtree_visit(const struct kdtree *tree, struct vec3 from, const struct kdtree_visitor *visitor)
+{
+    const double c[3] = {from.x, from.y, from.z};
+
+    if (tree->n > 0)
+        visit_node(tree, c, visitor, 0, tree->n, 1, 0);
+}
