@@ -11,7 +11,8 @@
 
 #include "nurbs/nurbs.h"
 
-/* Spans of a curve, and of a surface in each direction, at most. */
+/* Spans of a curve, and of a surface in each direction, at most; four between two places that are
+ * given there always are. */
 enum { APPROXIMATE_MOST = 4096, APPROXIMATE_MOST_2 = 512 };
 
 typedef struct vec3 approximate_curve_fn(const void *context, double t);

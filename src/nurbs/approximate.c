@@ -31,9 +31,11 @@ static struct nurbs_axis cubic_axis(const double *at, size_t n, size_t parts, co
 struct nurbs_curve approximate_curve(approximate_curve_fn *f, const void *context, const double *at,
                                      size_t n, double tolerance, double *error)
 {
+    enum { FIRST = 4 };
     struct nurbs_curve c = {{0}, NULL};
     double worst = HUGE_VAL;
-    for (size_t parts = 4; worst > tolerance && n * parts <= APPROXIMATE_MOST; parts *= 2) {
+    for (size_t parts = FIRST;
+         worst > tolerance && (parts == FIRST || n * parts <= APPROXIMATE_MOST); parts *= 2) {
         nurbs_curve_free(&c);
         c.t = cubic_axis(at, n, parts, NULL);
         struct vec3 *value = mem_alloc(c.t.poles, sizeof *value);
