@@ -9,6 +9,11 @@ enum { TERMS = 10, DEGREE = 3 };
 /* Part of a term that the terms before it must leave over. */
 static const double INDEPENDENT = 1e-3;
 
+/* Variance of the slope at the origin, times the weight of the points, in units of their reach:
+ * some 100 where they are spread evenly, thousands where they are to one side, and from 50,000 on
+ * where they are on three lines, between which a cubic may swing as it likes. */
+static const double UNCERTAIN = 20000;
+
 /* Powers of u and v in each term, in the order of quadric.c. */
 static const int U[TERMS] = {0, 1, 0, 2, 1, 0, 3, 2, 1, 0};
 static const int V[TERMS] = {0, 0, 1, 0, 1, 2, 0, 1, 2, 3};
@@ -118,7 +123,10 @@ int cubic_fit(const struct vec3 *point, const double *weight, size_t n, struct v
     }
     for (int i = 0; i < TERMS; i++)
         cubic->c[i] = x[i] / power_of(size, U[i] + V[i]);
+    double slope = variance_of(a, 1) + variance_of(a, 2);
+    if (slope * m.power[0][0] > UNCERTAIN)
+        return -1;
     cubic->variance = variance_of(a, 0);
-    cubic->tilt = (variance_of(a, 1) + variance_of(a, 2)) / (size * size);
+    cubic->tilt = slope / (size * size);
     return 0;
 }

@@ -91,6 +91,23 @@ START_TEST(none)
 }
 END_TEST
 
+/* Three scan lines that are not quite straight, in any direction: v (v - 1) (v + 1) is nothing on
+ * them and anything between. */
+START_TEST(three_lines)
+{
+    double turn = 0.3 * _i + 0.1;
+    struct quadric q;
+
+    noisy_seed(21 + (unsigned)_i);
+    for (int k = 0; k < 24; k++) {
+        double u = (k / 3 - 3.5) * 0.25, v = k % 3 - 1 + 1e-3 * noisy_normal();
+        point[k] = vec(u * cos(turn) - v * sin(turn), u * sin(turn) + v * cos(turn),
+                       1e-4 * noisy_normal());
+    }
+    ck_assert_int_eq(cubic_fit(point, NULL, 24, vec(0, 0, 0), vec(0, 0, 1), &q), -1);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("cubic");
@@ -100,6 +117,7 @@ int main(void)
     tcase_add_test(tests, weights);
     tcase_add_loop_test(tests, variances, 0, 2);
     tcase_add_test(tests, none);
+    tcase_add_loop_test(tests, three_lines, 0, 5);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);
     int failed = srunner_ntests_failed(runner);
