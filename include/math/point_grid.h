@@ -33,6 +33,9 @@ int point_grid_make(struct vec3 *point, size_t n, double spacing, int threads,
                     struct point_grid *point_grid, struct error *error);
 void point_grid_free(struct point_grid *point_grid);
 
+/* The mean spacing of the points, by the width of the cells. */
+double point_grid_spacing(const struct point_grid *point_grid);
+
 /* The column and the row of a place; of one outside, of the nearest cell. */
 size_t point_grid_column(const struct point_grid *point_grid, double x);
 size_t point_grid_row(const struct point_grid *point_grid, double y);

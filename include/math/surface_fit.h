@@ -8,6 +8,7 @@
  *   quadric.h     second degree, heights over a frame; and what both quadric and cubic are asked:
  *                 normal, foot, curvature, distance
  *   cubic.h       third degree, as a struct quadric too
+ *   moment_fit.h  quadric and cubic at once, of the points in a ball: the first round
  *   side_fit.h    plane or quadric on one side of an edge, in a frame that all sides share
  *   ridge_direction.h   along a rib or a groove
  *

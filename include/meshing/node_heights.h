@@ -8,6 +8,10 @@
  * nearest agrees within the noise or CERTAIN of the points' spacing, and the surface is not too
  * steep to be crossed by the node's upright line.  Others keep their points: those on edges, walls,
  * ribs and at the border.
+ *
+ * In a first round cubic and quadric are one set of sums over a ball (math/moment_fit.h): where the
+ * cubic explains its points and the quadric agrees, the vertex has its place, normal and curvature.
+ * Only the others are looked at by their nearest points.
  */
 #ifndef CLOUDMILL_NODE_HEIGHTS_H
 #define CLOUDMILL_NODE_HEIGHTS_H
@@ -23,8 +27,10 @@ struct node_heights_options {
 };
 
 /* Moves the vertices, whose rows and columns are those of the grid; returns how many stand at their
- * nodes. */
+ * nodes.  certain[] (NULL: not asked for) gets one standard deviation of the place, mm, of those
+ * vertices that the first round has also given their normal and kmax; -1 of the others, whose
+ * normals are the facets'. */
 size_t node_heights(struct mesh *mesh, const struct grid *grid, const struct point_grid *scan,
-                    const struct node_heights_options *options);
+                    const struct node_heights_options *options, double *certain);
 
 #endif

@@ -18,7 +18,18 @@ struct scan_normals {
                             does not count as noise */
 };
 
+struct scan_normals_options {
+    int neighbours;        /* points that a surface goes through */
+    int threads;           /* of which the result does not depend */
+    const double *certain; /* what is known already: node_heights.h; NULL: nothing */
+};
+
 /*
+ * In a first round, the surface through the points of a ball (math/moment_fit.h): a cubic where it
+ * explains them clearly better than a quadric does.  It counts where the points lie around the
+ * vertex and it leaves no more of them than noise (mesh->origin.noise) or rounding does.  Else a
+ * second round:
+ *
  * A quadric through the `neighbours` points of the scan nearest to each vertex, or the nearer half
  * of them where these lie at least twice as close to theirs (a tight bend); where they do not
  * carry one (points on one or two laser lines), through twice, four times ... MOST_TIMES as
@@ -29,9 +40,9 @@ struct scan_normals {
  * its larger principal curvature (hollow: positive) to mesh->kmax.  A vertex without a quadric
  * keeps the normal of its facets (eq 8), and 0.
  *
- * The result does not depend on the number of threads.
+ * Vertices that are `certain` keep what they have.
  */
 struct scan_normals scan_normals_quadric(struct mesh *mesh, const struct point_grid *point_grid,
-                                         int neighbours, int threads);
+                                         const struct scan_normals_options *options);
 
 #endif

@@ -21,8 +21,9 @@ struct normals_options {
     double noise; /* of the points, one standard deviation, mm, that vertices are rid of; 0: none */
     int neighbours; /* points that a surface goes through; 0: chosen */
     int threads;
-    double effort; /* effort.h */
-    bool silent;   /* a trial: nothing is said */
+    const double *certain; /* vertices that have theirs: meshing/node_heights.h; NULL: none */
+    double effort;         /* effort.h */
+    bool silent;           /* a trial: nothing is said */
 };
 
 struct normal_estimator {

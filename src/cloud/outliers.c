@@ -33,12 +33,6 @@ struct search {
     bool floating; /* only what is apart from the rest */
 };
 
-static double spacing_of(const struct point_grid *b)
-{
-    const double spacings_a_cell = 3;
-    return b->cell / spacings_a_cell;
-}
-
 size_t outliers_twice(const struct point_grid *b, unsigned char *out)
 {
     size_t found = 0;
@@ -244,7 +238,7 @@ static size_t mark_cells(const struct point_grid *b, double sigma, int threads,
                          void (*work)(void *, size_t, size_t), bool floating, unsigned char *out)
 {
     size_t before = count_marked(out, b->n);
-    struct search s = {b, sigma, spacing_of(b), out, floating};
+    struct search s = {b, sigma, point_grid_spacing(b), out, floating};
     parallel_for(threads, b->columns * b->rows, work, &s);
     return count_marked(out, b->n) - before;
 }
@@ -307,7 +301,7 @@ static bool is_on_needle(const struct point_grid *b, double reach, size_t i)
 static size_t gather_seen_from_above(const struct point_grid *b, const unsigned char *out, size_t i,
                                      struct vec3 *near, size_t *above, size_t *below)
 {
-    const double within = SEEN * spacing_of(b);
+    const double within = SEEN * point_grid_spacing(b);
     const struct vec3 p = b->point[i];
     size_t column = point_grid_column(b, p.x), row = point_grid_row(b, p.y), n = 0;
     size_t r0 = row > 0 ? row - 1 : 0, r1 = row + 1 < b->rows ? row + 1 : row;
@@ -327,7 +321,7 @@ static size_t gather_seen_from_above(const struct point_grid *b, const unsigned 
 /* Their heights differ by so much that they go up or down a cliff. */
 static bool is_cliff(const struct point_grid *b, const struct vec3 *near, size_t n)
 {
-    const double steep = 10 * spacing_of(b); /* over five spacings at most: 63 degrees */
+    const double steep = 10 * point_grid_spacing(b); /* over five spacings at most: 63 degrees */
     double low = INFINITY, high = -INFINITY;
 
     for (size_t k = 0; k < n; k++) {
@@ -365,9 +359,9 @@ static double widest_gap(const struct vec3 *near, size_t n, struct vec3 p)
 static bool is_at_rim(const struct point_grid *b, const struct vec3 *near, size_t n, size_t i)
 {
     struct vec3 p = b->point[i], in = middle_of(near, n, p);
-    struct vec3 out = vec_along(p, -UNDERCUT * spacing_of(b), vec_unit(in));
+    struct vec3 out = vec_along(p, -UNDERCUT * point_grid_spacing(b), vec_unit(in));
 
-    return vec_length(in) > LOPSIDED * SEEN * spacing_of(b) &&
+    return vec_length(in) > LOPSIDED * SEEN * point_grid_spacing(b) &&
            (widest_gap(near, n, p) > RIM || widest_gap(near, n, out) > RIM);
 }
 
@@ -404,7 +398,7 @@ static bool is_on_step(const struct point_grid *b, const unsigned char *out, siz
  * below a rim. */
 static void keep_borne_out(const struct point_grid *b, double sigma, unsigned char *out)
 {
-    const double reach = 1.5 * spacing_of(b);
+    const double reach = 1.5 * point_grid_spacing(b);
     struct group group = {.attached = false};
     bool *kept = mem_alloc(b->n + 1, sizeof *kept);
 

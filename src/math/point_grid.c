@@ -93,26 +93,72 @@ static size_t cell_of(const struct point_grid *b, struct vec3 p)
     return point_grid_row(b, p.y) * b->columns + point_grid_column(b, p.x);
 }
 
-/* Each point is put where its cell has room, in exchange for what stands there (McIlroy, Bostic and
- * McIlroy 1993, American flag sort): no copy of the cloud, and little to do where it is sorted. */
-static void sort_into_cells(struct point_grid *b)
+/* Counts the points of each cell, of cell c in first[c + 1].  True: they are sorted by cells, and in
+ * each by x, y, z. */
+static bool count_cells(struct point_grid *b)
 {
-    size_t cells = b->columns * b->rows;
-    uint32_t *next = mem_alloc(cells, sizeof *next); /* of each cell, where its next point goes */
+    size_t before = 0;
+    bool sorted = true;
 
-    b->first = mem_alloc(cells + 1, sizeof *b->first);
-    for (size_t i = 0; i < b->n; i++)
-        b->first[cell_of(b, b->point[i]) + 1]++;
-    for (size_t c = 0; c < cells; c++)
-        b->first[c + 1] += next[c] = b->first[c];
-    for (size_t c = 0; c < cells; c++)
-        while (next[c] < b->first[c + 1]) {
+    for (size_t i = 0; i < b->n; i++) {
+        size_t c = cell_of(b, b->point[i]);
+        b->first[c + 1]++;
+        sorted = sorted && (c > before || i == 0 ||
+                            (c == before && vec_compare(&b->point[i - 1], &b->point[i]) <= 0));
+        before = c;
+    }
+    return sorted;
+}
+
+/* Each point is put where its part has room, in exchange for what stands there (McIlroy, Bostic and
+ * McIlroy 1993, American flag sort): no copy of the cloud, and little to do where it is sorted.
+ * next[]: of each part, where its next point goes; end[]: where it ends. */
+static void exchange(const struct point_grid *b, size_t parts, size_t rows, uint32_t *next,
+                     const uint32_t *end)
+{
+    for (size_t c = 0; c < parts; c++)
+        while (next[c] < end[c]) {
             struct vec3 *here = &b->point[next[c]], p = *here;
-            struct vec3 *there = &b->point[next[cell_of(b, p)]++];
+            size_t part = rows > 0 ? point_grid_row(b, p.y) / rows : cell_of(b, p);
+            struct vec3 *there = &b->point[next[part]++];
             *here = *there;
             *there = p;
         }
+}
+
+/* First into blocks of rows, few enough that where each goes on stays near: a cloud in no order
+ * would else be gone through at random. */
+static void sort_into_blocks(const struct point_grid *b)
+{
+    enum { BLOCKS = 128 };
+    uint32_t next[BLOCKS], end[BLOCKS];
+    size_t rows = (b->rows - 1) / BLOCKS + 1, blocks = (b->rows - 1) / rows + 1;
+
+    for (size_t k = 0; k < blocks; k++) {
+        size_t last = (k + 1) * rows < b->rows ? (k + 1) * rows : b->rows;
+        next[k] = b->first[k * rows * b->columns];
+        end[k] = b->first[last * b->columns];
+    }
+    exchange(b, blocks, rows, next, end);
+}
+
+/* True: the points were in order. */
+static bool sort_into_cells(struct point_grid *b)
+{
+    size_t cells = b->columns * b->rows;
+
+    b->first = mem_alloc(cells + 1, sizeof *b->first);
+    bool sorted = count_cells(b);
+    for (size_t c = 0; c < cells; c++)
+        b->first[c + 1] += b->first[c];
+    if (sorted)
+        return true;
+    uint32_t *next = mem_alloc(cells, sizeof *next);
+    memcpy(next, b->first, cells * sizeof *next);
+    sort_into_blocks(b);
+    exchange(b, cells, 0, next, b->first + 1);
     free(next);
+    return false;
 }
 
 static void sort_cells(void *context, size_t from, size_t to)
@@ -144,9 +190,14 @@ int point_grid_make(struct vec3 *point, size_t n, double spacing, int threads,
                          (unsigned long)UINT32_MAX);
     *point_grid = (struct point_grid){.point = point, .n = n};
     lay_out(point_grid, spacing);
-    sort_into_cells(point_grid);
-    parallel_for(threads, point_grid->columns * point_grid->rows, sort_cells, point_grid);
+    if (!sort_into_cells(point_grid))
+        parallel_for(threads, point_grid->columns * point_grid->rows, sort_cells, point_grid);
     return 0;
+}
+
+double point_grid_spacing(const struct point_grid *b)
+{
+    return b->cell / CELLS_WIDE;
 }
 
 void point_grid_free(struct point_grid *point_grid)

@@ -5,14 +5,21 @@
 
 #include "cloud/noise.h"
 #include "math/cubic.h"
+#include "math/moment_fit.h"
 #include "base/parallel.h"
 
 enum { MOST_TIMES = 32, QUADRIC = 6, CUBIC = 10 /* terms */ };
+
+/* Of the neighbours, so many lie in the ball of the first round, whose cubic may leave so much of
+ * the noise or of the points' spacing; the lean of the points there, at most. */
+static const double PART = 0.9, EXPLAINED = 1.4, FINE = 0.01, SURROUNDED = 0.25;
 
 struct estimation {
     struct mesh *mesh;
     const struct point_grid *point_grid;
     size_t neighbours;
+    const double *certain;
+    double spacing;
     double *distance; /* of each vertex from its quadric; negative: it has none */
 };
 
@@ -67,6 +74,21 @@ static int fit_at(const struct estimation *e, struct vec3 vertex, struct vec3 gu
     return -1;
 }
 
+/* The first round. */
+static bool fit_moments(const struct estimation *e, struct vec3 vertex, struct vec3 guess,
+                        struct quadric *q)
+{
+    double radius = moment_fit_radius(PART * (double)e->neighbours, e->spacing, guess);
+    double least = fmax(EXPLAINED * e->mesh->origin.noise, FINE * e->spacing);
+    struct moment_fit fit;
+
+    if (moment_fit_ball(e->point_grid, vertex, guess, radius, &fit) < 0 || fit.lean > SURROUNDED ||
+        fit.cubic_spread > least)
+        return false;
+    *q = *moment_fit_better(&fit);
+    return true;
+}
+
 static void fit_vertices(void *context, size_t from, size_t to)
 {
     const struct estimation *e = context;
@@ -77,10 +99,12 @@ static void fit_vertices(void *context, size_t from, size_t to)
                                  mem_alloc(most, sizeof *near.point)};
     for (size_t i = from; i < to; i++) {
         struct quadric q;
-        struct vec3 up = mesh->normal.item[i];
-        e->distance[i] = -1;
+        struct vec3 up = mesh->normal.item[i], at = mesh->vertex.item[i];
+        e->distance[i] = e->certain ? e->certain[i] : -1;
+        if (e->distance[i] >= 0)
+            continue;
         mesh->kmax.item[i] = 0;
-        if (fit_at(e, mesh->vertex.item[i], up, &near, &q) < 0)
+        if (!fit_moments(e, at, up, &q) && fit_at(e, at, up, &near, &q) < 0)
             continue;
         mesh->normal.item[i] = quadric_normal(&q);
         mesh->kmax.item[i] = quadric_curvature(&q);
@@ -114,15 +138,20 @@ static struct scan_normals summarize(double *distance, size_t n)
 }
 
 struct scan_normals scan_normals_quadric(struct mesh *mesh, const struct point_grid *point_grid,
-                                         int neighbours, int threads)
+                                         const struct scan_normals_options *options)
 {
     size_t vertices = mesh->vertex.n;
-    struct estimation e = {mesh, point_grid, (size_t)neighbours,
+    struct estimation e = {mesh,
+                           point_grid,
+                           (size_t)options->neighbours,
+                           options->certain,
+                           point_grid_spacing(point_grid),
                            mem_alloc(vertices, sizeof *e.distance)};
-    mesh_normals_facet(mesh);
+    if (!options->certain)
+        mesh_normals_facet(mesh);
     array_reserve(&mesh->kmax, vertices);
     mesh->kmax.n = vertices;
-    parallel_for(threads, vertices, fit_vertices, &e);
+    parallel_for(options->threads, vertices, fit_vertices, &e);
     struct scan_normals result = summarize(e.distance, vertices);
     free(e.distance);
     return result;

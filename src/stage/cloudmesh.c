@@ -84,12 +84,22 @@ static int place_nodes(const struct cloudmesh_options *options, const struct clo
     return 0;
 }
 
-/* Puts vertices at their nodes, where the scan says how high these are; sorts the points. */
+/* Mean spacing of the points on no wall. */
+static double flat_spacing(const struct cloudmesh_options *options, const struct cloud_parts *parts,
+                           const struct vec3s *points)
+{
+    return parts->flat == points->n && parts->mean > 0
+               ? parts->mean
+               : cloudmesh_spacing(options, points->item, parts->flat);
+}
+
+/* Puts vertices at their nodes, where the scan says how high these are; sorts the points.
+ * *certain: as node_heights.h has it, for the caller to free. */
 static int stand_at_nodes(const struct cloudmesh_options *options, const struct cloud_parts *parts,
                           struct vec3s *points, double noise, int threads, struct mesh *mesh,
-                          const struct cloudmesh *result, struct error *error)
+                          const struct cloudmesh *result, double **certain, struct error *error)
 {
-    double mean = cloudmesh_spacing(options, points->item, parts->flat);
+    double mean = flat_spacing(options, parts, points);
     struct node_heights_options how = {mean, fmax(noise, mesh->origin.noise), threads};
     struct point_grid scan;
 
@@ -97,7 +107,9 @@ static int stand_at_nodes(const struct cloudmesh_options *options, const struct 
         return 0;
     if (point_grid_make(points->item, parts->flat, mean, threads, &scan, error) < 0)
         return -1;
-    size_t moved = node_heights(mesh, &result->grid, &scan, &how);
+    if (!(noise > 0))
+        *certain = mem_alloc(mesh->vertex.n, sizeof **certain);
+    size_t moved = node_heights(mesh, &result->grid, &scan, &how, *certain);
     if (!options->silent)
         note("%zu of %zu vertices stand at nodes of the grid, the others at points of the scan",
              moved, mesh->vertex.n);
@@ -105,13 +117,15 @@ static int stand_at_nodes(const struct cloudmesh_options *options, const struct 
     return 0;
 }
 
-/* Normals, and vertices moved where there is noise, from n points, which it sorts. */
-int cloudmesh_normals(const struct cloudmesh_options *options, struct vec3 *point, size_t n,
-                      double noise, int threads, struct mesh *mesh, struct error *error)
+/* Normals, and vertices moved where there is noise, with what is known of them already. */
+static int normals_of_nodes(const struct cloudmesh_options *options, struct vec3 *point, size_t n,
+                            double spacing, double noise, const double *certain, int threads,
+                            struct mesh *mesh, struct error *error)
 {
     struct normals_options normals = {.point = point,
                                       .n = n,
-                                      .spacing = cloudmesh_spacing(options, point, n),
+                                      .spacing = spacing,
+                                      .certain = certain,
                                       .noise = noise,
                                       .neighbours = options->neighbours,
                                       .effort = options->effort,
@@ -119,6 +133,13 @@ int cloudmesh_normals(const struct cloudmesh_options *options, struct vec3 *poin
                                       .silent = options->silent};
 
     return options->normals->estimate(mesh, &normals, error);
+}
+
+int cloudmesh_normals(const struct cloudmesh_options *options, struct vec3 *point, size_t n,
+                      double noise, int threads, struct mesh *mesh, struct error *error)
+{
+    return normals_of_nodes(options, point, n, cloudmesh_spacing(options, point, n), noise, NULL,
+                            threads, mesh, error);
 }
 
 static struct feature_scan scan_of(const struct cloud_parts *parts, const struct vec3s *points,
@@ -273,9 +294,15 @@ static int mesh_of_nodes(const struct cloudmesh_options *options, const struct c
         return -1;
     if (mesh->face.n == 0)
         return 0;
-    if (stand_at_nodes(options, parts, points, noise, threads, mesh, result, error) < 0)
-        return -1;
-    if (cloudmesh_normals(options, points->item, parts->flat, noise, threads, mesh, error) < 0)
+    double *certain = NULL;
+    int status =
+        stand_at_nodes(options, parts, points, noise, threads, mesh, result, &certain, error);
+    if (status == 0)
+        status = normals_of_nodes(options, points->item, parts->flat,
+                                  flat_spacing(options, parts, points), noise, certain, threads,
+                                  mesh, error);
+    free(certain);
+    if (status < 0)
         return -1;
     add_features(options, parts, points, noise, threads, mesh, result);
     return 0;

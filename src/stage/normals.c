@@ -24,8 +24,9 @@ static void say_thin(size_t thin, const struct mesh *mesh)
 static double fit_points(struct mesh *mesh, const struct normals_options *o,
                          const struct point_grid *scan)
 {
-    int neighbours = o->neighbours ? o->neighbours : NEIGHBOURS;
-    struct scan_normals r = scan_normals_quadric(mesh, scan, neighbours, o->threads);
+    struct scan_normals_options how = {o->neighbours ? o->neighbours : NEIGHBOURS, o->threads,
+                                       o->certain};
+    struct scan_normals r = scan_normals_quadric(mesh, scan, &how);
     if (o->silent)
         return r.sigma;
     say_thin(r.thin, mesh);

@@ -62,7 +62,7 @@ static struct case_of run_case(double (*z)(double x, double y), double direction
     size_t *chosen = reposition(&c.grid, c.points.item, c.points.n, REACH_NEAREST);
     grid_mesh_make(&c.grid, chosen, c.points.item, NULL, &c.mesh);
     free(chosen);
-    c.moved = node_heights(&c.mesh, &c.grid, &c.scan, &options);
+    c.moved = node_heights(&c.mesh, &c.grid, &c.scan, &options, NULL);
     return c;
 }
 

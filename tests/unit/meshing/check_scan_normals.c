@@ -55,9 +55,10 @@ static void free_all(void)
 static struct scan_normals normals(int neighbours, int threads)
 {
     struct point_grid point_grid;
+    const struct scan_normals_options how = {.neighbours = neighbours, .threads = threads};
     struct error error;
     ck_assert_int_eq(point_grid_make(scan.item, scan.n, 0.5, threads, &point_grid, &error), 0);
-    struct scan_normals r = scan_normals_quadric(&mesh, &point_grid, neighbours, threads);
+    struct scan_normals r = scan_normals_quadric(&mesh, &point_grid, &how);
     point_grid_free(&point_grid);
     return r;
 }
