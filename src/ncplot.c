@@ -49,7 +49,8 @@ static struct settings read_settings(struct cli *cli, int argc, char **argv)
          NULL},
         {0, "width", "PX", "largest width of the picture (1000)", CLI_COUNT, &s.width, 300, 10000,
          0, NULL},
-        {'m', "machine", "MACHINE", "machine that a program is for (default: table-ac)", CLI_TEXT,
+        {'m', "machine", "MACHINE",
+         "machine that a program is for (default: what its head names, or table-ac)", CLI_TEXT,
          &s.machine, 0, 0, 0, NULL},
         {'u', "units", "mm|cm|m|um|inch|in", "units of clouds (default: mm)", CLI_CHOICE, &s.unit,
          0, 0, 0, NULL},
@@ -85,6 +86,8 @@ static struct scene read_scene(const struct cli *cli, const struct settings *s)
             die("%s: nothing to draw, expected points, facets or motions", layer.name);
         if (s->speed && !layer.speeds)
             die("%s: found no speeds, expected a program (option --speed)", layer.name);
+        if (*layer.told)
+            say("%s: %s", layer.name, layer.told);
         note("%s: %s", layer.name, layer.figures);
         *array_push(&scene) = layer;
     }

@@ -6,6 +6,7 @@
  */
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include "math/elementary.h"
 #include "base/array.h"
@@ -191,6 +192,34 @@ static void find_ball(struct settings *s, const struct ncread_head *head)
                   s->tolerance);
 }
 
+/* Control and machine that the program's head says, where options don't. */
+static void adopt_head(struct settings *s, const char *file, struct ncread_head *said)
+{
+    struct machine_options *m = &s->machine;
+    const char *missing;
+    struct error error;
+    if (!file || strcmp(file, "-") == 0)
+        return;
+    if (ncread_head_of(file, said, &error) < 0)
+        die_error(&error);
+    if (!machine_options_adopt(m, said->control_file, said->machine_file, &missing))
+        say("the program's head says %s, and there is no such file here (-c, -m)", missing);
+    if (m->name == said->machine_file)
+        note("machine: %s (as the program's head says)", m->name);
+}
+
+/* What options say otherwise, or lack, of control and --set. */
+static void say_contradictions(const struct settings *s, const struct ncread_head *said)
+{
+    if (s->machine.control && *said->control_file &&
+        strcasecmp(s->machine.control, said->control_file) != 0)
+        say("the program's head says the control %s, it is read as one for %s (-c)",
+            said->control_file, s->machine.control);
+    if (*said->set && s->machine.set.n == 0)
+        say("the program was made with --set %s: give the same, if it bears on what is judged",
+            said->set);
+}
+
 static struct machine read_machine(const struct settings *s)
 {
     struct machine machine;
@@ -223,8 +252,13 @@ static struct verify_program read_program(const struct settings *s, const struct
     options.dialect = ncread_of(control);
     options.tcp = *tcp = machine_has_tcp(machine, control);
     ncread_wraps(machine, &options.kinematics, options.wraps);
-    if (ncread_read(file, &options, motion, &error) < 0)
+    if (ncread_read(file, &options, motion, &error) < 0) {
+        if (s->machine.name && *head->machine_file &&
+            strcasecmp(s->machine.name, head->machine_file) != 0)
+            say("the program's head says the machine %s, not %s (-m)", head->machine_file,
+                s->machine.name);
         die_error(&error);
+    }
     motion->track = s->centre ? NC_MOTION_CENTRE : NC_MOTION_TIP;
     return (struct verify_program){.file = motion->name,
                                    .control = control_row(control)->name,
@@ -295,7 +329,10 @@ int main(int argc, char **argv)
     struct vec3s points = {0};
     struct verify_surface surface = {0};
     read_options(&s, &cli, argc, argv);
+    struct ncread_head said = {.post = -1, .axis = -1};
+    adopt_head(&s, cli.file[0], &said);
     struct machine machine = read_machine(&s);
+    say_contradictions(&s, &said);
     struct verify_program program = read_program(&s, &machine, cli.file[0], &motion, &head, &tcp);
     find_ball(&s, &head);
     find_tool(&s, &head);

@@ -76,6 +76,8 @@ struct machine_digits {
 
 struct machine {
     char name[100];
+    char file[100];           /* as it was named for machine_read; "": too long for here */
+    char set[MACHINE_BLOCKS]; /* what machine_set changed, blanks between, as far as it fits */
     char control[60];         /* a name or file, "": any */
     char used[60];            /* the control that was asked for or read, "": none */
     struct control_text text; /* its programs as text */
@@ -162,6 +164,9 @@ int machine_control(struct machine *machine, const char *name, struct error *err
 
 /* There is such a control; false with the error. */
 bool machine_control_exists(const char *name, struct error *error);
+
+/* True if there is such a file among the machines. */
+bool machine_exists(const char *name);
 
 /* One more `key=value`, as the command line has it. */
 int machine_set(struct machine *machine, const char *setting, struct error *error);

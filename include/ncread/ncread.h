@@ -36,7 +36,7 @@
 struct ncread_dialect;
 
 /* What the comments before the first move say, in mm: ncread_head.h. */
-enum { NCREAD_HEAD_TEXT = 1200 };
+enum { NCREAD_HEAD_TEXT = 1200, NCREAD_HEAD_NAME = 120 };
 struct ncread_head {
     char tool[NCREAD_HEAD_TEXT];    /* all of it; "": nothing */
     double ball;                    /* radius; 0: not said */
@@ -48,6 +48,9 @@ struct ncread_head {
     bool contact_feed;              /* feeds are those of the contact point */
     bool numbered;                  /* by ncpost: in even steps */
     char machine[NCREAD_HEAD_TEXT]; /* its name, as far as it is there; "": not said */
+    char control_file[NCREAD_HEAD_NAME]; /* as -c has it, in any case; "": not said */
+    char machine_file[NCREAD_HEAD_NAME]; /* the same of -m */
+    char set[NCREAD_HEAD_NAME];          /* keys of --set, as far as they are there */
 };
 
 struct ncread_options {
@@ -69,6 +72,12 @@ struct ncread_options {
  */
 int ncread_read(const char *file, const struct ncread_options *options, struct nc_motion *motion,
                 struct error *error);
+
+/*
+ * What the comments at the head of a program say, without running it: of its first lines, of which a
+ * head has fewer.  -1: the file can't be read.
+ */
+int ncread_head_of(const char *file, struct ncread_head *head, struct error *error);
 
 /* What its axes may do; tcp: the control keeps the tool's tip.  The struct of the time has no
  * limits yet; acceleration 0: the machine file gives none. */

@@ -36,6 +36,7 @@ struct ticks {
 struct layer {
     const char *name;   /* of the file */
     char figures[240];  /* what there is in it, for the title */
+    char told[400];     /* what options and a program's head say differently; "": nothing */
     struct vec3s point; /* of a cloud */
     struct mesh mesh;   /* no facets: there is none */
     struct vec3s node;  /* of the strokes */

@@ -40,6 +40,7 @@ struct machine machine_default(void)
 {
     struct machine m = {
         .name = "Table-table A/C",
+        .file = "table-ac",
         .type = TABLE_TABLE,
         .axes = "A C",
         .axis = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
@@ -200,6 +201,14 @@ static struct keys machine_keys(struct machine *m)
     return keys;
 }
 
+/* For those who read the program: which keys were set. */
+static void note_set(struct machine *machine, const char *setting)
+{
+    size_t n = strlen(machine->set), room = sizeof machine->set - n;
+    if (strlen(setting) + 2 <= room)
+        snprintf(machine->set + n, room, "%s%s", n ? " " : "", setting);
+}
+
 int machine_set(struct machine *machine, const char *setting, struct error *error)
 {
     if (keys_hash_meant(setting))
@@ -210,6 +219,8 @@ int machine_set(struct machine *machine, const char *setting, struct error *erro
     result = result == 1 ? keys_set(&keys, text, "--set", 0, error) : result;
     free(text);
     array_free(&keys);
+    if (result == 0)
+        note_set(machine, setting);
     return result;
 }
 
@@ -557,9 +568,19 @@ int machine_control(struct machine *machine, const char *name, struct error *err
     return 0;
 }
 
+bool machine_exists(const char *name)
+{
+    char file[FILE_MAX];
+    struct error error;
+    return library_file_find(&machines, name, NULL, file, &error) == 0 && access(file, R_OK) == 0;
+}
+
 int machine_read(struct machine *machine, const char *name, struct error *error)
 {
     char file[FILE_MAX];
+    int n = snprintf(machine->file, sizeof machine->file, "%s", name);
+    if (n >= (int)sizeof machine->file)
+        machine->file[0] = '\0';
     if (library_file_find(&machines, name, NULL, file, error) != 0)
         return -1;
     return read_file(machine, file, 0, error);

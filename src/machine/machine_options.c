@@ -1,6 +1,7 @@
 /* machine_options - see machine_options.h. */
 #include "machine/machine_options.h"
 
+#include <ctype.h>
 #include <stdlib.h>
 
 #include "base/array.h"
@@ -68,6 +69,41 @@ int machine_options_read(const struct machine_options *options, struct machine *
         return status;
     /* a file is checked as it is read: what does not go together now was set */
     return machine_finish(machine, error) == 0 ? 0 : EXIT_USAGE;
+}
+
+static bool control_exists(const char *name)
+{
+    struct error error;
+    return machine_control_exists(name, &error);
+}
+
+/* The name as it stands, or in small letters. */
+static bool find_name(char *name, bool (*exists)(const char *))
+{
+    if (exists(name))
+        return true;
+    for (char *c = name; *c; c++)
+        *c = (char)tolower((unsigned char)*c);
+    return exists(name);
+}
+
+bool machine_options_adopt(struct machine_options *options, char *control, char *machine,
+                           const char **missing)
+{
+    *missing = NULL;
+    if (!options->control && *control) {
+        if (find_name(control, control_exists))
+            options->control = control;
+        else
+            *missing = control;
+    }
+    if (!options->name && *machine) {
+        if (find_name(machine, machine_exists))
+            options->name = machine;
+        else
+            *missing = machine;
+    }
+    return !*missing;
 }
 
 void machine_options_free(struct machine_options *options)

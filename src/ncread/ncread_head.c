@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/num.h"
+#include "base/reader.h"
 
 /* Takes the number at *s; 0 where there is none. */
 static double number_at(const char **s)
@@ -107,6 +108,12 @@ void ncread_head_line(struct ncread_head *head, const char *line)
         add_tool(head, s);
     } else if (has_key(&s, "TOOL+: ")) {
         add_tool(head, s);
+    } else if (has_key(&s, "CONTROL: ")) {
+        read_name(head->control_file, sizeof head->control_file, s);
+    } else if (has_key(&s, "MACHINE: ")) {
+        read_name(head->machine_file, sizeof head->machine_file, s);
+    } else if (has_key(&s, "SET: ")) {
+        read_name(head->set, sizeof head->set, s);
     } else if (has_key(&s, "FEED: CONTACT")) {
         head->contact_feed = true;
     } else if (has_word(&s, "cloudmill ncpost")) {
@@ -127,4 +134,19 @@ void ncread_head_line(struct ncread_head *head, const char *line)
         if (has_key(&s, "TOLERANCE: "))
             head->tolerance = number_at(&s);
     }
+}
+
+int ncread_head_of(const char *file, struct ncread_head *head, struct error *error)
+{
+    enum { LINES = 1000 };
+    struct reader r;
+    char *line;
+    size_t n;
+    int more = 0;
+    if (reader_open(&r, file, error) < 0)
+        return -1;
+    for (int i = 0; i < LINES && (more = reader_line(&r, &line, &n, error)) > 0; i++)
+        ncread_head_line(head, line);
+    reader_close(&r);
+    return more < 0 ? -1 : 0;
 }

@@ -4,6 +4,8 @@
  *   TOOL: BALL R5 FLUTE 20 HOLDER 5:60      SCALLOP: 0.02 TOLERANCE: 0.01
  *   FEED: CONTACT                           cloudmill ncpost for Siemens, Fork head C/A
  *   Tolerance ncpost 0.0011                 Tolerance sum 0.0112 mm, axis 0.0063 deg
+ *   CONTROL: siemens                        MACHINE: head-ca
+ *   SET: A.max=30
  *
  * and TOOL+: for more of it.  What is not understood is as if it were not there.
  */

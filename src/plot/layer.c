@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include "base/array.h"
 #include "curve/flatten.h"
@@ -326,8 +327,20 @@ static void add_program(const struct nc_motion *motion, const struct layer_optio
 static int run_program(const char *file, const struct layer_options *options, struct layer *layer,
                        struct error *error)
 {
-    const struct machine_options chosen = {.name = options->machine};
+    struct machine_options chosen = {.name = options->machine};
+    struct ncread_head head = {.post = -1, .axis = -1};
+    const char *missing;
     struct machine machine;
+    if (ncread_head_of(file, &head, error) < 0 || stream_again(file, error) < 0)
+        return -1;
+    if (!machine_options_adopt(&chosen, head.control_file, head.machine_file, &missing))
+        snprintf(layer->told, sizeof layer->told,
+                 "the program's head says %s, and there is no such file here (-m)", missing);
+    else if (options->machine && *head.machine_file &&
+             strcasecmp(options->machine, head.machine_file) != 0)
+        snprintf(layer->told, sizeof layer->told,
+                 "the program's head says the machine %s, it is drawn on %.60s (-m)",
+                 head.machine_file, options->machine);
     if (machine_options_read(&chosen, &machine, error) != 0)
         return -1;
     enum control_id control = ncread_tell(file, error);
@@ -336,11 +349,16 @@ static int run_program(const char *file, const struct layer_options *options, st
     struct ncread_options run = {.dialect = ncread_of(control),
                                  .tcp = machine_has_tcp(&machine, control),
                                  .kinematics = ncread_kinematics(&machine)};
+    run.words = machine.text.words;
+    run.cutcom = machine.cutcom;
     run.tool = machine.tool;
     run.tools = machine.tools;
     ncread_wraps(&machine, &run.kinematics, run.wraps);
     struct nc_motion motion = {0};
     if (ncread_read(file, &run, &motion, error) < 0) {
+        struct error found = *error;
+        if (*layer->told)
+            error_set(error, "%s; %s", found.text, layer->told);
         nc_motion_free(&motion);
         return -1;
     }

@@ -122,6 +122,18 @@ static void assumed_kinematics(struct nc_program *p)
     }
 }
 
+/* By what names ncverify and ncplot find control and machine again: those of -c, -m and --set. */
+static void machine_keys(struct nc_program *p)
+{
+    const struct machine *m = p->machine;
+    if (*m->used)
+        key_line(p, "CONTROL", m->used);
+    if (*m->file)
+        key_line(p, "MACHINE", m->file);
+    if (*m->set)
+        key_line(p, "SET", m->set);
+}
+
 /* What the path or the machine does not say and the program rests on. */
 static void assumptions(struct nc_program *p)
 {
@@ -226,6 +238,7 @@ void nc_head(struct nc_program *p)
     if (partno && *partno)
         nc_comment(&p->w, "%.70s", partno);
     nc_comment(&p->w, "cloudmill ncpost for %s, %.50s", p->machine->text.title, p->machine->name);
+    machine_keys(p);
     if (p->parts)
         nc_comment(&p->w, "Part %zu of %zu; figures below are those of the whole", p->part,
                    p->parts);

@@ -396,6 +396,33 @@ sed '/^N12470 /s/Z.*/Z30. A85./' dome.fanuc >lean.nc
 status 3 "a holder in a rapid move" ncverify -g dome.xyz -r 6 -e 0.005 --holder 3:10+25:30 lean.nc
 has "is named" 'N124[78]0 .*the holder goes .*in a rapid move' err
 # ---- what the head says: the ball, and the machine
+ncpost -q -c haas -m table-bc "$SRC/tests/data/golden/shapes.cl" -o haas.nc
+has "a program's head says its control" '^.CONTROL: HAAS.$' haas.nc
+has "and its machine" '^.MACHINE: TABLE-BC.$' haas.nc
+ncverify -v -g dome.xyz haas.nc >out 2>err
+has "which ncverify takes" 'machine: table-bc .as the program.s head says' err
+has "and judges on" '^machine +Table-table B/C' out
+hasnt "with the words of that control" 'not known here' err
+status 1 "-m contradicts it" ncverify -q -g dome.xyz -m table-ac haas.nc
+ncverify -g dome.xyz -m table-ac haas.nc 2>err
+has "which is told" 'head says the machine TABLE-BC, not table-ac .-m' err
+ncverify -g dome.xyz -c fanuc haas.nc >out 2>err
+has "and so is another control" 'head says the control HAAS, it is read as one for fanuc' err
+sed 's/TABLE-BC/NO-SUCH/' haas.nc >none.nc
+ncverify -g dome.xyz none.nc >out 2>err
+has "a machine that is not here is told" 'head says no-such, and there is no such file here' err
+ok "ncplot takes the head's machine" ncplot -o haas.svg haas.nc
+ncplot haas.nc -o haas.svg 2>err
+empty "and the control's words" err
+status 1 "ncplot with another machine" ncplot -m table-ac -o haas.svg haas.nc
+has "says what the head says" 'head says the machine TABLE-BC, it is drawn on table-ac' err
+ncpost -q -c siemens --set x.max=900 "$SRC/tests/data/golden/shapes.cl" -o set.mpf
+has "keys of --set are in the head" '^; SET: x.max=900$' set.mpf
+ncverify -g dome.xyz set.mpf >out 2>err
+has "ncverify asks for them" 'made with --set x.max=900' err
+ncverify -g dome.xyz --set x.max=900 set.mpf >out 2>err
+hasnt "unless it has them" 'made with --set' err
+
 awk 'NR == 2 { print; print "(TOOL: BALL R6 FLUTE 24)"; print "(cloudmill ncpost for Fanuc, Fork head C/A)"; next } { print }' \
 	dome.fanuc >said.nc
 ncverify -g dome.xyz -r 6 -c fanuc dome.fanuc >given
