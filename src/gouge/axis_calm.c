@@ -3,6 +3,7 @@
 
 #include <stdlib.h>
 
+#include "gouge/axis_smooth.h"
 #include "gouge/holder_sweep.h"
 #include "machine/rotary_cost.h"
 
@@ -11,6 +12,7 @@ enum { SWEEPS = 4, ROUNDS = 4, HALVINGS = 7 };
 static const double WIDEST = 24;       /* mm: first half length of averages, halved each time */
 static const double NARROW = 4;        /* mm: from here on axes may use what is spared of play */
 static const double NARROWEST = 1;     /* mm: none is shorter */
+static const double OVER = 0.7;        /* of the radius: rules are averaged over so much, twice */
 static const double AIR = RADIANS(60); /* how far axes in the air may be off those they had */
 static const double STEEPEST = RADIANS(80); /* of an axis from the normal */
 static const double RAMP = 1.5; /* radii of the ball: from a place that stays to what is calm */
@@ -36,30 +38,15 @@ struct chain {
     double spare; /* how much further off its rule an axis may be now, radians */
 };
 
-/* The rules of the stations [from, to), a run, averaged over the ball's radius: what turns back
- * within it is of single contact points and not of the surface. */
-static void average_rules(struct chain *c, size_t from, size_t to)
+/* The rules of a run, averaged. */
+static struct vec3 *rules_of(const struct axis_calm_run *run, double half)
 {
-    struct station *at = &c->at[from];
-    size_t n = to - from;
-    struct vec3 *sum = mem_alloc(n + 1, sizeof *sum);
+    struct vec3 *rule = mem_alloc(run->n, sizeof *rule);
 
-    for (size_t i = 0; i < n; i++) {
-        double before = i > 0 ? at[i].along - at[i - 1].along : 0;
-        double after = i + 1 < n ? at[i + 1].along - at[i].along : 0;
-        bool touches = run_point_touches(at[i].point);
-        sum[i + 1] = vec_along(sum[i], touches ? 1e-6 + (before + after) / 2 : 0, at[i].rule);
-    }
-    for (size_t i = 0, low = 0, high = 0; i < n; i++) {
-        while (at[i].along - at[low].along > c->options->radius)
-            low++;
-        while (high + 1 < n && at[high + 1].along - at[i].along <= c->options->radius)
-            high++;
-        struct vec3 mean = vec_unit(vec_sub(sum[high + 1], sum[low]));
-        if (run_point_touches(at[i].point) && vec_length(mean) > 0)
-            at[i].rule = mean;
-    }
-    free(sum);
+    for (size_t i = 0; i < run->n; i++)
+        rule[i] = run->rule[i];
+    axis_smooth_rules(run->point, run->n, half, rule);
+    return rule;
 }
 
 static struct chain chain_of(const struct axis_calm_options *options,
@@ -71,10 +58,11 @@ static struct chain chain_of(const struct axis_calm_options *options,
     for (size_t k = 0; k < n; k++)
         c.n += run[k].n;
     c.at = mem_alloc(c.n, sizeof *c.at);
-    for (size_t k = 0, i = 0; k < n; k++)
+    for (size_t k = 0, i = 0; k < n; k++) {
+        struct vec3 *rules = rules_of(&run[k], OVER * options->radius);
         for (size_t j = 0; j < run[k].n; j++, i++) {
             struct run_point *p = &run[k].point[j];
-            struct vec3 rule = run_point_touches(p) ? run[k].rule[j] : p->axis;
+            struct vec3 rule = run_point_touches(p) ? rules[j] : p->axis;
             c.at[i] = (struct station){.point = p, .rule = rule, .begins = j == 0};
             if (i > 0)
                 c.at[i].along = c.at[i - 1].along + vec_distance(c.at[i - 1].point->ball, p->ball);
@@ -82,8 +70,8 @@ static struct chain chain_of(const struct axis_calm_options *options,
                 last.turn = rotary_angles_near(&c.frame, p->axis, last).turn;
             c.at[i].was = c.at[i].angles = last = rotary_angles_near(&c.frame, p->axis, last);
         }
-    for (size_t k = 0, from = 0; k < n; from += run[k++].n)
-        average_rules(&c, from, from + run[k].n);
+        free(rules);
+    }
     for (size_t i = 0; i < c.n; i++) {
         const struct run_point *p = c.at[i].point;
         double play = run_point_touches(p) ? fmax(options->play - SPARE, 0) : AIR;

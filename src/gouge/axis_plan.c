@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "access.h"
+#include "gouge/axis_smooth.h"
 #include "gouge/holder_sweep.h"
 #include "machine/rotary_cost.h"
 
@@ -14,9 +15,9 @@ static const double NODES = 0.4;         /* of the radius: between nodes, at mos
 static const double STEP = 0.23;         /* radians: neighbouring directions are no further apart */
 static const double ROUND = RADIANS(45); /* about the rule: further off only where none is open */
 static const double MARGIN = 0.05;       /* mm: kept free of the tool, ... */
-static const double SLOPE = 0.0087; /* ... and so much more for each mm of height: 0.5 degrees */
-static const double NEAR = 0.004;   /* cost per mm of an axis that is off by all of `play` */
-static const double OVER = 1.0; /* of the radius: rules are averaged over so much to both sides */
+static const double SLOPE = 0.0087;    /* ... and so much more for each mm of height: 0.5 degrees */
+static const double NEAR = 0.004;      /* cost per mm of an axis that is off by all of `play` */
+static const double OVER = 0.7;        /* of the radius: rules are averaged over so much, twice */
 static const double AIR = RADIANS(60); /* how far axes in the air are off their rule for little */
 static const double FAR = 20;          /* cost per mm and radian beyond */
 static const double ALIKE = 0.1;       /* radians: directions so much further off are as good */
@@ -780,35 +781,22 @@ static void measure(struct work *w)
             w->along[i - 1] + vec_distance(w->run->item[i - 1].ball, w->run->item[i].ball);
 }
 
-/* The rule's axes as they are over the ball's radius: what turns back within it is of single
- * contact points and not of the surface.  Points in the air have no say. */
-static void average_rule(struct work *w, struct run *averaged)
+/* The run with the rule's axes averaged. */
+static void average_rule(const struct work *w, struct run *averaged)
 {
     const struct run *run = w->run;
-    double half = OVER * w->planner->options.radius;
-    struct vec3 sum = {0, 0, 0};
-    struct vec3 *until = mem_alloc(run->n + 1, sizeof *until);
+    struct vec3 *rule = mem_alloc(run->n, sizeof *rule);
 
-    for (size_t i = 0; i < run->n; i++) {
-        double before = i > 0 ? w->along[i] - w->along[i - 1] : 0;
-        double after = i + 1 < run->n ? w->along[i + 1] - w->along[i] : 0;
-        if (run_point_touches(&run->item[i]))
-            sum = vec_along(sum, 1e-6 + (before + after) / 2, run->item[i].axis);
-        until[i + 1] = sum;
-    }
+    for (size_t i = 0; i < run->n; i++)
+        rule[i] = run->item[i].axis;
+    axis_smooth_rules(run->item, run->n, OVER * w->planner->options.radius, rule);
     averaged->radius = run->radius;
-    for (size_t i = 0, low = 0, high = 0; i < run->n; i++) {
+    for (size_t i = 0; i < run->n; i++) {
         struct run_point p = run->item[i];
-        while (w->along[i] - w->along[low] > half)
-            low++;
-        while (high + 1 < run->n && w->along[high + 1] - w->along[i] <= half)
-            high++;
-        struct vec3 mean = vec_unit(vec_sub(until[high + 1], until[low]));
-        if (vec_length(mean) > 0 && vec_angle(mean, p.axis) > 1e-7)
-            p.axis = mean;
+        p.axis = rule[i];
         *array_push(averaged) = p;
     }
-    free(until);
+    free(rule);
 }
 
 static void append(struct axis_plan *plan, const struct run *from, const int *state,

@@ -159,3 +159,70 @@ double axis_smooth_rate(struct run *run, double rate)
     free(along);
     return turned;
 }
+
+/* ---- rules */
+
+/* Directions along a path, and their integrals up to each of them. */
+struct averaged {
+    const struct run_point *point;
+    size_t n;
+    double *along;
+    struct vec3 *rule, *sum;
+};
+
+static struct vec3 rule_of(const struct averaged *a, size_t i)
+{
+    return run_point_touches(&a->point[i]) ? a->rule[i] : vec(0, 0, 0);
+}
+
+/* The integral up to a place between the points i and i + 1. */
+static struct vec3 sum_at(const struct averaged *a, size_t i, double along)
+{
+    size_t next = i + 1 < a->n ? i + 1 : i;
+    double length = a->along[next] - a->along[i], by = along - a->along[i];
+    double s = length > 0 ? by / length : 0;
+    struct vec3 from = rule_of(a, i), to = rule_of(a, next);
+
+    return vec_along(a->sum[i], by, vec_mix(from, to, s / 2));
+}
+
+/* The last point, from `at` on, that is no further along than this. */
+static size_t point_before(const struct averaged *a, size_t at, double along)
+{
+    while (at + 1 < a->n && a->along[at + 1] <= along)
+        at++;
+    return at;
+}
+
+/* Each direction becomes the mean over `half` to both sides. */
+static void average_once(struct averaged *a, double half)
+{
+    struct vec3 *mean = mem_alloc(a->n, sizeof *mean);
+    double end = a->along[a->n - 1];
+
+    for (size_t i = 0; i + 1 < a->n; i++)
+        a->sum[i + 1] = sum_at(a, i, a->along[i + 1]);
+    for (size_t i = 0, low = 0, high = 0; i < a->n; i++) {
+        double from = fmax(a->along[i] - half, 0), to = fmin(a->along[i] + half, end);
+        low = point_before(a, low, from);
+        high = point_before(a, high, to);
+        mean[i] = vec_unit(vec_sub(sum_at(a, high, to), sum_at(a, low, from)));
+    }
+    for (size_t i = 0; i < a->n; i++)
+        if (run_point_touches(&a->point[i]) && vec_length(mean[i]) > 0)
+            a->rule[i] = mean[i];
+    free(mean);
+}
+
+void axis_smooth_rules(const struct run_point *point, size_t n, double half, struct vec3 *rule)
+{
+    struct averaged a = {point, n, mem_alloc(n + 1, sizeof(double)), rule,
+                         mem_alloc(n + 1, sizeof(struct vec3))};
+
+    for (size_t i = 1; i < n; i++)
+        a.along[i] = a.along[i - 1] + vec_distance(point[i - 1].ball, point[i].ball);
+    for (int k = 0; k < 2 && n > 1; k++)
+        average_once(&a, half);
+    free(a.along);
+    free(a.sum);
+}

@@ -126,6 +126,34 @@ START_TEST(a_turn_in_one_place_is_spread)
 }
 END_TEST
 
+/* Points unevenly apart, and the rule of every third off by 0.1 radians. */
+START_TEST(rules_are_averaged_without_steps)
+{
+    enum { N = 300 };
+    struct run_point point[N] = {{.given = true}};
+    struct vec3 rule[N];
+    double at[N], worst = 0, x = 0;
+    for (int i = 0; i < N; i++) {
+        at[i] = x += i % 7 == 0 ? 0.4 : 0.05;
+        double a = 0.01 * x + (i % 3 == 0 ? 0.1 : 0);
+        point[i].ball = vec(x, 0, 0);
+        point[i].normal = i == 150 ? vec(0, 0, 0) : vec(0, 0, 1);
+        rule[i] = vec(sin(a), 0, cos(a));
+    }
+    struct vec3 alone = rule[150];
+    axis_smooth_rules(point, N, 2, rule);
+    ck_assert_double_lt(vec_distance(rule[150], alone), 1e-15);
+    for (int i = 60; i < 240; i++) {
+        double a = atan2(rule[i].x, rule[i].z), b = atan2(rule[i - 1].x, rule[i - 1].z);
+        if (abs(i - 150) > 1 && i != 150)
+            worst = fmax(worst, fabs(a - b - 0.01 * (at[i] - at[i - 1])));
+        if (i != 150)
+            ck_assert_double_eq_tol(a, 0.01 * at[i] + 0.1 / 3, 0.01);
+    }
+    ck_assert_double_lt(worst, 0.001);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("axis_smooth");
@@ -135,6 +163,7 @@ int main(void)
     tcase_add_test(tcase, no_turn_is_faster_than_it_may_be);
     tcase_add_test(tcase, what_is_slow_stays);
     tcase_add_test(tcase, a_turn_in_one_place_is_spread);
+    tcase_add_test(tcase, rules_are_averaged_without_steps);
     suite_add_tcase(suite, tcase);
     SRunner *runner = srunner_create(suite);
     srunner_run_all(runner, CK_NORMAL);
