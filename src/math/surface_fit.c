@@ -6,6 +6,7 @@
 #include "base/array.h"
 #include "base/parallel.h"
 #include "math/cubic.h"
+#include "math/moment_fit.h"
 #include "math/ridge_direction.h"
 
 enum { WIDEST = 1024 };
@@ -335,10 +336,58 @@ static void fit_along(const struct surface_fit_options *rule, struct vec3 vertex
         *fit = along;
 }
 
+/* ---- the first round: one set of sums */
+
+/* What points may be spread about a surface that explains them, in sigma. */
+static const double ROUGH = 1.2;
+
+/* The cubic through about k points around the foot of a place; false: it does not explain them, or
+ * they are not all around. */
+static bool fit_moments(const struct surface_fit_options *rule, struct vec3 place,
+                        struct vec3 guess, size_t k, struct surface_fit *fit)
+{
+    const double lean = 0.25, narrow = 0.05, far = 4, sigma = rule->sigma;
+    double radius = moment_fit_radius((double)k, point_grid_spacing(rule->point_grid), guess);
+    struct moment_fit m;
+    struct vec3 from = place;
+
+    if (moment_fit_ball(rule->point_grid, from, guess, radius, &m) < 0)
+        return false;
+    if (sigma > narrow * radius) { /* points near to one that is off are off to the same side */
+        from = quadric_foot(&m.cubic);
+        if (vec_distance(from, place) > far * sigma ||
+            moment_fit_ball(rule->point_grid, from, quadric_normal(&m.cubic), radius, &m) < 0)
+            return false;
+    }
+    *fit = (struct surface_fit){m.cubic, 0, m.cubic_spread, radius, m.n};
+    fit->offset = vec_dot(vec_sub(quadric_foot(&fit->q), place), guess);
+    return m.lean < lean && m.cubic_spread <= ROUGH * sigma && !is_useless(&fit->q, sigma);
+}
+
+/* A ball of as many points as the rule begins with: where it tells enough and its nearer half
+ * agrees, that is the surface, and else one of twice as many.  False: for the second round. */
+static bool fit_first(const struct surface_fit_options *rule, struct vec3 place, struct vec3 guess,
+                      struct surface_fit *fit)
+{
+    size_t k = rule->neighbours;
+    struct surface_fit other;
+
+    if (k > MOMENT_FIT_MOST / 2 || !fit_moments(rule, place, guess, k, fit))
+        return false;
+    if (is_settled(&fit->q, rule->sigma))
+        return k / 2 < LEAST || (fit_moments(rule, place, guess, k / 2, &other) &&
+                                 surfaces_agree(fit, &other, rule->sigma));
+    if (fit_moments(rule, place, guess, 2 * k, &other) && surfaces_agree(&other, fit, rule->sigma))
+        *fit = other;
+    return true;
+}
+
 bool surface_fit_at(const struct surface_fit_options *rule, struct vec3 place, struct vec3 guess,
                     struct surface_fit_hood *hood, struct surface_fit *fit)
 {
-    const double rough = 1.2, torn = 8; /* in sigma */
+    const double rough = ROUGH, torn = 8; /* in sigma */
+    if (fit_first(rule, place, guess, fit))
+        return true;
     if (!fit_at(rule, place, guess, hood, fit))
         return false;
     if (!surface_fit_holds(fit, rule->sigma))
