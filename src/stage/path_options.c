@@ -311,9 +311,14 @@ static double mesh_top(const struct mesh *mesh)
 static int clearance_plane(const struct mesh *mesh, const struct gouge_check *guard, double *z,
                            struct error *error)
 {
+    const double most = 1e4 * path_options.radius; /* as of a part */
     double top = fmax(mesh_top(mesh), guard ? gouge_top(guard) : -HUGE_VAL);
+    double layers = (path_options.layers - 1) * path_options.depth;
 
-    top += (path_options.layers - 1) * path_options.depth;
+    if (layers > most)
+        return error_set(error, "option --layers: found layers %g mm thick, expected at most %g mm",
+                         layers, most);
+    top += layers;
     if (path_options.clearance < top)
         return error_set(error,
                          "option --clearance: found %g, expected more than the top of the part, %g",
