@@ -309,8 +309,8 @@ static void read_numbers(const struct cli_option *o, const char *text)
     }
     if (n != o->count || *p || (p > text && p[-1] == ',')) {
         char expected[64];
-        snprintf(expected, sizeof expected,
-                 "%d numbers, none beyond %.0e, with commas between", o->count, CLI_LARGEST);
+        snprintf(expected, sizeof expected, "%d numbers, none beyond %.0e, with commas between",
+                 o->count, CLI_LARGEST);
         refuse(o, text, expected);
     }
 }
