@@ -242,6 +242,25 @@ static bool fit_at(const struct surface_fit_options *rule, struct vec3 vertex, s
     return k > 0;
 }
 
+/* The points lie all around, and no frame shows them much closer to a surface than `fit` does: a
+ * rough place. */
+static bool frames_are_alike(const struct surface_fit_options *rule, struct vec3 vertex,
+                             struct vec3 guess, const struct surface_fit *fit)
+{
+    const double lean = 0.25, part = 0.8;
+    const struct vec3 up[2] = {guess, vec(0, 0, 1)};
+    double spacing = point_grid_spacing(rule->point_grid);
+
+    for (int i = 0; i < 2; i++) {
+        struct moment_fit m;
+        double radius = moment_fit_radius((double)rule->neighbours, spacing, up[i]);
+        if (moment_fit_ball(rule->point_grid, vertex, up[i], radius, &m) < 0 || m.lean > lean ||
+            m.cubic_spread < part * fit->spread)
+            return false;
+    }
+    return true;
+}
+
 /* Where the frame of the few nearest points led nowhere, as on laser lines it may: that of all of
  * them, and straight up. */
 static void try_other_frames(const struct surface_fit_options *rule, struct vec3 vertex,
@@ -250,6 +269,8 @@ static void try_other_frames(const struct surface_fit_options *rule, struct vec3
 {
     struct surface_fit other;
     struct vec3 normal[2] = {guess, vec(0, 0, 1)};
+    if (frames_are_alike(rule, vertex, guess, fit))
+        return;
     gather_hood(rule->point_grid, vertex, rule->neighbours, hood);
     if (quadric_fit_steep(hood->point, hood->n, vertex, guess, &other.q) == 0)
         normal[0] = quadric_normal(&other.q);
@@ -314,14 +335,25 @@ static bool best_along(const struct surface_fit_options *rule, const struct surf
     return better;
 }
 
+/* The way in which a surface bends least, from the perpendicular of its normal on, radians. */
+static double straight_angle(const struct quadric *q)
+{
+    double xx = 2 * q->c[3], xy = q->c[4], yy = 2 * q->c[5];
+    double turn = 0.5 * atan2(2 * xy, xx - yy) + (xx + yy < 0 ? 0 : PI / 2);
+    struct vec3 way = vec_along(vec_scale(cos(turn), q->u), sin(turn), q->v);
+    struct vec3 normal = quadric_normal(q), u = vec_perpendicular(normal);
+
+    return atan2(vec_dot(way, vec_cross(normal, u)), vec_dot(way, u));
+}
+
 /* The better surface where there is a rib or a groove. */
 static void fit_along(const struct surface_fit_options *rule, struct vec3 vertex, struct vec3 guess,
                       struct surface_fit_hood *hood, struct surface_fit *fit)
 {
-    static const struct longer rough = {3, 36, 4, PI / 9}, fine = {6, 72, 2, PI / 30};
+    static const struct longer rough = {3, 36, 1, PI / 9}, fine = {6, 72, 2, PI / 30};
     const double better = 0.85, sharp = 1.6;
     struct surface_fit along = *fit, best;
-    double angle = 0;
+    double angle = straight_angle(&fit->q);
 
     gather_hood(rule->point_grid, vertex, (size_t)(rough.aspect * (double)rough.points), hood);
     if (!best_along(rule, hood, vertex, guess, &rough, &angle, &along) ||
