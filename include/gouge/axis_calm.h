@@ -27,8 +27,9 @@ struct axis_calm_options {
 /* A run, end to end with those before and after it. */
 struct axis_calm_run {
     struct run_point *point;
-    const struct vec3 *rule; /* the axis by the rule at each point */
+    const struct vec3 *rule; /* the axis by the rule at each point; NULL: a link, which has none */
     size_t n;                /* at least 1 */
+    bool joined;             /* a straight motion leads to it from the run before */
 };
 
 /* Changes axes and tips of the points. */

@@ -19,14 +19,18 @@ struct link_options {
     double longest;                        /* a low link may be as long as this, mm */
     double rate; /* fastest turn of the axis on a low link, radians/mm; 0: any */
     const struct rotary_frame
-        *frame;       /* the axis of a low link turns as rotary axes do, through their
+        *frame;                /* the axis of a low link turns as rotary axes do, through their
                                          pole or wide of it; NULL: straight */
-    double clearance; /* least z of the tip on the clearance plane, mm */
-    double approach;  /* last bit of the way down, mm */
+    struct vec3 leave, arrive; /* of a low link: directions of the ball's path before and after it,
+                                  unit; zero: not known */
+    double clearance;          /* least z of the tip on the clearance plane, mm */
+    double approach;           /* last bit of the way down, mm */
 };
 
 /*
- * Appends the points between two to `link`: an arch from centre to centre (a tenth of its length
+ * Appends the points between two to `link`.  With `leave` and `arrive` known first a curve that goes
+ * on as the path does at both ends, a turn from row to row about as wide as the rows are apart, and
+ * rises from there to a tenth of its chord.  Where that is not clear: an arch from centre to centre (a tenth of its length
  * high, for there may be material just outside the border of the guard), lifted where that is not
  * clear, so that the ball rolls over what is between; then with a higher arch, and lifted along the
  * axis instead of the normal.  They touch nothing; the ends themselves are not appended.  Without a

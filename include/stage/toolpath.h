@@ -67,6 +67,8 @@ struct toolpath_way {
 struct toolpath_part {
     size_t strip, from, to; /* points [from, to) of its lifted run */
     bool dropped;           /* a sliver */
+    bool low;               /* it is come to from the part before with the tool down, ... */
+    struct run link;        /* ... over these points */
     struct toolpath_way in, out;
 };
 

@@ -12,11 +12,14 @@ enum { SWEEPS = 4, ROUNDS = 4, HALVINGS = 7 };
 static const double WIDEST = 24;       /* mm: first half length of averages, halved each time */
 static const double NARROW = 4;        /* mm: from here on axes may use what is spared of play */
 static const double NARROWEST = 1;     /* mm: none is shorter */
-static const double OVER = 0.7;        /* of the radius: rules are averaged over so much, twice */
+static const double OVER = 1.4;        /* of the radius: rules are averaged over so much, twice */
 static const double AIR = RADIANS(60); /* how far axes in the air may be off those they had */
 static const double STEEPEST = RADIANS(80); /* of an axis from the normal */
 static const double RAMP = 1.5; /* radii of the ball: from a place that stays to what is calm */
-static const double SPARE = RADIANS(0.6); /* of play, for rounding off where its bound turns */
+static const double SPARE = RADIANS(0.6);  /* of play, for rounding off where its bound turns */
+static const double TIGHTER = 0.4;         /* of the way: that a bad station keeps, each time */
+static const double SLACKENS = RADIANS(1); /* each mm from one */
+static const double LOOSE = RADIANS(12);   /* as far as that */
 static const double POLE = 1e-9; /* radians: an axis that leans less is at the pole, and stays */
 
 /* A point of the chain. */
@@ -28,6 +31,12 @@ struct station {
     struct rotary_angles was, angles;
     bool begins; /* of a run */
     double part; /* of the way from `was` to `angles`, 0 to 1 */
+    double far;  /* how far the axis may be off the one it had: less where that is not clear */
+
+    /* As it was looked at last. */
+    struct rotary_angles seen;
+    double clear; /* mm */
+    bool bad;     /* not clear, or not from the station before */
 };
 
 struct chain {
@@ -44,7 +53,7 @@ static struct vec3 *rules_of(const struct axis_calm_run *run, double half)
     struct vec3 *rule = mem_alloc(run->n, sizeof *rule);
 
     for (size_t i = 0; i < run->n; i++)
-        rule[i] = run->rule[i];
+        rule[i] = run->rule ? run->rule[i] : run->point[i].axis;
     axis_smooth_rules(run->point, run->n, half, rule);
     return rule;
 }
@@ -63,7 +72,11 @@ static struct chain chain_of(const struct axis_calm_options *options,
         for (size_t j = 0; j < run[k].n; j++, i++) {
             struct run_point *p = &run[k].point[j];
             struct vec3 rule = run_point_touches(p) ? rules[j] : p->axis;
-            c.at[i] = (struct station){.point = p, .rule = rule, .begins = j == 0};
+            c.at[i] = (struct station){.point = p,
+                                       .rule = rule,
+                                       .begins = j == 0 && !run[k].joined,
+                                       .far = HUGE_VAL,
+                                       .seen.lean = HUGE_VAL};
             if (i > 0)
                 c.at[i].along = c.at[i - 1].along + vec_distance(c.at[i - 1].point->ball, p->ball);
             else
@@ -86,6 +99,8 @@ static bool may_have(const struct chain *c, const struct station *s, struct rota
     struct vec3 axis = rotary_axis(&c->frame, a), normal = s->point->normal;
 
     if (a.lean * s->was.lean <= 0 || vec_dot(axis, s->rule) < cos(s->allow + c->spare))
+        return false;
+    if (s->far < PI && vec_dot(axis, s->point->axis) < cos(s->far))
         return false;
     return !run_point_touches(s->point) ||
            vec_dot(axis, normal) >= fmin(cos(STEEPEST), vec_dot(s->point->axis, normal));
@@ -126,8 +141,9 @@ static struct rotary_angles integral_at(const struct chain *c, const struct rota
         sum[i].turn + by * (a->angles.turn + s / 2 * (b->angles.turn - a->angles.turn))};
 }
 
-/* Each station's angles to the mean over `half` mm before and after it, less near the ends. */
-static void average_angles(struct chain *c, double half)
+/* Each station's angles to the mean over `half` mm before and after it, less near the ends; or those
+ * of the held ones alone. */
+static void average_angles(struct chain *c, double half, bool held)
 {
     struct rotary_angles *sum = mem_alloc(c->n + 1, sizeof *sum);
     struct rotary_angles *mean = mem_alloc(c->n + 1, sizeof *mean);
@@ -157,7 +173,7 @@ static void average_angles(struct chain *c, double half)
                                              (b.turn - a.turn) / (2 * reach)};
     }
     for (size_t i = 0; i < c->n; i++)
-        if (fabs(at[i].was.lean) > POLE)
+        if (fabs(at[i].was.lean) > POLE && (!held || at[i].far < HUGE_VAL))
             move_towards(c, &at[i], mean[i]);
     free(sum);
     free(mean);
@@ -184,49 +200,98 @@ static struct run_point point_of(const struct chain *c, const struct station *s)
     return p;
 }
 
-/* The stations at which the tool would not be clear, or swing the ball off its straight line. */
-static size_t find_bad(const struct chain *c, bool bad[])
+static bool same_angles(struct rotary_angles a, struct rotary_angles b)
+{
+    return a.lean == b.lean && a.turn == b.turn;
+}
+
+/* The tool is not clear, or would swing the ball off its straight line, on the way to a station. */
+static bool is_way_bad(const struct chain *c, const struct holder_sweep *sweep,
+                       const struct station *s, const struct run_point *last,
+                       const struct run_point *p)
+{
+    const struct axis_calm_options *o = c->options;
+    double turned = vec_angle(last->axis, p->axis), swing = sqrt(0.8 * o->tolerance / o->radius);
+
+    if (turned > swing && turned > vec_angle(s[-1].point->axis, s->point->axis) + 1e-9)
+        return true;
+    return fmin(s[-1].clear, s->clear) >= -sweep->slack &&
+           !holder_sweep_clear_between(sweep, last, s[-1].clear, p, s->clear);
+}
+
+/* Looks at the stations that have moved since: those at which the tool would not be clear, or to
+ * which it would not come. */
+static size_t find_bad(struct chain *c)
 {
     const double far = 1; /* mm: clearances beyond are all the same */
     const struct axis_calm_options *o = c->options;
     const struct holder_sweep sweep = {o->guard, o->holder, o->tolerance / 2};
-    double before = 0, swing = sqrt(0.8 * o->tolerance / o->radius);
     struct run_point last = {.given = false};
     size_t found = 0;
+    bool moved_before = false;
 
     for (size_t i = 0; i < c->n; i++) {
-        const struct station *s = &c->at[i];
+        struct station *s = &c->at[i];
         struct run_point p = point_of(c, s);
-        bool joined = i > 0 && !s->begins && (s->part > 0 || s[-1].part > 0);
-        double now = holder_sweep_clearance(&sweep, &p, far);
-        bad[i] = s->part > 0 && (now < -sweep.slack || !rotary_reaches(&o->chain, p.axis));
-        if (joined && !bad[i] && !(i > 0 && bad[i - 1])) {
-            double turned = vec_angle(last.axis, p.axis);
-            bool swings =
-                turned > swing && turned > vec_angle(s[-1].point->axis, s->point->axis) + 1e-9;
-            bad[i] = swings || (fmin(before, now) >= -sweep.slack &&
-                                !holder_sweep_clear_between(&sweep, &last, before, &p, now));
+        struct rotary_angles now = angles_at(s, s->part);
+        bool moved = !same_angles(now, s->seen), joined = i > 0 && !s->begins;
+        joined = joined && (s->part > 0 || s[-1].part > 0);
+        if (moved)
+            s->clear = holder_sweep_clearance(&sweep, &p, far);
+        if (moved || moved_before) {
+            s->bad = s->part > 0 && (s->clear < -sweep.slack || !rotary_reaches(&o->chain, p.axis));
+            if (joined && !s->bad && !s[-1].bad)
+                s->bad = is_way_bad(c, &sweep, s, &last, &p);
         }
-        found += bad[i];
+        s->seen = now;
+        moved_before = moved;
+        found += s->bad;
         last = p;
-        before = now;
     }
     return found;
 }
 
+/* Bad stations, and less and less those about them, may be no further off what they were than part
+ * of the way that they have gone. */
+static void tighten(struct chain *c)
+{
+    double *far = mem_alloc(c->n, sizeof *far), last = HUGE_VAL;
+
+    for (size_t i = 0; i < c->n; i++) {
+        const struct station *s = &c->at[i];
+        bool bad = s->bad || (i + 1 < c->n && s[1].bad);
+        double off = vec_angle(rotary_axis(&c->frame, s->angles), s->point->axis);
+        far[i] = bad ? TIGHTER * fmin(off, s->far) : s->far;
+        far[i] = last = fmin(far[i], last + (i > 0 ? SLACKENS * (s->along - s[-1].along) : 0));
+    }
+    for (size_t i = c->n; i-- > 0;) {
+        struct station *s = &c->at[i];
+        if (i + 1 < c->n)
+            far[i] = fmin(far[i], far[i + 1] + SLACKENS * (s[1].along - s->along));
+        double off = vec_angle(rotary_axis(&c->frame, s->angles), s->point->axis);
+        s->far = far[i] < LOOSE ? far[i] : s->far;
+        if (off > s->far)
+            s->angles = angles_at(s, 0.99 * s->far / off);
+    }
+    free(far);
+    for (double half = NARROW; half >= NARROWEST; half /= 2)
+        for (int sweep = 0; sweep < SWEEPS; sweep++)
+            average_angles(c, half, true);
+}
+
 /* The stations beside bad ones stay as they were, those further off by the ramp are calm. */
-static void hold_back(struct chain *c, const bool bad[], double ramp)
+static void hold_back(struct chain *c, double ramp)
 {
     double last = -HUGE_VAL;
 
     for (size_t i = 0; i < c->n; i++) {
-        if (bad[i] || (i + 1 < c->n && bad[i + 1]))
+        if (c->at[i].bad || (i + 1 < c->n && c->at[i + 1].bad))
             last = c->at[i].along;
         c->at[i].part = fmin(c->at[i].part, fmax(0, (c->at[i].along - last) / ramp - 0.25));
     }
     last = HUGE_VAL;
     for (size_t i = c->n; i-- > 0;) {
-        if (bad[i] || (i + 1 < c->n && bad[i + 1]))
+        if (c->at[i].bad || (i + 1 < c->n && c->at[i + 1].bad))
             last = c->at[i].along;
         c->at[i].part = fmin(c->at[i].part, fmax(0, (last - c->at[i].along) / ramp - 0.25));
     }
@@ -245,36 +310,23 @@ static double travel_of(const struct chain *c, bool calm)
     return sum;
 }
 
-/* Runs with bad stations are as they were. */
-static void put_back(struct chain *c, const bool bad[])
-{
-    for (size_t from = 0, to; from < c->n; from = to) {
-        bool any = bad[from];
-        for (to = from + 1; to < c->n && !c->at[to].begins; to++)
-            any = any || bad[to];
-        for (size_t i = from; i < to && any; i++)
-            c->at[i].part = 0;
-    }
-}
-
 static void keep_clear(struct chain *c)
 {
-    bool *bad = mem_alloc(c->n, sizeof *bad);
     size_t found = 1;
 
     for (size_t i = 0; i < c->n; i++)
         c->at[i].part = fabs(c->at[i].was.lean) > POLE ? 1 : 0;
-    for (int round = 0; round < ROUNDS && found > 0; round++) {
-        found = find_bad(c, bad);
+    for (int round = 0; round < ROUNDS && (found = find_bad(c)) > 0; round++)
+        tighten(c);
+    /* a ramp longer than the chain leaves nothing moved */
+    for (double ramp = RAMP * c->options->radius; found > 0; ramp *= 2) {
+        found = find_bad(c);
         if (found > 0)
-            hold_back(c, bad, RAMP * c->options->radius * (1 << round));
+            hold_back(c, ramp);
     }
-    if (found > 0 && find_bad(c, bad) > 0)
-        put_back(c, bad);
     if (travel_of(c, true) >= travel_of(c, false))
         for (size_t i = 0; i < c->n; i++)
             c->at[i].part = 0;
-    free(bad);
 }
 
 void axis_calm_chain(const struct axis_calm_options *options, const struct axis_calm_run run[],
@@ -284,11 +336,11 @@ void axis_calm_chain(const struct axis_calm_options *options, const struct axis_
 
     for (double half = WIDEST; half > NARROW; half /= 2)
         for (int sweep = 0; sweep < SWEEPS; sweep++)
-            average_angles(&c, half);
+            average_angles(&c, half, false);
     c.spare = SPARE;
     for (double half = NARROW; half >= NARROWEST; half /= 2)
         for (int sweep = 0; sweep < SWEEPS; sweep++)
-            average_angles(&c, half);
+            average_angles(&c, half, false);
     keep_clear(&c);
     for (size_t i = 0; i < c.n; i++)
         *c.at[i].point = point_of(&c, &c.at[i]);

@@ -6,12 +6,13 @@
 #include "gouge/axis_smooth.h"
 #include "gouge/gouge_refit.h"
 
-enum { FEWEST_PARTS = 4, MOST_PARTS = 256, SIDES = 8 };
+enum { FEWEST_PARTS = 4, TURNED_PARTS = 8, MOST_PARTS = 256, SIDES = 8 };
 
 /* A direction flatter than this does not lead to the clearance plane: sin 10 degrees. */
 static const double FLAT = 0.17364817766693033;
 
 static const double ARCH = 0.4;      /* times s (1 - s), of the length: a tenth in the middle */
+static const double NARROW = 0.7;    /* 1 + cosine of a turn's tangents to its chord, no less */
 static const double FEED = 0.95;     /* of the tolerance: what a way at feed may be in the part */
 static const double RAPID = 0.2;     /* mm: what a rapid leaves free */
 static const double OFF = 0.3;       /* of the radius: where one ends, for a scan is sparse ... */
@@ -27,11 +28,51 @@ static struct vec3 outward_direction(const struct run_point *p)
     return vec_length(p->normal) > 0 ? p->normal : p->axis;
 }
 
-/* One way to go: an arch of this height, times its length, lifted along normals or axes. */
+/* One way to go: an arch of this height, times its length, lifted along normals or axes; or turned
+ * from the direction of one row to that of the next. */
 struct arch {
     double height;
-    bool along_axis;
+    bool along_axis, turned;
 };
+
+/* Where an arch is before it is lifted: a cubic from place to place with these derivatives. */
+struct base_curve {
+    struct vec3 from, to, leave, arrive;
+    bool straight;
+};
+
+/* A turned one has the length of a circle's tangents where both ends turn alike. */
+static struct base_curve base_curve(const struct link_options *options,
+                                    const struct run_point *from, const struct run_point *to,
+                                    const struct arch *arch)
+{
+    struct base_curve c = {.from = from->ball, .to = to->ball, .straight = !arch->turned};
+    struct vec3 chord = vec_sub(c.to, c.from), ahead = vec_unit(chord);
+    double cosine = (vec_dot(options->leave, ahead) + vec_dot(options->arrive, ahead)) / 2;
+    double length = 2 * vec_length(chord) / fmax(1 + cosine, NARROW);
+
+    c.leave = vec_scale(length, options->leave);
+    c.arrive = vec_scale(length, options->arrive);
+    return c;
+}
+
+static struct vec3 base_at(const struct base_curve *c, double s)
+{
+    double to = s * s * (3 - 2 * s), r = 1 - s;
+
+    if (c->straight)
+        return vec_mix(c->from, c->to, s);
+    return vec_along(vec_along(vec_mix(c->from, c->to, to), s * r * r, c->leave), -s * s * r,
+                     c->arrive);
+}
+
+/* How much of its height an arch has at s: a turned one begins and ends level. */
+static double height_at(const struct arch *arch, double s)
+{
+    double rise = s * (1 - s);
+
+    return arch->height * (arch->turned ? 4 * rise * rise : rise);
+}
 
 /* How the axis turns from one end of a link to the other. */
 struct axis_way {
@@ -83,15 +124,16 @@ static bool try_arch(const struct link_options *options, const struct run_point 
     struct vec3 up1 = arch->along_axis ? to->axis : outward_direction(to);
     double length = vec_distance(from->ball, to->ball), gone = 0;
     struct axis_way way = axis_way(options, from->axis, to->axis);
+    struct base_curve base = base_curve(options, from, to, arch);
     struct run_point before = *from;
     double s = 0;
 
     for (size_t i = 1; s < 1; i++) {
         s = end_of_part(&way, parts, i);
-        double high = arch->height * s * (1 - s) * length;
+        double high = height_at(arch, s) * length;
         struct vec3 up = vec_slerp(up0, up1, s);
         struct run_point p = {.axis = s < 1 ? axis_on(&way, s) : to->axis};
-        p.ball = vec_along(vec_mix(from->ball, to->ball, s), high, up);
+        p.ball = vec_along(base_at(&base, s), high, up);
         double rise = s < 1 ? gouge_rise(lift->guard, p.ball, up, lift->offset) : 0;
         p.ball = vec_along(p.ball, rise, up);
         p.tip = vec_along(p.ball, -link->radius, p.axis);
@@ -144,14 +186,19 @@ static bool is_link_free(const struct link_options *options, const struct run_po
 bool link_low(const struct link_options *options, const struct run_point *from,
               const struct run_point *to, struct run *link)
 {
-    static const struct arch arch[] = {
-        {ARCH, false}, {ARCH, true}, {3 * ARCH, false}, {3 * ARCH, true}};
+    static const struct arch arch[] = {{ARCH, false, true},
+                                       {ARCH, false, false},
+                                       {ARCH, true, false},
+                                       {3 * ARCH, false, false},
+                                       {3 * ARCH, true, false}};
+    bool known = vec_length(options->leave) > 0 && vec_length(options->arrive) > 0;
     size_t n = link->n;
 
     if (!options->lift->guard)
         return is_link_free(options, from, to, link, n);
-    for (size_t k = 0; k < sizeof arch / sizeof *arch; k++) {
-        for (size_t parts = FEWEST_PARTS; parts <= MOST_PARTS; parts *= 4) {
+    for (size_t k = known ? 0 : 1; k < sizeof arch / sizeof *arch; k++) {
+        size_t fewest = arch[k].turned ? TURNED_PARTS : FEWEST_PARTS;
+        for (size_t parts = fewest; parts <= MOST_PARTS; parts *= 4) {
             link->n = n;
             if (try_arch(options, from, to, &arch[k], parts, link) &&
                 is_link_free(options, from, to, link, n))

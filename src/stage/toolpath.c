@@ -71,7 +71,7 @@ static void set_feed(struct toolpath *t, double feed)
     t->feed_now = feed;
 }
 
-static struct link_options link_options(const struct toolpath *t)
+struct link_options toolpath_link_options(const struct toolpath *t)
 {
     return (struct link_options){.lift = &t->lift,
                                  .holder = &t->rule.holder,
@@ -90,7 +90,7 @@ static struct link_options link_options(const struct toolpath *t)
  * distances along the run that are doubled. */
 static struct toolpath_way find_way(const struct toolpath *t, const struct run *run, bool from_end)
 {
-    struct link_options options = link_options(t);
+    struct link_options options = toolpath_link_options(t);
     double along = 0, next = 0;
 
     for (size_t i = 0; i < run->n; i++) {
@@ -136,7 +136,7 @@ static double tilt_of(struct vec3 axis)
 /* z of the tip at which the tool may turn from one axis to another. */
 static double turning_height(const struct toolpath *t, struct vec3 a, struct vec3 b)
 {
-    struct link_options options = link_options(t);
+    struct link_options options = toolpath_link_options(t);
 
     return link_height(&options, 0, fmax(tilt_of(a), tilt_of(b)));
 }
@@ -194,12 +194,9 @@ static void approach(struct toolpath *t, const struct toolpath_part *part)
 /* From where the tool is to the first point of a part, and the word that begins a pass. */
 static void link_to(struct toolpath *t, size_t pass, const struct toolpath_part *part)
 {
-    struct link_options options = link_options(t);
-    struct run run = toolpath_part_run(t, part), link = {.radius = t->rule.radius};
+    struct run run = toolpath_part_run(t, part);
     const struct run_point *p = &run.item[0];
-    double longest = t->lift.guard ? options.longest : t->rule.longest;
-    bool low = t->down && vec_distance(t->at.ball, p->ball) <= longest &&
-               link_low(&options, &t->at, p, &link);
+    bool low = t->down && part->low;
 
     if (t->down && !low)
         retract(t, run.item[part->in.at].axis);
@@ -207,15 +204,14 @@ static void link_to(struct toolpath *t, size_t pass, const struct toolpath_part 
         path_add_pass(t->path, pass);
     t->pass = pass;
     if (low) {
-        for (size_t i = 0; i < link.n; i++)
-            add_move(t, link.item[i].ball, link.item[i].axis, false);
+        for (size_t i = 0; i < part->link.n; i++)
+            add_move(t, part->link.item[i].ball, part->link.item[i].axis, false);
         add_move(t, p->ball, p->axis, false);
         t->low++;
     } else {
         approach(t, part);
         t->high++;
     }
-    array_free(&link);
 }
 
 static void add_cut(struct toolpath *t, const struct run_point *point, size_t n)
@@ -289,6 +285,8 @@ static void add_part(struct toolpath *t, const struct toolpath_part *part)
     t->lift = strip->lift;
     if (part->in.at >= run.n || part->out.at >= run.n) {
         add_blocked(t, strip->pass, &run);
+        if (t->down)
+            retract(t, vec(0, 0, 1));
         return;
     }
     link_to(t, strip->pass, part);
@@ -419,7 +417,7 @@ void toolpath_cut(struct toolpath *t)
 /* The clearance plane for the axis of the path that leans most. */
 static double plane_of(const struct toolpath *t)
 {
-    struct link_options options = link_options(t);
+    struct link_options options = toolpath_link_options(t);
     double most = 0;
 
     for (size_t k = 0; k < t->strip.n; k++) {
@@ -516,7 +514,8 @@ static struct toolpath_parts plan_parts(struct toolpath *t)
 
     if (t->lift.guard)
         toolpath_order(t, &parts);
-    toolpath_calm(t, &parts, link_options(t).longest);
+    toolpath_join(t, &parts);
+    toolpath_calm(t, &parts, toolpath_link_options(t).longest);
     parallel_for(t->threads, parts.n, find_ways, &finder);
     return parts;
 }
@@ -549,7 +548,7 @@ void toolpath_end(struct toolpath *t)
     write_items(t);
     if (!t->out)
         path_check_items(&t->check, t->path, 0, t->path->item.n);
-    array_free(&parts);
+    toolpath_parts_free(&parts);
     free_strips(t);
     find_uncut(t);
 }

@@ -33,15 +33,20 @@ static void calm_chain(const struct calmer *c, size_t from, size_t to)
                                               .radius = c->t->rule.radius,
                                               .tolerance = c->t->lift.tolerance,
                                               .play = c->t->rule.play};
-    struct axis_calm_run *run = mem_alloc(to - from, sizeof *run);
+    struct axis_calm_run *run = mem_alloc(2 * (to - from), sizeof *run);
+    size_t n = 0;
     struct vec3 **rule = mem_alloc(to - from, sizeof *rule);
 
     for (size_t k = from; k < to; k++) {
-        struct run points = toolpath_part_run(c->t, &c->parts->item[k]);
-        rule[k - from] = rules_of(c->t, &c->parts->item[k]);
-        run[k - from] = (struct axis_calm_run){points.item, rule[k - from], points.n};
+        const struct toolpath_part *part = &c->parts->item[k];
+        struct run points = toolpath_part_run(c->t, part);
+        bool low = k > from && part->low;
+        if (low && part->link.n > 0)
+            run[n++] = (struct axis_calm_run){part->link.item, NULL, part->link.n, true};
+        rule[k - from] = rules_of(c->t, part);
+        run[n++] = (struct axis_calm_run){points.item, rule[k - from], points.n, low};
     }
-    axis_calm_chain(&options, run, to - from);
+    axis_calm_chain(&options, run, n);
     for (size_t k = 0; k < to - from; k++)
         free(rule[k]);
     free(rule);

@@ -1,6 +1,7 @@
 /* toolpath_order - see toolpath_parts.h: parts of strips, slivers left out, one after the other. */
 #include <stdlib.h>
 
+#include "base/parallel.h"
 #include "gouge/gouge.h"
 #include "math/kdtree.h"
 #include "toolpath_parts.h"
@@ -203,4 +204,64 @@ void toolpath_order(const struct toolpath *t, struct toolpath_parts *parts)
     free(o.done);
     array_free(parts);
     *parts = ordered;
+}
+
+/* ---- joined with the tool down */
+
+/* The direction of the ball's path at the run's end, or at its start. */
+static struct vec3 direction_at(const struct run *run, bool end)
+{
+    const double least = 0.05; /* mm */
+    const struct run_point *p = &run->item[end ? run->n - 1 : 0];
+
+    for (size_t i = 1; i < run->n; i++) {
+        const struct run_point *q = &run->item[end ? run->n - 1 - i : i];
+        if (vec_distance(p->ball, q->ball) > least)
+            return vec_unit(vec_scale(end ? 1 : -1, vec_sub(p->ball, q->ball)));
+    }
+    return vec(0, 0, 0);
+}
+
+static void join_part(struct toolpath *t, const struct toolpath_part *before,
+                      struct toolpath_part *part)
+{
+    struct run a = toolpath_part_run(t, before), b = toolpath_part_run(t, part);
+    t->lift = t->strip.item[part->strip].lift;
+    struct link_options options = toolpath_link_options(t);
+    double longest = t->lift.guard ? options.longest : t->rule.longest;
+
+    options.leave = direction_at(&a, true);
+    options.arrive = direction_at(&b, false);
+    part->link.radius = t->rule.radius;
+    part->low = vec_distance(a.item[a.n - 1].ball, b.item[0].ball) <= longest &&
+                link_low(&options, &a.item[a.n - 1], &b.item[0], &part->link);
+}
+
+struct joiner {
+    const struct toolpath *t;
+    struct toolpath_parts *parts;
+};
+
+static void join_parts(void *context, size_t from, size_t to)
+{
+    const struct joiner *j = context;
+    struct toolpath t = *j->t;
+
+    for (size_t k = from; k < to; k++)
+        join_part(&t, &j->parts->item[k], &j->parts->item[k + 1]);
+}
+
+void toolpath_join(const struct toolpath *t, struct toolpath_parts *parts)
+{
+    struct joiner joiner = {t, parts};
+
+    if (parts->n > 1)
+        parallel_for(t->threads, parts->n - 1, join_parts, &joiner);
+}
+
+void toolpath_parts_free(struct toolpath_parts *parts)
+{
+    for (size_t k = 0; k < parts->n; k++)
+        array_free(&parts->item[k].link);
+    array_free(parts);
 }

@@ -42,8 +42,17 @@ size_t toolpath_drop_slivers(const struct toolpath *t, struct toolpath_parts *pa
  */
 void toolpath_order(const struct toolpath *t, struct toolpath_parts *parts);
 
+/* Finds how the tool goes with its tip down from each part to the next (`low`, `link`), where it
+ * can. */
+void toolpath_join(const struct toolpath *t, struct toolpath_parts *parts);
+
+void toolpath_parts_free(struct toolpath_parts *parts);
+
 /* Makes the axes of parts alike that are cut one after the other, and calm along them
- * (axis_calm.h): parts in their order, and no further apart than `longest`, mm. */
+ * (axis_calm.h), with the links between: parts in their order, and no further apart than `longest`,
+ * mm. */
 void toolpath_calm(const struct toolpath *t, const struct toolpath_parts *parts, double longest);
+
+struct link_options toolpath_link_options(const struct toolpath *t);
 
 #endif

@@ -40,7 +40,8 @@ struct rows {
 static void make_rows(struct rows *r)
 {
     for (int k = 0; k < ROWS; k++) {
-        r->run[k] = (struct axis_calm_run){r->point + k * POINTS, r->rule + k * POINTS, POINTS};
+        r->run[k] =
+            (struct axis_calm_run){r->point + k * POINTS, r->rule + k * POINTS, POINTS, false};
         for (int i = 0; i < POINTS; i++) {
             int at = k * POINTS + i;
             double x = 0.5 * (k % 2 ? POINTS - 1 - i : i), off = k % 2 ? 0.2 : -0.2;
