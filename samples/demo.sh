@@ -13,30 +13,29 @@ out=${1:-demo}
 panel=samples/panel_17036.xyz
 face=samples/face_nefertiti_26493.xyz
 mkdir -p "$out"
-: >"$out/log"
-worst=0 step=0 steps=12 began=$(date +%s)
+began=$(date +%s)
 
 # run WHAT COMMAND...: says what is done, shows the command and runs it.  Exit status 3, something asked
 # for is not kept, is remembered.
 run() {
 	step=$((step + 1)) code=0
-	printf '[%2d/%d] %3d s  %s\n' $step $steps $(($(date +%s) - began)) "$1" >&2
+	printf '[%s %d/6] %3d s  %s\n' "$part" $step $(($(date +%s) - began)) "$1" >&2
 	shift
-	echo "\$ $*" | tee -a "$out/log"
-	"$@" >"$out/said" 2>&1 || code=$?
-	cat "$out/said" >>"$out/log"
+	echo "\$ $*" | tee -a "$out/$part.log"
+	"$@" >"$out/$part.said" 2>&1 || code=$?
+	cat "$out/$part.said" >>"$out/$part.log"
 	case $code in
 	0) ;;
 	3) worst=3 ;;
-	*) cat "$out/said" >&2 && exit "$code" ;;
+	*) cat "$out/$part.said" >&2 && exit "$code" ;;
 	esac
 }
 
-# check NAME PROGRAM SCAN BALL: the verdict, in NAME.txt as ncverify prints it
+# check PROGRAM SCAN BALL: the verdict, in PART.txt as ncverify prints it
 check() {
-	run "read $2 back and check it against all points of the scan" \
-		ncverify -g "$3" -r "$4" -e 0.02 --report "$out/$1.html" "$out/$2"
-	mv "$out/said" "$out/$1.txt"
+	run "read $1 back and check it against all points of the scan" \
+		ncverify -g "$2" -r "$3" -e 0.02 --report "$out/$part.html" "$out/$1"
+	cp "$out/$part.said" "$out/$part.txt"
 }
 
 # told NAME PROGRAM WHAT BALL: the verdict in words
@@ -61,24 +60,47 @@ told() {
 		}' "$out/$1.txt"
 }
 
-run "a mesh of the panel, by its 17,036 points" cloud2mesh -v $panel -o "$out/panel.ply"
-run "rows for a ball of 8 mm, 0.02 mm of scallop between them" \
-	meshnorm -v -r 8 "$out/panel.ply" -o "$out/panel.cl"
-run "B-splines through the rows, within 0.01 mm" \
-	bsplfit -v -e 0.01 "$out/panel.cl" -o "$out/panel-splines.cl"
-run "the program for a Fanuc" ncpost -v -c fanuc "$out/panel-splines.cl" -o "$out/panel.nc"
-check panel panel.nc $panel 8
-run "its picture" ncplot --cut -o "$out/panel.svg" "$out/panel.ply" "$out/panel.nc"
+panel() {
+	run "a mesh of the panel, by its 17,036 points" cloud2mesh -v $panel -o "$out/panel.ply"
+	run "rows for a ball of 8 mm, 0.02 mm of scallop between them" \
+		meshnorm -v -r 8 "$out/panel.ply" -o "$out/panel.cl"
+	run "B-splines through the rows, within 0.01 mm" \
+		bsplfit -v -e 0.01 "$out/panel.cl" -o "$out/panel-splines.cl"
+	run "the program for a Fanuc" ncpost -v -c fanuc "$out/panel-splines.cl" -o "$out/panel.nc"
+	check panel.nc $panel 8
+	run "its picture" ncplot --cut -o "$out/panel.svg" "$out/panel.ply" "$out/panel.nc"
+}
 
-run "a mesh of the face, by its 26,493 points" cloud2mesh -v -t 2 $face -o "$out/face.ply"
-run "rows for a ball of 5 mm, leaving what it does not reach" \
-	meshnorm -v -r 5 --scallop 0.15 --avoid "$out/face.ply" -o "$out/face.cl"
-run "arcs in space through the rows, within 0.01 mm" \
-	biarcfit -v -e 0.01 "$out/face.cl" -o "$out/face-arcs.cl"
-run "the program for a Siemens" ncpost -v -c siemens "$out/face-arcs.cl" -o "$out/face.mpf"
-check face face.mpf $face 5
-run "its picture" ncplot --cut -o "$out/face.svg" "$out/face.ply" "$out/face.mpf"
-rm -f "$out/said"
+face() {
+	run "a mesh of the face, by its 26,493 points" cloud2mesh -v -t 2 $face -o "$out/face.ply"
+	run "rows for a ball of 5 mm, leaving what it does not reach" \
+		meshnorm -v -r 5 --scallop 0.15 --avoid "$out/face.ply" -o "$out/face.cl"
+	run "arcs in space through the rows, within 0.01 mm" \
+		biarcfit -v -e 0.01 "$out/face.cl" -o "$out/face-arcs.cl"
+	run "the program for a Siemens" ncpost -v -c siemens "$out/face-arcs.cl" -o "$out/face.mpf"
+	check face.mpf $face 5
+	run "its picture" ncplot --cut -o "$out/face.svg" "$out/face.ply" "$out/face.mpf"
+}
+
+# task NAME: one of them, with its messages in a log of its own; ends with the worst status
+task() {
+	part=$1 step=0 worst=0
+	: >"$out/$part.log"
+	"$part"
+	rm -f "$out/$part.said"
+	exit $worst
+}
+
+# Both at a time: two processors have half the time to wait.
+(task panel) &
+other=$!
+trap 'kill $other 2>/dev/null; exit 130' INT TERM
+worst=0
+(task face) || worst=$?
+wait $other || { code=$? && [ $worst -ne 0 ] && [ $worst -ne 3 ] || worst=$code; }
+case $worst in 0 | 3) ;; *) exit "$worst" ;; esac
+cat "$out/panel.log" "$out/face.log" >"$out/log"
+rm -f "$out/panel.log" "$out/face.log"
 
 printf '[done]  %3d s\n' $(($(date +%s) - began)) >&2
 echo
