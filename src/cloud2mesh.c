@@ -11,12 +11,11 @@
 #include "base/effort.h"
 #include "stage/cloudmesh.h"
 #include "cloud/cloud.h"
+#include "stage/cloud_options.h"
 #include "stage/cloud_prepare.h"
 #include "stage/cloud_stream.h"
 #include "io/mesh/ply.h"
 #include "math/box.h"
-
-enum outliers { OUTLIERS_DROP, OUTLIERS_KEEP };
 
 struct settings {
     struct cloudmesh_options meshing;
@@ -27,11 +26,6 @@ struct settings {
     const char *matrix;     /* file, NULL: none */
     const char *clean_file; /* the scan that is believed, NULL: not asked for */
 };
-
-/* A part that is smaller or larger is told: mm. */
-static const double SMALL = 1, LARGE = 3000;
-
-static const char *const unit_name[] = {"mm", "cm", "m", "um", "inch", "in"};
 
 /* What a method has no use for. */
 static void check_method(const struct settings *s)
@@ -71,14 +65,11 @@ static struct settings read_options(struct cli *cli, int argc, char **argv)
          CLI_CHOICE, &method, 0, 0, 0, NULL},
         {0, "keep", "N", "vertices of --method delaunay, those farthest off first (default: all)",
          CLI_COUNT, &s.meshing.keep, 3, 1e9, 0, NULL},
-        {'u', "units", "mm|cm|m|um|inch|in", "units of the points (default: mm)", CLI_CHOICE,
-         &s.unit, 0, 0, 0, &s.unit_given},
+        UNIT_OPTION("units of the points (default: mm)", &s.unit, &s.unit_given),
         {'a', "direction", "DEG", "direction of the rows, from x towards y (default: 0)",
          CLI_NUMBER, &s.meshing.direction, 0, 0, 0, NULL},
-        {0, "matrix", "FILE", "transform the points by the 4 x 4 matrix in FILE (in mm) first",
-         CLI_TEXT, &s.matrix, 0, 0, 0, NULL},
-        {0, "origin", NULL, "move the smallest x and the smallest y to 0", CLI_FLAG, &s.origin, 0,
-         0, 0, NULL},
+        MATRIX_OPTION(&s.matrix),
+        ORIGIN_OPTION(&s.origin),
         {0, "max-gap", "MM",
          "no facet over an empty disc wider than this (default: six times the\n"
          "mean spacing of the points; with --paper: no limit)",
@@ -96,10 +87,8 @@ static struct settings read_options(struct cli *cli, int argc, char **argv)
          "points that a quadric is fitted to (default: 40; under noise as\n"
          "many as needed)",
          CLI_COUNT, &s.meshing.neighbours, 6, 1000, 0, NULL},
-        {0, "outliers", "drop|keep",
-         "drop outliers and points below others, or only count them\n"
-         "(default: drop; with --paper or --normals facet: not detected)",
-         CLI_CHOICE, &s.outliers, 0, 0, 0, &s.clean},
+        OUTLIERS_OPTION("(default: drop; with --paper or --normals facet: not detected)",
+                        &s.outliers, &s.clean),
         {0, "clean", "FILE",
          "write the points that are believed, as they were read; outliers go to\n"
          "FILE.outliers",
@@ -224,9 +213,7 @@ static void say_size(const char *name, const struct settings *s, size_t points, 
     (s->unit_given ? note : say)("%s: %zu points, %.4g x %.4g x %.4g mm%s", name, points, size.x,
                                  size.y, size.z,
                                  s->unit_given ? "" : ", their unit taken as mm (-u)");
-    if (longest < SMALL || longest > LARGE)
-        say("%s: the part is %.3g mm long, expected %g to %g: is the unit right? (-u)", name,
-            longest, SMALL, LARGE);
+    say_unlikely_size(name, longest);
 }
 
 static void say_distance(const struct adaptive_rows *r, bool of_surface)

@@ -10,20 +10,21 @@
 #include "base/cli.h"
 #include "cloud/plan_extent.h"
 #include "io/nurbs/surfaces_scan.h"
+#include "math/box.h"
 #include "io/nurbs/surfaces_write.h"
+#include "stage/cloud_options.h"
 #include "stage/cloud_prepare.h"
 #include "stage/cloud_surface.h"
 
 struct settings {
     struct cloud_surface_options fit;
-    bool bspline, ferguson, bezier, iges, keep_outliers, origin, noise_given, error_given;
+    bool bspline, ferguson, bezier, iges, origin, noise_given, error_given;
     bool smooth_given;
     double noise;
-    int unit, knots;
+    int unit, knots, outliers;
     const char *matrix; /* file, NULL: none */
 };
 
-static const char *const unit_name[] = {"mm", "cm", "m", "um", "inch", "in"};
 static const char *const kind_name[] = {"a B-spline by least squares", "Ferguson patches",
                                         "Bezier patches"};
 
@@ -37,7 +38,7 @@ static void check_options(struct settings *s)
     if (s->fit.kind == CLOUD_SURFACE_BSPLINE && s->fit.spacing > 0)
         die_usage("found -t, expected --ferguson or --bezier with it: a B-spline has no net");
     if (s->fit.kind != CLOUD_SURFACE_BSPLINE && (s->knots > 0 || s->smooth_given))
-        die_usage("found %s, expected --bspline with it", s->knots > 0 ? "--knots" : "--smooth");
+        die_usage("found %s, expected --bspline with it", s->knots > 0 ? "--knots" : "--bending");
     if (s->fit.spacing > 0 && s->error_given)
         die_usage("found -t with -e, expected one of them");
     s->fit.uniform = s->knots == 1;
@@ -63,22 +64,20 @@ static struct settings read_options(struct cli *cli, int argc, char **argv)
          "knots of the B-spline where the error is, or at equal distances\n"
          "(default: error)",
          CLI_CHOICE, &s.knots, 0, 0, 0, NULL},
-        {0, "smooth", "X", "weight of the bending energy against the points (default: 0.00001)",
+        {0, "smooth", "X", NULL, CLI_ALIAS, "bending", 0, 0, 0, NULL},
+        {0, "bending", "X", "weight of the bending energy against the points (default: 0.00001)",
          CLI_NUMBER, &s.fit.smooth, 1e-12, 1e6, 0, &s.smooth_given},
-        {'u', "units", "mm|cm|m|um|inch|in", "units of the points (default: mm)", CLI_CHOICE,
-         &s.unit, 0, 0, 0, NULL},
+        UNIT_OPTION("units of the points (default: mm)", &s.unit, NULL),
         {'a', "direction", "DEG", "direction of u, from x towards y (default: 0)", CLI_NUMBER,
          &s.fit.direction, 0, 0, 0, NULL},
-        {0, "matrix", "FILE", "transform the points by the 4 x 4 matrix in FILE (in mm) first",
-         CLI_TEXT, &s.matrix, 0, 0, 0, NULL},
-        {0, "origin", NULL, "move the smallest x and the smallest y to 0", CLI_FLAG, &s.origin, 0,
-         0, 0, NULL},
+        MATRIX_OPTION(&s.matrix),
+        ORIGIN_OPTION(&s.origin),
         {0, "max-gap", "MM",
          "an empty disc wider than this is a hole (default: six times the mean\n"
          "spacing of the points)",
          CLI_NUMBER, &s.fit.gap, CLI_POSITIVE, 0, 0, NULL},
-        {0, "keep-outliers", NULL, "fit to outliers and points below others, too", CLI_FLAG,
-         &s.keep_outliers, 0, 0, 0, NULL},
+        OUTLIERS_OPTION("(default: drop)", &s.outliers, NULL),
+        {0, "keep-outliers", NULL, NULL, CLI_ALIAS, "outliers=keep", 0, 0, 0, NULL},
         {0, "noise", "MM", "standard deviation of the points (default: measured)", CLI_NUMBER,
          &s.noise, 0, 1e6, 0, &s.noise_given},
         {0, "untrimmed", NULL, "the whole rectangle, also where there are no points", CLI_FLAG,
@@ -104,8 +103,8 @@ static void prepare(const char *name, struct settings *s, struct vec3s *points, 
     struct plan_extent f = plan_extent_of(points->item, points->n, s->fit.direction);
     s->fit.mean = plan_extent_spacing(&f, points->item, points->n);
     if (cloud_prepare_clean(points, s->fit.mean, s->noise_given ? s->noise : -1,
-                            s->keep_outliers ? CLOUD_PREPARE_KEEP : CLOUD_PREPARE_DROP, threads,
-                            &found, &error) < 0)
+                            s->outliers == OUTLIERS_KEEP ? CLOUD_PREPARE_KEEP : CLOUD_PREPARE_DROP,
+                            threads, &found, &error) < 0)
         die("%s: %s", name, error.text);
     s->fit.noise = s->noise_given ? s->noise : found.noise;
     s->fit.threads = threads;
@@ -171,6 +170,7 @@ static void report(const struct settings *s, const struct cloud_surface *r)
 int main(int argc, char **argv)
 {
     struct cli cli = {.tool = "cloud2surf",
+                      .usual = "bspline ferguson bezier tolerance spacing units matrix iges",
                       .usage = "[options] [FILE...]",
                       .about = "Fits a NURBS surface to scanned points (several files are one "
                                "cloud)."};
@@ -186,6 +186,9 @@ int main(int argc, char **argv)
     if (cloud_prepare_read(cli.file, cli.files, &points, &scan, &left_out, &error) < 0 ||
         cloud_prepare_place(&points, unit_name[s.unit], s.matrix, s.origin, &origin, &error) < 0)
         die_error(&error);
+    struct box box = box_around(points.item, points.n);
+    struct vec3 size = vec_sub(box.high, box.low);
+    say_unlikely_size(name, fmax(size.x, fmax(size.y, size.z)));
     prepare(name, &s, &points, cli.threads);
     if (cloud_surface_make(&s.fit, &points, &result, &error) < 0)
         die("%s: %s", name, error.text);

@@ -6,9 +6,8 @@
 #include "base/cli.h"
 #include "io/cloud/cloud.h"
 #include "plot/plot.h"
+#include "stage/cloud_options.h"
 #include "base/out.h"
-
-static const char *const units[] = {"mm", "cm", "m", "um", "inch", "in"};
 
 enum colour { COLOUR_AUTO, COLOUR_PASS, COLOUR_KIND };
 
@@ -35,8 +34,9 @@ static struct settings read_settings(struct cli *cli, int argc, char **argv)
          CLI_FLAG, &s.compare, 0, 0, 0, NULL},
         {0, "speed", NULL, "colour a program by the speed that the machine reaches, by its feed",
          CLI_FLAG, &s.speed, 0, 0, 0, NULL},
-        {0, "points", NULL, NULL, CLI_ALIAS, "ends", 0, 0, 0, NULL},
-        {0, "ends", NULL, "mark where the motions of a path end", CLI_FLAG, &s.points, 0, 0, 0,
+        {0, "points", NULL, NULL, CLI_ALIAS, "joints", 0, 0, 0, NULL},
+        {0, "ends", NULL, NULL, CLI_ALIAS, "joints", 0, 0, 0, NULL},
+        {0, "joints", NULL, "mark where the motions of a path end", CLI_FLAG, &s.points, 0, 0, 0,
          NULL},
         {0, "poles", NULL, "show the control points of B-splines", CLI_FLAG, &s.poles, 0, 0, 0,
          NULL},
@@ -52,8 +52,7 @@ static struct settings read_settings(struct cli *cli, int argc, char **argv)
         {'m', "machine", "MACHINE",
          "machine that a program is for (default: what its head names, or table-ac)", CLI_TEXT,
          &s.machine, 0, 0, 0, NULL},
-        {'u', "units", "mm|cm|m|um|inch|in", "units of clouds (default: mm)", CLI_CHOICE, &s.unit,
-         0, 0, 0, NULL},
+        UNIT_OPTION("units of clouds (default: mm)", &s.unit, NULL),
         {0},
     };
     cli->option = options;
@@ -68,7 +67,7 @@ static struct settings read_settings(struct cli *cli, int argc, char **argv)
 
 static struct scene read_scene(const struct cli *cli, const struct settings *s)
 {
-    struct layer_options options = {.unit = cloud_unit(units[s->unit]),
+    struct layer_options options = {.unit = cloud_unit(unit_name[s->unit]),
                                     .poles = s->poles,
                                     .normals = s->normals,
                                     .axes = s->axes,
@@ -152,7 +151,7 @@ static struct remarks compare_all(struct scene *scene, int threads)
 int main(int argc, char **argv)
 {
     struct cli cli = {.tool = "ncplot",
-                      .usual = "view compare stock cut title width",
+                      .usual = "view compare cut speed machine title width",
                       .usage = "[options] [STREAM...]",
                       .about = "Draws a cloud, a mesh, a path or a program as SVG."};
     struct settings s = read_settings(&cli, argc, argv);

@@ -15,10 +15,9 @@
 #include "gouge/holder_text.h"
 #include "machine/machine_options.h"
 #include "ncread/ncread.h"
+#include "stage/cloud_options.h"
 #include "stage/path_motion.h"
 #include "verify/verify.h"
-
-static const char *const unit_name[] = {"mm", "cm", "m", "um", "inch", "in"};
 
 struct settings {
     int unit;
@@ -150,8 +149,7 @@ static void read_options(struct settings *s, struct cli *cli, int argc, char **a
          &s->cell, 1e-4, 1e3, 0, NULL},
         {0, "centre", NULL, "coordinates of the program are the centre of the ball, not the tip",
          CLI_FLAG, &s->centre, 0, 0, 0, NULL},
-        {'u', "units", "mm|cm|m|um|inch|in", "units of the files of -g (default: mm)", CLI_CHOICE,
-         &s->unit, 0, 0, 0, NULL},
+        UNIT_OPTION("units of the files of -g (default: mm)", &s->unit, NULL),
         {0, "map", "FILE", "write the points with their deviations as a PLY", CLI_TEXT, &s->map, 0,
          0, 0, NULL},
         {0, "report", "FILE",

@@ -16,12 +16,10 @@
 #include "nurbs/sew.h"
 #include "nurbs/skin.h"
 #include "nurbs/skin_close.h"
+#include "stage/cloud_options.h"
 #include "stage/nurbs_report.h"
 
 enum { CELLS_MAX = 5000 };
-
-/* mm: a part smaller or larger than these has, likely, another unit. */
-static const double SMALL = 0.5, LARGE = 50000;
 
 /* By the size of the part: edges so near are joined, and surfaces so narrow are left out. */
 static const double GAP = 2.5e-4, NARROW = 1e-5;
@@ -35,8 +33,6 @@ struct settings {
     bool report, partial, count_given, unit_given;
 };
 
-static const char *const unit_name[] = {"mm", "cm", "m", "um", "inch", "in"};
-
 static struct settings read_options(struct cli *cli, int argc, char **argv)
 {
     static struct settings s = {.n = 200, .up = {0, 0, 1}};
@@ -46,8 +42,7 @@ static struct settings read_options(struct cli *cli, int argc, char **argv)
         {'e', "tolerance", "MM",
          "instead of -n: largest deviation of triangles and trimmed edges from\nthe surface",
          CLI_NUMBER, &s.tolerance, CLI_POSITIVE, 0, 0, NULL},
-        {'u', "units", "mm|cm|m|um|inch|in", "units of the files, whatever they state", CLI_CHOICE,
-         &s.unit, 0, 0, 0, &s.unit_given},
+        UNIT_OPTION("units of the files, whatever they state", &s.unit, &s.unit_given),
         {'k', "curvature", NULL,
          "print the smallest concave radius of each surface and its place\ninstead of the mesh",
          CLI_FLAG, &s.report, 0, 0, 0, NULL},
@@ -84,9 +79,7 @@ static void read_files(const struct cli *cli, const struct settings *s, struct p
             die_error(&error);
         surfaces_tell_unit(cli->file[i], &unit, s->unit_given ? unit_name[s->unit] : NULL);
     }
-    double size = patches_size(patches);
-    if (size < SMALL || size > LARGE)
-        say("the part is %g mm large: is the unit right? (-u)", size);
+    say_unlikely_size(cli->file[0], patches_size(patches));
     if (!surfaces_tell(patches) && !s->partial)
         unmet_say(unmet, "part of the model is left out, of types that are not supported "
                          "(--partial accepts it)");

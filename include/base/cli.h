@@ -32,7 +32,8 @@ enum cli_kind {
     CLI_CHOICE,  /* int *: index of the word among `arg`, written "one|two|three" */
     CLI_NUMBERS, /* double[count]: exactly `count` numbers, commas between */
     CLI_LIST,    /* struct cli_list *: may be given several times */
-    CLI_ALIAS    /* const char[]: an old name of this option, in no help, with a note */
+    CLI_ALIAS    /* const char[]: an old name of this option, in no help, with a note; with
+                    `name=value` of an option that takes one */
 };
 
 #define CLI_POSITIVE DBL_MIN /* as min: above zero */

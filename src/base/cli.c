@@ -361,10 +361,12 @@ static void set_by_name(const struct table *t, const struct cli_option *o, const
         set_value(o, text);
         return;
     }
+    const char *name = o->value;
+    size_t n = strcspn(name, "=");
     *array_push(old) = o;
     for (size_t i = 0; i < t->n; i++)
-        if (strcmp(t->item[i].name, (const char *)o->value) == 0)
-            set_value(&t->item[i], text);
+        if (strncmp(t->item[i].name, name, n) == 0 && !t->item[i].name[n])
+            set_value(&t->item[i], name[n] ? name + n + 1 : text);
 }
 
 /*

@@ -11,8 +11,8 @@ struct cli_option machine_option_name(struct machine_options *options)
     return (struct cli_option){
         .letter = 'm',
         .name = "machine",
-        .arg = "NAME",
-        .help = "machine: NAME.txt in this folder, in $CLOUDMILL_MACHINES or among\n"
+        .arg = "MACHINE",
+        .help = "machine: MACHINE.txt in this folder, in $CLOUDMILL_MACHINES or among\n"
                 "the installed ones, or a file (default: table-ac)",
         .kind = CLI_TEXT,
         .value = &options->name};

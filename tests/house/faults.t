@@ -66,6 +66,9 @@ for file in cloud.ptx cloud.pcd cloud.obj cloud-le.ply; do
 	faults "cloud2mesh, $file" malloc,calloc,realloc,read,end,bytes "$file" \
 		cloud2mesh -j 1 -t 3 -o out $file
 done
+faults "cloud2surf" $kinds "cloud.xyz" cloud2surf -j 1 -e 0.05 -o out cloud.xyz
+faults "cloud2surf, patches as IGES, a matrix" $kinds "cloud.xyz matrix.txt" \
+	cloud2surf -j 1 --bezier -t 12 --iges --matrix matrix.txt cloud.xyz
 # shellcheck disable=SC2086 # words
 faults "meshnorm, the scan" $kinds "mesh.ply cloud.xyz" $meshnormal mesh.ply
 # shellcheck disable=SC2086

@@ -500,10 +500,10 @@ pictures() {
 		plot-compare.svg ncplot -q --compare wave.ply wave-coarse.ply
 		plot-compare-3.svg ncplot -q --compare wave-2.cl wave-arcs.cl wave-splines.cl
 		plot-compare-cloud.svg ncplot -q --compare wave.xyz wave-coarse.ply wave-2.cl wave-arcs.mpf
-		plot-points.svg ncplot -q --ends --poles --axes --show-normals wave-splines.cl
+		plot-points.svg ncplot -q --joints --poles --axes --show-normals wave-splines.cl
 		plot-normals.svg ncplot -q --show-normals --view iso wave-coarse.ply
 		plot-axes.svg ncplot -q --axes --cut --title 'A title & more' --width 600 winding.cl
-		plot-poles.svg ncplot -q --poles --ends --axes wave-splines.nc
+		plot-poles.svg ncplot -q --poles --joints --axes wave-splines.nc
 		plot-machine.svg ncplot -q -m head-ca wave-splines-head-ca.nc
 		plot-units.svg ncplot -q -u inch dome.inch
 		plot-many.svg ncplot -q --cut face.xyz face.cl

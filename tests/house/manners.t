@@ -9,18 +9,21 @@ awk 'BEGIN { for (i = 0; i <= 40; i++) for (k = 0; k <= 30; k++) {
 arguments() { # TOOL: what it needs besides its input
 	case $1 in
 	cloud2mesh) echo -t 4 ;;
+	nurbs2mesh) echo --count 12 ;;
 	meshnorm | planecut) echo -r 4 ;;
 	ncpost) echo -c siemens ;;
 	esac
 }
 input() { # TOOL
 	case $1 in
-	cloud2mesh) echo cloud.xyz ;;
+	cloud2mesh | cloud2surf) echo cloud.xyz ;;
+	nurbs2mesh) echo saddle.nurbs ;;
 	meshnorm | planecut) echo mesh.ply ;;
 	biarcfit | bsplfit) echo path.cl ;;
 	ncpost) echo arcs.cl ;;
 	esac
 }
+cp "$SRC/samples/saddle.nurbs" .
 cloud2mesh -q -t 4 cloud.xyz >mesh.ply
 meshnorm -q -r 4 --rows mesh mesh.ply >path.cl
 biarcfit -q path.cl >arcs.cl
@@ -31,7 +34,7 @@ shell() { # STATUS DESC COMMAND-LINE
 }
 
 # shellcheck disable=SC2086,SC2046,SC2012 # words of options and file names of our own
-for tool in cloud2mesh meshnorm planecut biarcfit bsplfit ncpost; do
+for tool in cloud2mesh cloud2surf nurbs2mesh meshnorm planecut biarcfit bsplfit ncpost; do
 	in=$(input $tool)
 	set -- $(arguments $tool)
 	args=$*
@@ -59,7 +62,7 @@ for tool in cloud2mesh meshnorm planecut biarcfit bsplfit ncpost; do
 	status 2 "$tool -o without a file" $tool "$@" $in -o
 	for bad in nan inf 8x '' 1e999 -1 0x10; do
 		case $tool in
-		cloud2mesh) status 2 "$tool -t '$bad'" $tool -t "$bad" $in ;;
+		cloud2mesh | cloud2surf) status 2 "$tool -t '$bad'" $tool -t "$bad" $in ;;
 		meshnorm | planecut) status 2 "$tool -r '$bad'" $tool -r "$bad" $in ;;
 		*) status 2 "$tool -e '$bad'" $tool "$@" -e "$bad" $in ;;
 		esac
@@ -81,7 +84,7 @@ for tool in cloud2mesh meshnorm planecut biarcfit bsplfit ncpost; do
 	shell 0 "$tool - <FILE" "exec $tool $args - <$in"
 	same "$tool - is standard input" out through
 	head -c $(($(wc -c <$in) / 2)) $in | sed '$d' >half
-	if [ $tool != cloud2mesh ]; then # half a cloud is a cloud
+	if [ $tool != cloud2mesh ] && [ $tool != cloud2surf ]; then # half a cloud is a cloud
 		status 1 "$tool: half of its input" $tool "$@" half
 		empty "$tool: half of its input: no output" out
 		shell 1 "$tool: half of its input by a pipe" "cat half | $tool $args"
@@ -175,6 +178,10 @@ planecut -q -r 4 -s 3 --one-way --direction 90 mesh.ply >want
 status 0 "by their old names" planecut -r 4 -s 3 --oneway --angle 90 mesh.ply
 has "a note of one" '--oneway is now --one-way' err
 has "a note of the other" '--angle is now --direction' err
+same "the same bytes" out want
+cloud2surf -q --outliers keep --bending 0.001 cloud.xyz >want
+status 0 "an old name without a value of one that has it" cloud2surf --keep-outliers --smooth 0.001 cloud.xyz
+has "a note with the value" '--keep-outliers is now --outliers=keep' err
 same "the same bytes" out want
 status 2 "ncpost -c nosuch" ncpost -c nosuch arcs.cl
 has "... says what there is" "siemens" err

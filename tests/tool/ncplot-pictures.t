@@ -80,7 +80,7 @@ CIRCLE/0,0,0,0,0,1,10
 GOTO/-10,0,0,0,0,1
 FINI
 END
-status 0 "half a circle" ncplot -v --view plan --ends --axes -o "$TMP/half.svg" "$TMP/half.cl"
+status 0 "half a circle" ncplot -v --view plan --joints --axes -o "$TMP/half.svg" "$TMP/half.cl"
 has "its length" '1 arc, 31\.4 mm of cut' "$TMP/err"
 has "ends of motions are named" '>ends of motions<' "$TMP/half.svg"
 has "axes too" '>tool axes<' "$TMP/half.svg"

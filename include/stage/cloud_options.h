@@ -1,0 +1,43 @@
+/*
+ * cloud_options - options that all readers of scans and models share, and whether a part has a
+ * likely size in the unit that was taken.
+ */
+#ifndef CLOUDMILL_CLOUD_OPTIONS_H
+#define CLOUDMILL_CLOUD_OPTIONS_H
+
+#include "base/cli.h"
+
+/* Words of -u, and the same by their index, for cloud_unit. */
+#define UNIT_WORDS "mm|cm|m|um|inch|in"
+extern const char *const unit_name[];
+
+enum outliers { OUTLIERS_DROP, OUTLIERS_KEEP };
+
+/* Rows of a tool's table of options (cli.h): `value` an int for the first, then a const char *, a
+ * bool; `words` are the help, `given` a bool * or NULL. */
+#define UNIT_OPTION(words, value, given)                                   \
+    {                                                                      \
+        'u', "units", UNIT_WORDS, words, CLI_CHOICE, value, 0, 0, 0, given \
+    }
+#define MATRIX_OPTION(value)                                                                   \
+    {                                                                                          \
+        0, "matrix", "FILE", "transform the points by the 4 x 4 matrix in FILE (in mm) first", \
+            CLI_TEXT, value, 0, 0, 0, NULL                                                     \
+    }
+#define ORIGIN_OPTION(value)                                                                     \
+    {                                                                                            \
+        0, "origin", NULL, "move the smallest x and the smallest y to 0", CLI_FLAG, value, 0, 0, \
+            0, NULL                                                                              \
+    }
+#define OUTLIERS_OPTION(words, value, given)                                                 \
+    {                                                                                        \
+        0, "outliers", "drop|keep",                                                          \
+            "drop outliers and points below others, or only count them\n" words, CLI_CHOICE, \
+            value, 0, 0, 0, given                                                            \
+    }
+
+/* Says so if a part of that length, mm, is likely to have another unit: of less than 1 mm, or of
+ * more than 3 m.  `name`: its file. */
+void say_unlikely_size(const char *name, double longest);
+
+#endif
