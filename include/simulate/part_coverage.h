@@ -1,9 +1,11 @@
 /*
- * part_coverage - of every point of a part: is it cut, out of the tool's reach, or left?
+ * part_coverage - of every point of a part: is it cut, out of the tool's reach, kept off, or left?
  *
  * Cut is a point on which no more than `limit` is left.  Of the others, out of reach is one that no
  * ball touches (up to half the limit) that is clear of all points, with the tool above it clear, by
- * a tenth of a millimetre, in one of the directions that the machine has; and all the rest is left.
+ * a tenth of a millimetre, in one of the directions that the machine has.  Kept off is one that only
+ * balls touch that are in the part between its points: the surface that faces up goes on over them,
+ * past a wall that has too few points to keep them off.  All the rest is left.
  * The directions of the ball from the point and of the tool are samples (constants in the .c), so
  * that a narrow access may count as none.
  *
@@ -18,7 +20,13 @@
 #include "simulate/tool_shape.h"
 #include "simulate/verify_kinematics.h"
 
-enum part_class { COVERAGE_CUT, COVERAGE_OUT_OF_REACH, COVERAGE_LEFT, COVERAGE_CLASSES };
+enum part_class {
+    COVERAGE_CUT,
+    COVERAGE_OUT_OF_REACH,
+    COVERAGE_LEFT,
+    COVERAGE_KEPT_OFF,
+    COVERAGE_CLASSES
+};
 
 struct part_coverage_options {
     double radius, limit;

@@ -24,12 +24,16 @@ enum {
 
 #define GOLDEN 2.39996322972865332 /* radians: the golden angle */
 #define CELL 0.25                  /* of the radius: width of a cell */
-#define SPARSE 0.34 /* of the radius: the points that stand for all are so far apart */
-#define STEEP 0.3   /* a normal is upright with less than this of Z */
-#define AHEAD 0.75  /* cosine between the normal and the ball's direction, at least */
-#define FREE 0.1    /* mm: less play has no way in for the tool that would be looked for */
-#define SURE 0.5    /* of the limit: nearer than that a ball has to come that could cut a point */
-#define LINE 0.9    /* of the radius: thickness of the middle line that has to come from outside */
+#define SPARSE 0.34  /* of the radius: the points that stand for all are so far apart */
+#define STEEP 0.3    /* a normal is upright with less than this of Z */
+#define AHEAD 0.75   /* cosine between the normal and the ball's direction, at least */
+#define FREE 0.1     /* mm: less play has no way in for the tool that would be looked for */
+#define SURE 0.5     /* of the limit: nearer than that a ball has to come that could cut a point */
+#define LINE 0.9     /* of the radius: thickness of the middle line that has to come from outside */
+#define FACES_UP 0.5 /* Z of a normal, at least, of what is material below */
+#define OVERHEAD 4   /* radii above the ball's centre that are looked at for it */
+#define BESIDE_GAP 0.75 /* mean distances of points that the ball may be beside them unnoticed */
+#define TOO_SPARSE 0.6  /* of the radius: where it could be further, nothing is known */
 
 /* ---- directions */
 
@@ -93,6 +97,8 @@ struct reach {
     struct sizes first; /* cell k: order[first[k]] up to first[k + 1] */
     unsigned char *of;
     double *area;
+    bool *up;                 /* of each point: the surface faces up there */
+    struct kdtree *roof_tree; /* of these points */
 };
 
 /* Which cell of a grid of this width a point is in, as a number to sort by. */
@@ -157,7 +163,7 @@ static void sort_into_cells(struct reach *r)
 
 /* A direction of the ball from its point and one of the tool that were clear. */
 struct access {
-    bool known;
+    bool known, inside; /* inside: for a ball that only sparse points let through, too */
     struct vec3 ball, axis;
 };
 
@@ -178,6 +184,20 @@ static bool ball_clears(const struct reach *r, struct vec3 p, struct vec3 d, str
     double out = kdtree_leave(r->tree, at, d, r->options->radius, budget, NULL);
     *centre = vec_along(at, out, d);
     return out <= budget;
+}
+
+/*
+ * The surface that faces up goes on over the ball, near above it: it would stand in the material
+ * below, past a wall that the scan has too few points of.  So that points beside the ball do not
+ * count, its silhouette is smaller by their distance.
+ */
+static bool ball_is_inside(const struct reach *r, size_t i, struct vec3 centre)
+{
+    double radius = r->options->radius;
+    double smaller = SURE * r->options->limit + BESIDE_GAP * sqrt(r->area[i]);
+    return smaller <= TOO_SPARSE * radius &&
+           kdtree_any_beside(r->roof_tree, vec_along(centre, radius, vec(0, 0, 1)),
+                             vec_along(centre, OVERHEAD * radius, vec(0, 0, 1)), radius - smaller);
 }
 
 /* The tool over a ball at `centre`, moved out along `d` by what has to be free: along a wall that
@@ -244,19 +264,22 @@ static bool find_axis(struct look *l, struct vec3 centre, struct vec3 d, struct 
     return false;
 }
 
-/* Balls on one side of the surface, straight up from it first. */
-static bool find_on_side(struct look *l, size_t i, struct vec3 normal, struct access *access)
+/* Balls on one side of the surface, straight up from it first: those that are not in the material,
+ * or those that are. */
+static bool find_on_side(struct look *l, size_t i, struct vec3 normal, bool inside,
+                         struct access *access)
 {
     const struct reach *r = l->r;
     int tries = 0;
     for (int k = -1; k < BALLS && tries < TRIES; k++) {
         struct vec3 d = k < 0 ? normal : spread(k, BALLS), centre;
-        if (vec_dot(d, normal) < AHEAD || !ball_clears(r, r->point[i], d, &centre))
+        if (vec_dot(d, normal) < AHEAD || !ball_clears(r, r->point[i], d, &centre) ||
+            ball_is_inside(r, i, centre) != inside)
             continue;
         tries++;
         if (find_axis(l, centre, d, &access->axis)) {
             access->ball = d;
-            access->known = true;
+            access->known = !inside;
             return true;
         }
     }
@@ -274,16 +297,26 @@ static struct vec3 normal_at(const struct reach *r, size_t i)
     return normal.z < 0 ? vec_scale(-1, normal) : normal;
 }
 
-static bool can_be_reached(struct look *l, size_t i, struct access *access)
+/* Balls on either side of a surface that stands upright. */
+static bool find_access(struct look *l, size_t i, struct vec3 normal, bool inside,
+                        struct access *access)
+{
+    return find_on_side(l, i, normal, inside, access) ||
+           (normal.z < STEEP && find_on_side(l, i, vec_scale(-1, normal), inside, access));
+}
+
+/* LEFT, KEPT_OFF or OUT_OF_REACH. */
+static enum part_class class_of(struct look *l, size_t i, struct access *access)
 {
     const struct reach *r = l->r;
     struct vec3 centre;
     if (access->known && ball_clears(r, r->point[i], access->ball, &centre) &&
-        tool_clears(l, centre, access->ball, access->axis))
-        return true;
+        !ball_is_inside(r, i, centre) && tool_clears(l, centre, access->ball, access->axis))
+        return COVERAGE_LEFT;
     struct vec3 normal = normal_at(r, i);
-    return find_on_side(l, i, normal, access) ||
-           (normal.z < STEEP && find_on_side(l, i, vec_scale(-1, normal), access));
+    if (find_access(l, i, normal, false, access))
+        return COVERAGE_LEFT;
+    return find_access(l, i, normal, true, access) ? COVERAGE_KEPT_OFF : COVERAGE_OUT_OF_REACH;
 }
 
 static void look_at_cells(void *context, size_t from, size_t to)
@@ -298,9 +331,11 @@ static void look_at_cells(void *context, size_t from, size_t to)
         for (size_t k = r->first.item[cell]; k < r->first.item[cell + 1]; k++) {
             size_t i = r->order.item[k];
             bool under = r->under && r->under[i];
-            bool reached = !under && failures < FAILURES && can_be_reached(&l, i, &access);
-            failures += !under && !reached && !access.known;
-            r->of[i] = reached ? COVERAGE_LEFT : COVERAGE_OUT_OF_REACH;
+            enum part_class class = COVERAGE_OUT_OF_REACH;
+            if (!under && failures < FAILURES)
+                class = class_of(&l, i, &access);
+            failures += !under && class == COVERAGE_OUT_OF_REACH && !access.known;
+            r->of[i] = (unsigned char)class;
         }
     }
     array_free(&l.near);
@@ -309,7 +344,8 @@ static void look_at_cells(void *context, size_t from, size_t to)
 
 /* ---- all */
 
-/* The area that a point stands for: its neighbours share the circle that they reach. */
+/* The area that a point stands for, which its neighbours share by the circle that they reach, and its
+ * side */
 static void measure_areas(void *context, size_t from, size_t to)
 {
     struct reach *r = context;
@@ -318,7 +354,18 @@ static void measure_areas(void *context, size_t from, size_t to)
         double distance2[BESIDE];
         size_t n = kdtree_nearest(r->tree, r->point[i], BESIDE, index, distance2);
         r->area[i] = n > 1 ? PI * distance2[n - 1] / ((double)n - 1) : 0;
+        r->up[i] = normal_at(r, i).z > FACES_UP;
     }
+}
+
+static void find_roofs(struct reach *r)
+{
+    struct vec3s roof = {0};
+    for (size_t i = 0; i < r->n; i++)
+        if (r->up[i])
+            *array_push(&roof) = r->point[i];
+    r->roof_tree = kdtree_new(roof.item, roof.n);
+    array_free(&roof);
 }
 
 static void sum_up(const struct reach *r, struct part_coverage *coverage)
@@ -345,6 +392,7 @@ void part_coverage_run(const struct vec3 *point, const double *deviation,
     struct box box = box_around(point, n);
     r.of = coverage->of;
     r.area = mem_alloc(n, sizeof *r.area);
+    r.up = mem_alloc(n, sizeof *r.up);
     r.tree = kdtree_new(point, n);
     r.far = vec_distance(box.low, box.high) + 4 * options->radius;
     thin_points(&r);
@@ -352,10 +400,13 @@ void part_coverage_run(const struct vec3 *point, const double *deviation,
     r.body = collision_body_points(point, n);
     sort_into_cells(&r);
     parallel_for(options->threads, n, measure_areas, &r);
+    find_roofs(&r);
     parallel_for(options->threads, (r.first.n + GROUP - 1) / GROUP, look_at_cells, &r);
     sum_up(&r, coverage);
     kdtree_free(r.tree);
     kdtree_free(r.sparse_tree);
+    kdtree_free(r.roof_tree);
+    free(r.up);
     collision_body_free(&r.body);
     array_free(&r.sparse);
     array_free(&r.order);

@@ -175,7 +175,7 @@ static void print_part(const struct verdict *v, struct out *o)
 
 const char *verdict_class(int class)
 {
-    static const char *const name[] = {"cut", "out of reach", "left"};
+    static const char *const name[] = {"cut", "out of reach", "left", "kept off"};
     return name[class];
 }
 
@@ -276,7 +276,7 @@ void verdict_map(const struct verdict *v, const char *file)
 {
     struct out *o = out_open(file);
     out_text(o, "ply\nformat ascii 1.0\ncomment deviation: mm, below zero the ball gouged\n"
-                "comment coverage: 0 cut, 1 out of reach or beyond the region, 2 left\n"
+                "comment coverage: 0 cut, 1 out of reach or beyond the region, 2 left, 3 kept off\n"
                 "comment speed: mean speed of the block there, by its feed\n");
     out_printf(o, "element vertex %zu\n", v->map.points);
     out_text(o, "property double x\nproperty double y\nproperty double z\n");

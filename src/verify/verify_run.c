@@ -64,7 +64,7 @@ static void roll_cuts(struct verdict *v)
     part_coverage_run(part->item, v->map.deviation, surface ? surface->under : NULL, part->n,
                       &reach, &v->coverage);
     for (size_t i = 0; i < part->n; i++)
-        v->map.region[i] = v->coverage.of[i] != COVERAGE_OUT_OF_REACH;
+        v->map.region[i] = v->coverage.of[i] == COVERAGE_CUT || v->coverage.of[i] == COVERAGE_LEFT;
     deviation_map_sum(&roll, &v->map);
     array_free(&axis);
 }
@@ -357,10 +357,13 @@ static void judge_jumps(struct verdict *v)
                     DEGREES(most), jumps);
 }
 
-/* Curves that leave the part and come back. */
+/* Curves that leave the part and come back: by a radius, where what they leave is judged, since a
+ * link over a hollow may be part of one. */
 static void judge_excursions(struct verdict *v)
 {
-    const struct excursion_options options = {v->options.radius, v->options.band};
+    bool judged = !v->options.partial && isfinite(v->options.left);
+    const struct excursion_options options = {
+        v->options.radius, judged ? fmax(v->options.band, v->options.radius) : v->options.band};
     struct excursion out = excursion_find(v->program.motion, &v->cut, v->program.part->item,
                                           v->program.part->n, &options);
     if (out.count > 0)

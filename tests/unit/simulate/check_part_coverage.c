@@ -117,6 +117,38 @@ START_TEST(as_far_as_the_axes_turn)
 }
 END_TEST
 
+/* A floor up to x = 0 and a step 6 high beyond it, whose upright wall has points `apart`, or none. */
+static struct vec3s step(double apart)
+{
+    struct vec3s points = {0};
+    for (int i = -40; i <= 40; i++)
+        for (int k = -40; k <= 40; k++)
+            *array_push(&points) = vec(0.4 * i + 0.2, 0.4 * k, i < 0 ? 0 : 6);
+    for (double y = -16.5; apart > 0 && y < 16; y += apart)
+        for (double z = apart / 2; z < 6; z += apart)
+            *array_push(&points) = vec(0, y, z);
+    return points;
+}
+
+/* At the foot of the wall a ball would have to be in it: where it has many points no ball touches
+ * the foot, where it has few or none only one that is under the step. */
+START_TEST(past_a_wall_without_points)
+{
+    const struct tool_shape slim = {1, {{0, 12, R, R}}};
+    const struct verify_kinematics table = verify_kinematics_trunnion('A', 1);
+    const double apart[] = {0.4, 3, 0};
+    for (int k = 0; k < 3; k++) {
+        struct vec3s points = step(apart[k]);
+        struct vec3 foot = vec(-2.2, 0, 0), rim = vec(0.2, 0, 6), out = vec(-4, 0, 0);
+        int class = class_at(&points, foot, 1, &slim, &table);
+        ck_assert_int_eq(class, k == 0 ? COVERAGE_OUT_OF_REACH : COVERAGE_KEPT_OFF);
+        ck_assert_int_eq(class_at(&points, rim, 1, &slim, &table), COVERAGE_LEFT);
+        ck_assert_int_eq(class_at(&points, out, 1, &slim, &table), COVERAGE_LEFT);
+        array_free(&points);
+    }
+}
+END_TEST
+
 START_TEST(areas_and_threads)
 {
     struct vec3s points = groove(), axis = part_coverage_axes(&upright);
@@ -153,6 +185,7 @@ int main(void)
     tcase_add_test(tcase, where_the_ball_gets);
     tcase_add_test(tcase, as_deep_as_the_holder_lets);
     tcase_add_test(tcase, as_far_as_the_axes_turn);
+    tcase_add_test(tcase, past_a_wall_without_points);
     tcase_add_test(tcase, areas_and_threads);
     tcase_set_timeout(tcase, 60);
     suite_add_tcase(suite, tcase);
