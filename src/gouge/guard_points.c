@@ -6,6 +6,7 @@
 #include "base/effort.h"
 #include "base/parallel.h"
 #include "cloud/edge_points.h"
+#include "cloud/settle.h"
 #include "cloud/upsample.h"
 #include "curve/edge_curve.h"
 #include "mesh/mesh_edges.h"
@@ -25,6 +26,10 @@ static const double MIDDLE = 0.4, CERTAIN = 0.35;
 /* Of the noise: a surface less certain than this at its own place, as at a border, is doubtful; and
  * so is one whose slope may be off (two standard deviations) by what sinks the ball in so far. */
 static const double DOUBTFUL = 0.3, SUNK = 0.3;
+
+/* Of the noise: where the surface through few neighbours is further off the one through many, shape
+ * may have been smoothed over, and it is kept clear of, too. */
+static const double DIFFERENT = 1;
 
 /* What becomes of a point. */
 struct point_result {
@@ -201,6 +206,18 @@ static bool choose_work(struct guard_work *work, bool *sparse, size_t *near)
     return rule->noise > 0 || work->filled;
 }
 
+static void add_near_surface(void *context, size_t from, size_t to)
+{
+    const struct guard_work *work = context;
+
+    for (size_t i = from; i < to; i++) {
+        double sigma = work->fit.sigma;
+        struct vec3 near = settle_point(work->point_grid, sigma, work->point_grid->point[i]);
+        if (vec_distance(near, work->result[i].point) > DIFFERENT * sigma)
+            *array_push(&work->result[i].between) = near;
+    }
+}
+
 static struct guard_points gather(struct guard_work *work)
 {
     const struct point_grid *b = work->point_grid;
@@ -259,10 +276,12 @@ struct guard_points guard_points_of_scan(const struct point_grid *point_grid,
     work.result = mem_alloc(point_grid->n, sizeof *work.result);
     for (size_t i = 0; i < point_grid->n; i++)
         work.result[i] = (struct point_result){.point = point_grid->point[i]};
-    if (work.fit.sigma > 0)
+    if (work.fit.sigma > 0) {
         parallel_for(rule->threads, point_grid->columns * point_grid->rows, fit_cells, &work);
-    else
+        parallel_for(rule->threads, point_grid->n, add_near_surface, &work);
+    } else {
         parallel_for(rule->threads, point_grid->n, fill_gaps, &work);
+    }
     surface = gather(&work);
     add_edges(&work, &surface);
     surface.sparse = sparse;

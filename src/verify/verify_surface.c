@@ -7,14 +7,9 @@
 #include "cloud/believed.h"
 #include "cloud/outliers.h"
 #include "cloud/plan_extent.h"
+#include "cloud/settle.h"
 #include "math/point_grid.h"
-#include "math/quadric.h"
 #include "verify/verify.h"
-
-enum { MOST = 48, FEWEST = 12, TERMS = 6 }; /* points of a quadric: halved until they lie on it */
-
-#define ALIKE 1.35 /* times the noise that points may be spread about their quadric */
-#define MOVES 6    /* times the noise that a point may move, at most */
 
 struct settle {
     const struct point_grid *grid;
@@ -22,31 +17,11 @@ struct settle {
     struct vec3 *to;
 };
 
-/* The place of a point on the surface, by its neighbours. */
-static struct vec3 settled(const struct settle *s, struct vec3 p)
-{
-    uint32_t index[MOST];
-    double distance2[MOST];
-    struct vec3 near[MOST];
-    size_t most = point_grid_nearest(s->grid, p, MOST, index, distance2);
-    for (size_t i = 0; i < most; i++)
-        near[i] = s->grid->point[index[i]];
-    for (size_t n = most; n >= FEWEST; n /= 2) {
-        struct quadric q;
-        if (quadric_fit_free(near, n, p, &q) < 0 ||
-            quadric_spread(&q, near, n, TERMS) > ALIKE * s->sigma)
-            continue;
-        struct vec3 foot = quadric_nearest(&q, p);
-        return vec_distance(foot, p) <= MOVES * s->sigma ? foot : p;
-    }
-    return p;
-}
-
 static void settle_points(void *context, size_t from, size_t to)
 {
     const struct settle *s = context;
     for (size_t i = from; i < to; i++)
-        s->to[i] = settled(s, s->grid->point[i]);
+        s->to[i] = settle_point(s->grid, s->sigma, s->grid->point[i]);
 }
 
 static void settle_all(struct point_grid *grid, double sigma, int threads)

@@ -10,6 +10,7 @@
 
 #include "gouge/gouge.h"
 #include "cloud/noise.h"
+#include "cloud/settle.h"
 #include "seed.h"
 
 static const double SPHERE = 40, BALL = 8;
@@ -137,6 +138,34 @@ START_TEST(noise_is_found_and_taken_out)
         array_free(&points);
         array_free(&s.point);
     }
+}
+END_TEST
+
+/* Waves as high as six noises and no longer than the neighbourhoods that smooth them: where the
+ * judge's own, smaller ones see more of them, the ball is kept clear of that. */
+START_TEST(no_shape_is_smoothed_over)
+{
+    const double sigma = 0.02;
+    struct vec3s points = {0};
+    struct point_grid grid;
+    struct error error;
+    for (int i = 0; i < 6000; i++) {
+        double x = uniform(-15, 15), y = uniform(-15, 15);
+        *array_push(&points) = vec(x, y, 0.12 * sin(2 * x) * cos(2.2 * y) + gauss(sigma));
+    }
+    ck_assert_int_eq(point_grid_make(points.item, points.n, 0.5, 1, &grid, &error), 0);
+    struct guard_points surface = surface_of(&points, sigma);
+    struct gouge_check *guard = gouge_from_points(surface.point.item, surface.point.n);
+    for (size_t i = 0; i < grid.n; i++) {
+        struct vec3 settled = settle_point(&grid, sigma, grid.point[i]);
+        ck_assert_double_le(gouge_distance(guard, settled, HUGE_VAL), 1.0001 * sigma);
+    }
+    gouge_free(guard);
+    point_grid_free(&grid);
+    array_free(&surface.point);
+    array_free(&surface.certain);
+    array_free(&surface.doubtful);
+    array_free(&points);
 }
 END_TEST
 
@@ -286,6 +315,7 @@ int main(void)
     tcase_add_test(tcase, what_is_sparse_is_filled);
     tcase_add_test(tcase, what_is_too_sparse_is_told);
     tcase_add_test(tcase, noise_is_found_and_taken_out);
+    tcase_add_test(tcase, no_shape_is_smoothed_over);
     tcase_add_test(tcase, noise_that_is_said_counts);
     tcase_add_test(tcase, a_hole_stays);
     tcase_add_test(tcase, what_is_rough_stays_as_it_is);
