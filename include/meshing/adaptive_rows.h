@@ -29,7 +29,8 @@ struct adaptive_rows_options {
     double error, spacing,
         widest; /* mean spacing of the points, largest distance of two rows, mm */
     const struct feature_zone *zone; /* NULL: no creases and walls are known */
-    double out; /* so many of the points of a strip, as part of them, may be off it by more */
+    double out;  /* so many of the points of a strip, as part of them, may be off it by more */
+    int threads; /* as of parallel_for; of which the result does not depend */
 };
 
 /*

@@ -27,6 +27,7 @@ struct across {
 
 struct refinement {
     const struct point_grid *point_grid;
+    const struct cell_surfaces *cells;
     const struct plan_extent *plan_extent;
     const struct holes *holes;
     double error, spacing, out;
@@ -139,7 +140,7 @@ static void make_strip(struct refinement *w, size_t index)
     struct faces all = {0};
     for (size_t i = first; i < end; i++)
         w->covered[w->across[i].point] = 0;
-    strip_triangulate(w->point_grid, w->plan_extent, w->error, low, high, &all);
+    strip_triangulate(w->cells, w->plan_extent, w->error, low, high, &all);
     for (size_t f = 0; f < all.n; f++) {
         struct vec3 p[3];
         for (int i = 0; i < 3; i++) {
@@ -304,7 +305,9 @@ struct adaptive_rows adaptive_rows_make(const struct point_grid *point_grid,
                                         struct mesh *mesh)
 {
     const double gaps = 6, reaches = 1.2;
+    struct cell_surfaces cells = cell_surfaces_make(point_grid, options->threads);
     struct refinement w = {.point_grid = point_grid,
+                           .cells = &cells,
                            .plan_extent = plan_extent,
                            .holes = holes,
                            .error = options->error,
@@ -323,6 +326,7 @@ struct adaptive_rows adaptive_rows_make(const struct point_grid *point_grid,
         array_free(&w.strip.item[i].face);
     array_free(&w.row);
     array_free(&w.strip);
+    cell_surfaces_free(&cells);
     free(w.across);
     free(w.covered);
     return result;

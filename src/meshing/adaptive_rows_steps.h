@@ -11,6 +11,7 @@
 #include "cloud/plan_extent.h"
 #include "math/point_grid.h"
 #include "mesh/mesh.h"
+#include "cell_surface.h"
 #include "meshing/feature_zone.h"
 
 /* ---- row_simplify: a row of a mesh: points of the cloud along a straight line seen from above,
@@ -52,7 +53,7 @@ void row_simplify_free(struct row_simplify *row);
  * that an edge of the part that runs across the rows is followed.  Where they are off by much less
  * than `error` the short ones count.
  */
-void strip_triangulate(const struct point_grid *point_grid, const struct plan_extent *plan_extent,
+void strip_triangulate(const struct cell_surfaces *cells, const struct plan_extent *plan_extent,
                        double error, const struct row_simplify *lower,
                        const struct row_simplify *upper, struct faces *faces);
 

@@ -400,7 +400,7 @@ static int make_rows(const struct cloudmesh_options *options, const struct sourc
         return -1;
     }
     double apart = options->spacing > 0 ? slant * options->spacing : widest * mean;
-    struct adaptive_rows_options rows = {options->error, mean, apart, s->zone, out};
+    struct adaptive_rows_options rows = {options->error, mean, apart, s->zone, out, threads};
     result->rows = adaptive_rows_make(&point_grid, &f, &holes, &rows, mesh);
     point_grid_free(&point_grid);
     holes_free(&holes);

@@ -106,9 +106,9 @@ START_TEST(panel)
     size_t before = 0;
     make_scan(panel_height, 17000, (enum noisy_pattern)_i);
     for (int k = 0; k < 3; k++) {
-        struct adaptive_rows r =
-            adaptive_rows_make(&point_grid, &plan_extent, &holes,
-                               &(struct adaptive_rows_options){error[k], 0.48, 12, NULL, 0}, &mesh);
+        struct adaptive_rows r = adaptive_rows_make(
+            &point_grid, &plan_extent, &holes,
+            &(struct adaptive_rows_options){error[k], 0.48, 12, NULL, 0, 1}, &mesh);
         ck_assert_double_le(r.worst, error[k]);
         ck_assert_double_lt(r.rms, error[k] / 2);
         ck_assert_double_lt(worst_off(panel_height, PANEL_CURVATURE), 1.25 * error[k]);
@@ -131,7 +131,7 @@ START_TEST(rows_are_rows)
     sort(0.48, 30);
     struct adaptive_rows r =
         adaptive_rows_make(&point_grid, &plan_extent, &holes,
-                           &(struct adaptive_rows_options){0.05, 0.48, 12, NULL, 0}, &mesh);
+                           &(struct adaptive_rows_options){0.05, 0.48, 12, NULL, 0, 1}, &mesh);
     ck_assert_double_le(r.worst, 0.05);
     ck_assert_uint_eq(mesh.row.n, mesh.vertex.n);
     for (size_t i = 1; i < mesh.vertex.n; i++) {
@@ -152,7 +152,7 @@ START_TEST(plane_takes_few)
     make_scan(tilted, 17000, NOISY_RANDOM);
     struct adaptive_rows r =
         adaptive_rows_make(&point_grid, &plan_extent, &holes,
-                           &(struct adaptive_rows_options){0.01, 0.48, 12, NULL, 0}, &mesh);
+                           &(struct adaptive_rows_options){0.01, 0.48, 12, NULL, 0, 1}, &mesh);
     ck_assert_double_lt(r.worst, 1e-6);
     /* five rows 12 mm apart at most, and the borders of a random cloud, which are not straight */
     ck_assert_uint_le(mesh.vertex.n, 100);
@@ -173,7 +173,7 @@ START_TEST(rib)
 {
     make_scan(ridge, 100000, (enum noisy_pattern)_i);
     adaptive_rows_make(&point_grid, &plan_extent, &holes,
-                       &(struct adaptive_rows_options){0.05, 0.2, 4.8, NULL, 0}, &mesh);
+                       &(struct adaptive_rows_options){0.05, 0.2, 4.8, NULL, 0, 1}, &mesh);
     int rows = mesh.row.item[mesh.row.n - 1] + 1;
     double *kept = mem_alloc((size_t)rows, sizeof *kept);
     double *unknown = mem_alloc((size_t)rows, sizeof *unknown);
@@ -223,7 +223,7 @@ START_TEST(hole)
     sort(0.48, 0);
     struct adaptive_rows r =
         adaptive_rows_make(&point_grid, &plan_extent, &holes,
-                           &(struct adaptive_rows_options){0.05, 0.48, 12, NULL, 0}, &mesh);
+                           &(struct adaptive_rows_options){0.05, 0.48, 12, NULL, 0, 1}, &mesh);
     ck_assert_double_lt(r.worst, 1e-6);
     for (size_t f = 0; f < mesh.face.n; f++) {
         const int *v = mesh.face.item[f].v;
@@ -242,7 +242,7 @@ START_TEST(out_of_reach)
     make_scan(ridge, 4000, NOISY_RANDOM);
     struct adaptive_rows r =
         adaptive_rows_make(&point_grid, &plan_extent, &holes,
-                           &(struct adaptive_rows_options){0.01, 1, 12, NULL, 0}, &mesh);
+                           &(struct adaptive_rows_options){0.01, 1, 12, NULL, 0, 1}, &mesh);
     ck_assert_double_gt(r.worst, 0.01);
     double s = r.at.x * cos(RADIANS(25)) + r.at.y * sin(RADIANS(25)) - 3;
     ck_assert_double_lt(fabs(s), 3);
