@@ -14,6 +14,9 @@
 /* Points that a cell's quadric is fitted to; how often it is fitted again. */
 enum { NEAR = OUTLIERS_NEAR, CLUMP = OUTLIERS_CLUMP, MOST_BLOCK = 512, REFITS = 3 };
 
+/* Cells go two by two; the fewest points of such a block that tell of its surface. */
+enum { TWO = 2, FEWEST_BLOCK = 20 };
+
 /* Points that make a feature together; what out[] says while these are looked for. */
 enum { FEATURE = OUTLIERS_FEATURE, FEW = 4, MARKED = 1, GROUPED, DONE };
 
@@ -208,21 +211,85 @@ static bool has_neighbour_in_cell(const struct point_grid *b, size_t cell, size_
     return false;
 }
 
+/* How far a point may be off a surface without being looked at. */
+static double unsuspected(const struct search *s)
+{
+    const double sigmas = 5, spacings = 0.08;
+    return fmax(sigmas * s->sigma, spacings * s->spacing);
+}
+
+/* The points of a cell that are to be looked at. */
+static void mark_cell(const struct search *s, size_t cell)
+{
+    const struct point_grid *b = s->point_grid;
+    const double least = unsuspected(s);
+    struct quadric q;
+    if (b->first[cell] == b->first[cell + 1])
+        return;
+    bool smooth = fit_block(s, cell / b->columns, cell % b->columns, least, &q);
+    for (size_t i = b->first[cell]; i < b->first[cell + 1]; i++)
+        if (!smooth || fabs(quadric_off(&q, b->point[i])) > least ||
+            !has_neighbour_in_cell(b, cell, i))
+            s->out[i] |= is_outlier(s, i);
+}
+
+/* Two by two cells. */
+struct block {
+    size_t row, column, cell[TWO * TWO], n;
+};
+
+static size_t blocks_across(size_t cells)
+{
+    return (cells + TWO - 1) / TWO;
+}
+
+static struct block block_of(const struct point_grid *b, size_t index)
+{
+    size_t across = blocks_across(b->columns);
+    struct block k = {.row = TWO * (index / across), .column = TWO * (index % across)};
+    for (size_t r = k.row; r < k.row + TWO && r < b->rows; r++)
+        for (size_t c = k.column; c < k.column + TWO && c < b->columns; c++)
+            k.cell[k.n++] = r * b->columns + c;
+    return k;
+}
+
+/* One quadric takes in all points of a block, and so many that it tells something. */
+static bool is_smooth_block(const struct search *s, const struct block *k)
+{
+    const struct point_grid *b = s->point_grid;
+    const double least = unsuspected(s);
+    struct vec3 point[MOST_BLOCK];
+    struct quadric q;
+    size_t n = 0;
+    for (size_t c = 0; c < k->n; c++)
+        for (size_t i = b->first[k->cell[c]]; i < b->first[k->cell[c] + 1]; i++) {
+            if (n == MOST_BLOCK)
+                return false;
+            point[n++] = b->point[i];
+        }
+    if (n < FEWEST_BLOCK || quadric_fit(point, n, point[0], vec(0, 0, 1), &q) < 0)
+        return false;
+    for (size_t i = 0; i < n; i++)
+        if (fabs(quadric_off(&q, point[i])) > least)
+            return false;
+    return true;
+}
+
 static void mark_isolated(void *context, size_t from, size_t to)
 {
     const struct search *s = context;
     const struct point_grid *b = s->point_grid;
-    const double sigmas = 5, spacings = 0.08;
-    const double least = fmax(sigmas * s->sigma, spacings * s->spacing);
-    for (size_t cell = from; cell < to; cell++) {
-        struct quadric q;
-        if (b->first[cell] == b->first[cell + 1])
-            continue;
-        bool smooth = fit_block(s, cell / b->columns, cell % b->columns, least, &q);
-        for (size_t i = b->first[cell]; i < b->first[cell + 1]; i++)
-            if (!smooth || fabs(quadric_off(&q, b->point[i])) > least ||
-                !has_neighbour_in_cell(b, cell, i))
-                s->out[i] |= is_outlier(s, i);
+    for (size_t index = from; index < to; index++) {
+        struct block k = block_of(b, index);
+        bool smooth = is_smooth_block(s, &k);
+        for (size_t c = 0; c < k.n; c++) {
+            size_t cell = k.cell[c];
+            if (!smooth)
+                mark_cell(s, cell);
+            for (size_t i = b->first[cell]; smooth && i < b->first[cell + 1]; i++)
+                if (!has_neighbour_in_cell(b, cell, i))
+                    s->out[i] |= is_outlier(s, i);
+        }
     }
 }
 
@@ -232,15 +299,6 @@ static size_t count_marked(const unsigned char *out, size_t n)
     for (size_t i = 0; i < n; i++)
         found += out[i];
     return found;
-}
-
-static size_t mark_cells(const struct point_grid *b, double sigma, int threads,
-                         void (*work)(void *, size_t, size_t), bool floating, unsigned char *out)
-{
-    size_t before = count_marked(out, b->n);
-    struct search s = {b, sigma, point_grid_spacing(b), out, floating};
-    parallel_for(threads, b->columns * b->rows, work, &s);
-    return count_marked(out, b->n) - before;
 }
 
 /* ---- what bears a point out */
@@ -433,7 +491,8 @@ static size_t mark_and_keep(const struct point_grid *b, double sigma, int thread
     size_t found = 0;
 
     memset(own, 0, b->n);
-    mark_cells(b, sigma, threads, mark_isolated, floating, own);
+    struct search s = {b, sigma, point_grid_spacing(b), own, floating};
+    parallel_for(threads, blocks_across(b->columns) * blocks_across(b->rows), mark_isolated, &s);
     keep_borne_out(b, sigma, own);
     for (size_t i = 0; i < b->n; i++) {
         found += own[i] && !out[i];
@@ -496,5 +555,8 @@ static void mark_under_roof(void *context, size_t from, size_t to)
 
 size_t outliers_under_roof(const struct point_grid *b, int threads, unsigned char *out)
 {
-    return mark_cells(b, 0, threads, mark_under_roof, false, out);
+    size_t before = count_marked(out, b->n);
+    struct search s = {b, 0, point_grid_spacing(b), out, false};
+    parallel_for(threads, b->columns * b->rows, mark_under_roof, &s);
+    return count_marked(out, b->n) - before;
 }

@@ -287,7 +287,7 @@ struct feature_mesh feature_mesh_keep(struct mesh *mesh, const struct feature_sc
     memset(s.active, 1, mesh->vertex.n);
     size_t doubtful = count_doubtful(&s);
     s.walls_only = !effort_covers(EFFORT_CREASES, effort, doubtful);
-    if (!s.walls_only || s.walls)
+    if ((!s.walls_only && doubtful > 0) || s.walls)
         found = find_features(&s, threads);
     struct feature_relocate relocation = relocation_of(&s);
     if (found.creases + found.walls > 0 && scan->noise > NOISY * scan->spacing)
