@@ -195,11 +195,16 @@ arcs) fitted=$folder/fitted.cl && run biarcfit -e "$tolerance" -o "$fitted" "$pa
 splines) fitted=$folder/fitted.cl && run bsplfit -e "$tolerance" -o "$fitted" "$path" ;;
 esac
 run ncpost ${control:+-c "$control"} ${machine:+-m "$machine"} -o "$output" "$fitted"
+# Of a part of the part, gouges are judged: beside its border the ball's flank leaves material.
+partial=
+for option; do
+	case $option in --box* | --region* | --faces* | --steep*) partial="--partial --left 1000" ;; esac
+done
 base=${output%.*}
 [ -n "${base##*/}" ] || base=$output
 run ncplot ${machine:+-m "$machine"} --cut -o "$base.svg" "$mesh" "$output"
 # What is deepest: the path by its tolerance, and motions fitted to it by another.
 [ "$guard" != "$mesh" ] || unit=
 run ncverify -g "$guard" ${unit:+-u "$unit"} ${control:+-c "$control"} ${machine:+-m "$machine"} \
-	-r "$radius" -e "$(awk -v e="$tolerance" 'BEGIN { print 2 * e }')" --report "$base.html" "$output"
+	$partial -r "$radius" -e "$(awk -v e="$tolerance" 'BEGIN { print 2 * e }')" --report "$base.html" "$output"
 exit $worst

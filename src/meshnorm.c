@@ -12,6 +12,7 @@
 #include "toolpath/rows.h"
 #include "toolpath/scallop.h"
 #include "meshing/mesh_join.h"
+#include "mesh/mesh_clip.h"
 
 enum { ROWS_SCALLOP, ROWS_MESH };
 
@@ -156,32 +157,71 @@ static void find_planes(const struct mesh *mesh, const struct mesh_part *part, d
         die_error(&error);
 }
 
-/* The parts of a mesh and the planes through them. */
+/* The parts of a mesh, or what of them is in the region, and the planes through them. */
 struct planes {
     size_t n;
-    struct mesh *part; /* NULL: the mesh is one */
+    struct mesh *part; /* NULL: the mesh is one, and all of it is cut */
     struct plane_passes *passes;
     double widest;
-    bool steep;
+    bool steep, region;
 };
+
+/* What of a part is in the region takes its place.  False: nothing is. */
+static bool take_region(struct mesh *part)
+{
+    struct mesh_region_options region = path_options_region();
+    struct mesh inside;
+    struct error error;
+
+    if (mesh_region_take(&region, part, &inside, &error) != 0)
+        die_given(&error);
+    mesh_free(part);
+    *part = inside;
+    return inside.face.n > 0;
+}
+
+/* The parts that are cut, each with its frame. */
+static void find_parts(const struct mesh *mesh, struct planes *all, const struct mesh_part **frame)
+{
+    const struct mesh_parts *parts = &mesh->origin.part;
+    struct mesh_region_options region = path_options_region();
+    size_t n = parts->n > 1 ? parts->n : 1, facets = 0;
+
+    all->region = mesh_region_given(&region);
+    all->part = parts->n > 1 || all->region ? mem_alloc(n, sizeof *all->part) : NULL;
+    for (size_t k = 0; k < n; k++) {
+        frame[all->n] = parts->n > 1 ? &parts->item[k] : NULL;
+        if (all->part)
+            all->part[all->n] = parts->n > 1 ? mesh_join_of(mesh, k) : mesh_clip_copy(mesh);
+        if (all->region && !take_region(&all->part[all->n])) {
+            mesh_free(&all->part[all->n]);
+            continue;
+        }
+        facets += all->part ? all->part[all->n].face.n : 0;
+        all->n++;
+    }
+    if (all->n == 0)
+        die("nothing of the mesh is in the region asked for (--box, --region)");
+    if (all->region)
+        note("region: %zu facets of the mesh's %zu", facets, mesh->face.n);
+}
 
 static void find_all_planes(const struct mesh *mesh, const struct rows *rows, struct planes *all)
 {
-    const struct mesh_parts *parts = &mesh->origin.part;
     double angle = atan2(rows->along.y, rows->along.x), spacing = mesh->origin.spacing;
+    const struct mesh_part **frame = mem_alloc(mesh->origin.part.n + 1, sizeof(void *));
 
-    all->n = parts->n > 1 ? parts->n : 1;
-    all->part = parts->n > 1 ? mem_alloc(parts->n, sizeof *all->part) : NULL;
+    find_parts(mesh, all, frame);
+    if (all->region)
+        spacing = 0; /* what is left out is no hole to be crossed */
     all->passes = mem_alloc(all->n, sizeof *all->passes);
     for (size_t k = 0; k < all->n; k++) {
-        all->passes[k] = (struct plane_passes){.threads = 0};
-        if (all->part)
-            all->part[k] = mesh_join_of(mesh, k);
-        find_planes(all->part ? &all->part[k] : mesh, all->part ? &parts->item[k] : NULL, spacing,
-                    angle, &all->passes[k]);
+        all->passes[k] = (struct plane_passes){.region = all->region};
+        find_planes(all->part ? &all->part[k] : mesh, frame[k], spacing, angle, &all->passes[k]);
         all->widest = fmax(all->widest, all->passes[k].widest);
         all->steep = all->steep || all->passes[k].steep;
     }
+    free(frame);
 }
 
 /* Passes end at holes of the scan. */
@@ -210,9 +250,12 @@ static void check_rows(void)
     if (path_options.paper && (scallop > 0 || (rows_given && row_kind != ROWS_MESH)))
         die_usage("found --paper with %s: the paper's rows are those of the mesh",
                   scallop > 0 ? "--scallop" : "--rows scallop");
-    if (mesh_rows && (direction || scallop > 0))
+    if (mesh_rows && (direction || scallop > 0 || path_options.box_given || path_options.region))
         die_usage("found %s with the rows of the mesh, expected --rows scallop",
-                  direction ? "--direction" : "--scallop");
+                  direction                ? "--direction"
+                  : scallop > 0            ? "--scallop"
+                  : path_options.box_given ? "--box"
+                                           : "--region");
     if (scallop >= path_options.radius && path_options.radius > 0)
         die_usage("option --scallop: found %g, expected less than the radius", scallop);
     if (mesh_rows || scallop > 0)
@@ -267,9 +310,10 @@ int main(int argc, char **argv)
     if (path_options_rules(&mesh, guard, distance, &t, &error) != 0)
         die_given(&error);
 
-    struct path_coverage coverage = path_coverage_new(&mesh, &t);
+    struct path_coverage coverage =
+        planes.region ? (struct path_coverage){.scallop = 0} : path_coverage_new(&mesh, &t);
     path_options_begin(&mesh, "meshnorm", cli.output, &t);
-    if (scallop > 0 && !planes.part)
+    if (scallop > 0 && mesh.origin.part.n < 2)
         plane_passes_run_out(&planes.passes[0], &mesh);
     if (scallop == 0)
         make_path(&mesh, &rows, &t);

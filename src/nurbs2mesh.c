@@ -24,6 +24,10 @@ enum { CELLS_MAX = 5000 };
 /* By the size of the part: edges so near are joined, and surfaces so narrow are left out. */
 static const double GAP = 2.5e-4, NARROW = 1e-5;
 
+/* In widths of a slit that is closed without a word: wider ones between surfaces are closed too,
+ * unless --gap says how far apart neighbours are. */
+static const double SLIT_WIDEST = 8;
+
 struct settings {
     int n;
     double tolerance; /* 0: by n */
@@ -184,9 +188,8 @@ static double make_patch_mesh(const struct cli *cli, const struct settings *s,
     if (out.unclear > 0)
         say("%zu of %zu bodies are upright: --up does not determine the outer side", out.unclear,
             out.bodies);
-    if (out.conflicts > 0)
-        say("%zu neighbours cannot be oriented alike", out.conflicts);
-    struct skin_close_count closed = skin_close(patch_mesh, gap_of(s, size) + fine);
+    double slit = gap_of(s, size) + fine, widest = s->gap > 0 ? slit : SLIT_WIDEST * slit;
+    struct skin_close_count closed = skin_close(patch_mesh, slit, widest);
     if (closed.folded + closed.filled > 0)
         note("%zu slits, up to %g mm wide, filled with %zu facets, %zu folds taken out",
              closed.filled, closed.width, closed.facets, closed.folded);
@@ -196,6 +199,8 @@ static double make_patch_mesh(const struct cli *cli, const struct settings *s,
                   "twice %g mm (-e)",
                   closed.width, s->tolerance);
     struct skin skin = skin_of(patch_mesh);
+    if (out.conflicts > 0 && skin.unlike > 0)
+        say("%zu neighbours cannot be oriented alike", out.conflicts);
     nurbs_report_skin(patches, &skin);
     skin_free(&skin);
     return error;

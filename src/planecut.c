@@ -19,9 +19,8 @@ static const double BESIDE = 0.002;
 
 static double step, scallop, plane[3], gap = 0.1;
 static struct cli_list surfaces;
-static double up[3] = {0, 0, 1}, box[6];
-static const char *faces, *steep, *region_file;
-static bool box_given;
+static double up[3] = {0, 0, 1};
+static const char *faces, *steep;
 static bool step_given, scallop_given, plane_given;
 static const char *direction; /* as text: auto or degrees */
 
@@ -43,11 +42,6 @@ static const struct cli_option options[] = {
      CLI_NUMBERS, plane, 0, 0, 3, &plane_given},
     {0, "up", "I,J,K", "the side that the tool comes from: what faces away is left out (0,0,1)",
      CLI_NUMBERS, up, 0, 0, 3, NULL},
-    {0, "box", "X0,Y0,Z0,X1,Y1,Z1", "cut what is inside this box",
-     CLI_NUMBERS, box, 0, 0, 6, &box_given},
-    {0, "region", "FILE", "cut what is inside the polygons of FILE, seen along z: a corner `x y` a\n"
-     "line, an empty line between two polygons",
-     CLI_TEXT, &region_file, 0, 0, 0, NULL},
     {0, "faces", "N,N-M,...", "cut these surfaces, by their numbers in the file of the model",
      CLI_TEXT, &faces, 0, 0, 0, NULL},
     {0, "steep", "A:B", "cut what is inclined by A to B degrees against --up: 0:45",
@@ -173,10 +167,12 @@ static void read_surfaces(struct mesh *mesh, struct patches *patches, struct pla
 /* The part of the mesh that is cut; the mesh itself, when all of it is. */
 static const struct mesh *take_region(const struct mesh *mesh, struct mesh *part)
 {
-    struct mesh_region_options region = {box_given ? box : NULL, faces, steep, region_file,
-                                         vec_unit(vec(up[0], up[1], up[2]))};
+    struct mesh_region_options region = path_options_region();
     struct error error;
 
+    region.faces = faces;
+    region.steep = steep;
+    region.up = vec_unit(vec(up[0], up[1], up[2]));
     if (!mesh_region_given(&region))
         return mesh;
     if (mesh_region_take(&region, mesh, part, &error) != 0)
@@ -230,6 +226,7 @@ int main(int argc, char **argv)
     struct path_coverage coverage =
         whole ? path_coverage_new(&mesh, &t) : (struct path_coverage){.scallop = 0};
     path_options_begin(&mesh, "planecut", cli.output, &t);
+    planes.region = region != &mesh;
     plane_passes_run_out(&planes, &mesh);
     if (plane_passes_make(&planes, 1, &t, &error) != 0)
         die_error(&error);

@@ -26,7 +26,7 @@ enum { EXIT_DONE = 0, EXIT_FAILED = 1, EXIT_USAGE = 2, EXIT_UNMET = 3 };
 
 enum cli_kind {
     CLI_FLAG,    /* bool *: set to true */
-    CLI_NUMBER,  /* double *: one finite number within min..max */
+    CLI_NUMBER,  /* double *: one number within min..max */
     CLI_COUNT,   /* int *: a whole number within min..max */
     CLI_TEXT,    /* const char ** */
     CLI_CHOICE,  /* int *: index of the word among `arg`, written "one|two|three" */
@@ -37,6 +37,7 @@ enum cli_kind {
 };
 
 #define CLI_POSITIVE DBL_MIN /* as min: above zero */
+#define CLI_LARGEST 1e9      /* no number of an option is beyond it, whatever its bounds */
 
 struct cli_list {
     size_t n, cap;

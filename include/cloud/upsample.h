@@ -15,6 +15,7 @@ struct upsample {
     double radius;                       /* of the ball, mm */
     double sink;                         /* how deep it may sink between points, mm */
     double noise;                        /* standard deviation of the points, mm; 0: none */
+    bool lines; /* the scan is on lines (scan_lines.h): the surfaces of neighbours must agree */
 };
 
 /* The ball sinks deeper in more than a tenth of the places. */

@@ -17,7 +17,7 @@
 #include "math/point_grid.h"
 #include "math/quadric.h"
 
-enum { MOMENT_FIT_LEAST = 16, MOMENT_FIT_MOST = 256 }; /* points */
+enum { MOMENT_FIT_LEAST = 16, MOMENT_FIT_MOST = 1024 }; /* points */
 
 struct moment_fit {
     struct quadric quadric, cubic; /* origin: the place */

@@ -29,7 +29,8 @@ struct ridge_direction {
 
 /*
  * Of the directions near `way` (unit, across `up`; TRIES times STEP to either side), the one along
- * which `some` of the n points about a place fit a quadric best.  False: none carries one.
+ * which `some` of the n points about a place fit a quadric best, as found among every other one and
+ * beside it.  False: none carries one.
  */
 bool ridge_direction_find(const struct vec3 *point, size_t n, struct vec3 at, struct vec3 up,
                           struct vec3 way, size_t some, struct ridge_direction *rib);

@@ -19,6 +19,10 @@
  * rule, Theory of Probability and its Applications 35, 1991).  Where even few points are curved too
  * much, as on a rib or in a groove, they are taken from a neighbourhood that is longer the way it
  * runs; that way is the one in which such a neighbourhood is fitted best.
+ *
+ * All this is the second round.  In the first, one set of sums over a ball (moment_fit.h) and one
+ * over its nearer half, or over a wider one, tell whether noise explains the points about a place:
+ * of most surfaces it does.
  */
 #ifndef CLOUDMILL_SURFACE_FIT_H
 #define CLOUDMILL_SURFACE_FIT_H

@@ -24,7 +24,8 @@ struct skin_loops {
 
 /* Facets that hang together by their edges. */
 struct skin_body {
-    size_t facets, edges, places;
+    size_t facets, edges;
+    size_t fans;         /* points of the surface: fans of facets about a place */
     size_t open;         /* edges of one facet alone */
     size_t many;         /* edges of more than two */
     size_t unlike;       /* edges whose two facets are turned differently */

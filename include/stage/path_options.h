@@ -10,6 +10,7 @@
 #include "mesh/mesh.h"
 #include "stage/tool_options.h"
 #include "stage/gouge_options.h"
+#include "stage/mesh_region.h"
 #include "stage/toolpath.h"
 
 /* The values of the options, before cli_parse their defaults. */
@@ -26,6 +27,9 @@ struct path_options {
     bool paper, one_way, avoid;
     bool lean_given, play_given, fixed_given, to_given, from_given, circle_given;
     const char *partno, *machine;
+    double box[6];
+    bool box_given;
+    const char *region; /* file, NULL: none */
     struct tool_options body;
     struct guard_choice guard;
     bool guarded; /* by a scan: path_options_scan */
@@ -37,6 +41,9 @@ extern const struct cli_option path_option_table[]; /* for cli.more */
 /* Checks the options against each other, fills in what follows from others, and gives the rule for
  * the axis.  -1: an error of usage. */
 int path_options_check(struct tool_axis_options *axis, struct error *error);
+
+/* What --box and --region ask for. */
+struct mesh_region_options path_options_region(void);
 
 /* Reads the scan that is to guard: that of -g, or the one that the mesh names.  -1: one of -g can't
  * be read. */

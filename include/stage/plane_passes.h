@@ -18,6 +18,7 @@ struct plane_passes {
         *border_surface;     /* strips run out to the border of this scan; NULL: to the mesh's */
     double steepest, beyond; /* as of struct scallop_options */
     bool extended;           /* the mesh goes beyond the scan on purpose */
+    bool region;             /* the mesh is a region of the scan's: strips end at its border */
 
     struct slice *cut;
     struct doubles height; /* of the planes, along their normal, mm */

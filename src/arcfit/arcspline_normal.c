@@ -102,7 +102,7 @@ struct foot_slopes arcspline_foot_slopes(const struct arcspline *spline, double 
     struct conic_slope c = conic_slope_of(from, to, q->conic);
     struct foot_slopes f;
 
-    conic_row(&c, q->u, f.along[0]);
+    conic_row(&c, q->u, f.along[0]); // cppcheck-suppress uninitvar
     conic_row(&c, q->v, f.along[1]);
     if (offset == 0)
         return f;

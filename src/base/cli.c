@@ -274,6 +274,12 @@ static void expect_range(const struct cli_option *o, double value, const char *t
     refuse(o, text, expected);
 }
 
+/* Lengths, angles and feeds whose squares still have all digits that matter. */
+static bool is_moderate(double value)
+{
+    return fabs(value) <= CLI_LARGEST;
+}
+
 static int read_choice(const struct cli_option *o, const char *text)
 {
     const char *word = o->arg ? o->arg : "";
@@ -295,7 +301,7 @@ static void read_numbers(const struct cli_option *o, const char *text)
     const char *p = text;
     double *value = o->value;
     int n = 0;
-    while (n < o->count && num_read(&p, &value[n]) && isfinite(value[n])) {
+    while (n < o->count && num_read(&p, &value[n]) && is_moderate(value[n])) {
         n++;
         if (*p != ',')
             break;
@@ -303,7 +309,8 @@ static void read_numbers(const struct cli_option *o, const char *text)
     }
     if (n != o->count || *p || (p > text && p[-1] == ',')) {
         char expected[64];
-        snprintf(expected, sizeof expected, "%d numbers with commas between", o->count);
+        snprintf(expected, sizeof expected, "%d numbers, none beyond %.0e, with commas between",
+                 o->count, CLI_LARGEST);
         refuse(o, text, expected);
     }
 }
@@ -318,11 +325,13 @@ static void set_value(const struct cli_option *o, const char *text)
     case CLI_NUMBER:
         if (!num_whole(text, &number))
             refuse(o, text, "a number");
+        if (!is_moderate(number))
+            refuse(o, text, "a number of at most 1000000000");
         expect_range(o, number, text);
         *(double *)o->value = number;
         break;
     case CLI_COUNT:
-        if (!num_whole(text, &number) || number != floor(number) || fabs(number) > 1e9)
+        if (!num_whole(text, &number) || number != floor(number) || !is_moderate(number))
             refuse(o, text, "a whole number");
         expect_range(o, number, text);
         *(int *)o->value = (int)number;

@@ -24,11 +24,10 @@ static void installed_folders(const char *what, char installed[LIBRARY_FILE],
     program_dir(prefix, sizeof prefix);
     snprintf(built, LIBRARY_FILE, "%s/../../%s", prefix, what);
     char *slash = strrchr(prefix, '/');
-    if (slash && strcmp(slash, "/.") != 0 && strcmp(slash, "/..") != 0)
+    bool up = slash && strcmp(slash, "/.") != 0 && strcmp(slash, "/..") != 0;
+    if (up)
         *slash = '\0';
-    else
-        strcat(prefix, "/..");
-    snprintf(installed, LIBRARY_FILE, "%s/share/cloudmill/%s", prefix, what);
+    snprintf(installed, LIBRARY_FILE, "%s%s/share/cloudmill/%s", prefix, up ? "" : "/..", what);
 }
 
 int library_file_find(const struct library *library, const char *name, const char *beside,

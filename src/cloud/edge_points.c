@@ -6,6 +6,7 @@
 
 #include "base/array.h"
 #include "base/parallel.h"
+#include "cloud/scan_lines.h"
 #include "math/cubic.h"
 #include "math/plane_fit.h"
 #include "math/side_fit.h"
@@ -42,6 +43,7 @@ struct flank {
 
 struct edge_work {
     const struct edge_points_options *options;
+    bool lines; /* the scan is on lines, far apart against the points on them */
     struct flank *flank, *chosen;
     struct vec3s *found;   /* places of edges, of each point */
     struct vec3s *between; /* and of its flank */
@@ -49,16 +51,52 @@ struct edge_work {
 
 struct hood {
     size_t n;
+    double spacing; /* of the points about, mm */
     uint32_t index[NEAR];
     double distance2[NEAR];
     struct vec3 point[NEAR];
 };
 
-static void find_hood(const struct point_grid *b, size_t i, struct hood *near)
+/* Of MANY nearest points those that are no nearer to each other than half of what they are apart on
+ * average: on more scan lines than the nearest alone, and no denser along them than across. */
+static void thin_hood(const struct point_grid *b, size_t i, struct hood *near)
 {
+    enum { MANY = 4 * NEAR };
+    const double apart = 0.5;
+    uint32_t index[MANY];
+    double distance2[MANY];
+    size_t n = point_grid_nearest(b, b->point[i], MANY, index, distance2);
+    double least2 = n > 0 ? apart * apart * PI * distance2[n - 1] / (double)n : 0;
+
+    near->n = 0;
+    near->spacing = n >= NEAR ? sqrt(PI * distance2[NEAR - 1] / NEAR) : 0;
+    for (size_t k = 0; k < n && near->n < NEAR; k++) {
+        struct vec3 p = b->point[index[k]];
+        bool apart_from_all = true;
+        for (size_t j = 0; j < near->n && apart_from_all; j++) {
+            struct vec3 to = vec_sub(p, near->point[j]);
+            apart_from_all = vec_dot(to, to) >= least2;
+        }
+        if (!apart_from_all)
+            continue;
+        near->index[near->n] = index[k];
+        near->distance2[near->n] = distance2[k];
+        near->point[near->n++] = p;
+    }
+}
+
+static void find_hood(const struct edge_work *work, size_t i, struct hood *near)
+{
+    const struct point_grid *b = work->options->point_grid;
+
+    if (work->lines) {
+        thin_hood(b, i, near);
+        return;
+    }
     near->n = point_grid_nearest(b, b->point[i], NEAR, near->index, near->distance2);
     for (size_t k = 0; k < near->n; k++)
         near->point[k] = b->point[near->index[k]];
+    near->spacing = near->n >= NEAR ? sqrt(PI * near->distance2[NEAR - 1] / NEAR) : 0;
 }
 
 /* The normal of a flank below or above a place, and how far that is above the flank. */
@@ -221,10 +259,10 @@ static void find_flanks(void *context, size_t from, size_t to)
 
     for (size_t i = from; i < to; i++) {
         struct flank *flank = &work->flank[i];
-        find_hood(work->options->point_grid, i, &near);
+        find_hood(work, i, &near);
         if (near.n < NEAR)
             continue;
-        flank->spacing = sqrt(PI * near.distance2[NEAR - 1] / NEAR);
+        flank->spacing = near.spacing;
         flank->rough = !is_smooth(work, &near, flank->spacing, &flank->q);
         if (flank->rough)
             find_flank(work, &near, flank);
@@ -283,7 +321,7 @@ static void choose_flanks(void *context, size_t from, size_t to)
         work->chosen[i] = work->flank[i];
         if (!work->flank[i].rough)
             continue;
-        find_hood(work->options->point_grid, i, &near);
+        find_hood(work, i, &near);
         if (near.n == NEAR)
             work->chosen[i] = choose_flank(work, &near, i);
     }
@@ -296,7 +334,7 @@ static void confirm_flanks(void *context, size_t from, size_t to)
 
     for (size_t i = from; i < to; i++)
         if (work->flank[i].valid) {
-            find_hood(work->options->point_grid, i, &near);
+            find_hood(work, i, &near);
             work->flank[i].confirmed = is_confirmed(work, &near, &work->flank[i]);
         }
 }
@@ -483,7 +521,7 @@ static void find_edges(void *context, size_t from, size_t to)
     for (size_t i = from; i < to; i++) {
         if (!work->flank[i].valid)
             continue;
-        find_hood(work->options->point_grid, i, &near);
+        find_hood(work, i, &near);
         for (size_t k = 1; k < MEETING; k++)
             if (near.index[k] > i && is_edge_between(work, i, near.index[k]))
                 add_edge(work, &near, i, near.index[k], &work->found[i]);
@@ -533,7 +571,7 @@ static bool is_on_patch(const struct edge_work *work, const struct hood *near,
 {
     const double about = 2, beside = 1.5; /* beside: in spacings, for a point on the edge itself */
     double out = vec_distance(at, near->point[0]), least = within(work, patch->flank->spacing);
-    double reach = fmax(about * out, beside * patch->flank->spacing);
+    double reach = fmax(about * out, (work->lines ? REACH : beside) * patch->flank->spacing);
     struct vec3 normal;
 
     for (size_t k = 1; k < near->n; k++) {
@@ -604,7 +642,7 @@ static void fill_flanks(void *context, size_t from, size_t to)
     for (size_t i = from; i < to; i++) {
         if (!work->flank[i].valid)
             continue;
-        find_hood(work->options->point_grid, i, &near);
+        find_hood(work, i, &near);
         struct flank_patch patch = find_patch(work, &near, i);
         if (patch.edges > 0) /* elsewhere it is rough, and nothing sharp */
             fill_patch(work, &near, &patch, &work->between[i]);
@@ -619,7 +657,7 @@ bool edge_flank_holds(const struct point_grid *point_grid, double noise, size_t 
     struct side_fit fit;
     struct hood near;
 
-    find_hood(point_grid, i, &near);
+    find_hood(&work, i, &near);
     if (near.n < NEAR)
         return false;
     double spacing = sqrt(PI * near.distance2[NEAR - 1] / NEAR);
@@ -644,8 +682,11 @@ static size_t append_all(struct vec3s *found, size_t n, struct vec3s *to)
 size_t edge_points(const struct edge_points_options *options, struct vec3s *to)
 {
     size_t n = options->point_grid->n;
-    struct edge_work work = {options, mem_alloc(n, sizeof *work.flank),
-                             mem_alloc(n, sizeof *work.chosen), mem_alloc(n, sizeof *work.found),
+    struct edge_work work = {options,
+                             scan_lines_found(options->point_grid),
+                             mem_alloc(n, sizeof *work.flank),
+                             mem_alloc(n, sizeof *work.chosen),
+                             mem_alloc(n, sizeof *work.found),
                              mem_alloc(n, sizeof *work.between)};
 
     for (size_t i = 0; i < n; i++) {

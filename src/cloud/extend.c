@@ -4,6 +4,7 @@
 #include <stdbool.h>
 #include <stdlib.h>
 
+#include "math/elementary.h"
 #include "math/side_fit.h"
 #include "math/kdtree.h"
 #include "base/parallel.h"
@@ -172,12 +173,32 @@ static size_t points_needed(double spacing, double length, double noise)
     return (size_t)fmin(fmax(PI / 2 * wide * wide, noise > 0 ? FEWEST_NOISY : FEWEST), MOST);
 }
 
+/* From one corner to the other seen from above. */
+static double width_of(const struct vec3s *points)
+{
+    double x0 = HUGE_VAL, y0 = HUGE_VAL, x1 = -HUGE_VAL, y1 = -HUGE_VAL;
+
+    for (size_t i = 0; i < points->n; i++) {
+        struct vec3 p = points->item[i];
+        x0 = fmin(x0, p.x);
+        y0 = fmin(y0, p.y);
+        x1 = fmax(x1, p.x);
+        y1 = fmax(y1, p.y);
+    }
+    return hypot(x1 - x0, y1 - y0);
+}
+
 int extend_cloud(struct vec3s *points, double spacing, double gap, double length, double noise,
                  int threads, struct error *error)
 {
     struct plan plan;
-    double clear = gap / 2;
+    double clear = gap / 2, width = width_of(points);
 
+    if (length > width)
+        return error_set(error,
+                         "to be extended by %g mm, expected at most its own width of %.4g mm, "
+                         "beyond which nothing is known of its surface",
+                         length, width);
     if (make_plan(points, spacing, length + gap, threads, &plan, error) < 0)
         return -1;
     struct sizes out = find_outside(&plan, clear);

@@ -161,10 +161,90 @@ static bool is_hollow(const struct upsample *fill, const struct quadric *q)
     return quadric_curvature(&up) >= 1 / fill->radius;
 }
 
+/* The quadric through the fewest points that carry one: on laser lines it takes more.  HUGE_VAL:
+ * there is none. */
+static double fit_quadric(const struct neighbourhood *near, struct quadric *q)
+{
+    for (size_t k = FEWEST; k <= near->n && k <= NEAR; k += FEWEST / 2)
+        if (quadric_settle(near->point, k, near->point[0], plane_normal(near->point, k), q) == 0)
+            return quadric_spread(q, near->point, k, QUADRIC);
+    return HUGE_VAL;
+}
+
+/* The surface through a neighbourhood; returns its spread, HUGE_VAL: there is none. */
+static double fit_surface(const struct neighbourhood *near, struct quadric *q)
+{
+    struct quadric cubic;
+    double spread = fit_quadric(near, q);
+
+    if (spread < HUGE_VAL && near->n >= FEW &&
+        cubic_fit(near->point, NULL, FEW, near->point[0], quadric_normal(q), &cubic) == 0) {
+        double less = quadric_spread(&cubic, near->point, FEW, CUBIC);
+        if (less < spread) {
+            *q = cubic;
+            spread = less;
+        }
+    }
+    return spread;
+}
+
+/* The same about point i. */
+static double fit_about(const struct upsample *fill, size_t i, struct quadric *q)
+{
+    struct neighbourhood near;
+
+    find_neighbourhood(fill->point_grid, i, NEAR, &near);
+    return fit_surface(&near, q);
+}
+
+/* Surfaces of neighbours: a point on scan lines that are far apart against the points on them has
+ * few lines about it, and a surface goes through these whatever is between. */
+struct witnesses {
+    bool asked;
+    struct {
+        bool known, fits;
+        struct quadric q;
+    } of[NEAR];
+};
+
+/* The surfaces of the MOST neighbours nearest to p across from point i go through p too. */
+static bool is_witnessed(const struct upsample *fill, const struct neighbourhood *near,
+                         struct vec3 from, struct vec3 p, struct witnesses *witness)
+{
+    enum { MOST = 3 };
+    const double across = 0.5;
+    struct vec3 out = vec_unit(vec_sub(p, from));
+    double least = VAGUE * fill->sink, before = 0;
+
+    for (int w = 0; w < MOST; w++) {
+        double nearest = HUGE_VAL;
+        size_t k = near->n;
+        for (size_t i = 1; i < near->n && i < NEAR; i++) {
+            struct vec3 to = vec_sub(near->point[i], from);
+            double far = vec_distance(near->point[i], p);
+            if (far > before && far < nearest && vec_dot(to, out) > across * vec_length(to)) {
+                nearest = far;
+                k = i;
+            }
+        }
+        if (k == near->n)
+            return w > 0;
+        if (!witness->of[k].known) {
+            witness->of[k].known = true;
+            witness->of[k].fits = fit_about(fill, near->index[k], &witness->of[k].q) < HUGE_VAL;
+        }
+        if (!witness->of[k].fits || fabs(quadric_off(&witness->of[k].q, p)) > least)
+            return false;
+        before = nearest;
+    }
+    return true;
+}
+
 static void add_between(const struct upsample *fill, const struct neighbourhood *near,
                         struct vec3 p, const struct quadric *q, bool exact, struct vec3s *to)
 {
     struct local_surface on = {.q = q, .exact = exact};
+    struct witnesses witness = {.asked = exact && fill->lines};
     size_t last = near->n < FEWEST ? near->n : FEWEST;
     double pitch = 0.75 * gap_of(fill), reach = sqrt(near->distance2[last - 1]);
     struct vec3 off = vec_sub(p, q->origin);
@@ -181,7 +261,8 @@ static void add_between(const struct upsample *fill, const struct neighbourhood 
             if ((i == 0 && j == 0) || hypot(u, v) > reach)
                 continue;
             struct vec3 at = quadric_at(q, u0 + u, v0 + v);
-            if (is_between(fill, near, &on, p, at, &aside))
+            if (is_between(fill, near, &on, p, at, &aside) &&
+                (!witness.asked || is_witnessed(fill, near, p, at, &witness)))
                 *array_push(to) = vec_along(at, aside, q->w);
         }
     }
@@ -197,31 +278,13 @@ void upsample_on(const struct upsample *fill, size_t i, struct vec3 p, const str
         add_between(fill, &near, p, q, false, to);
 }
 
-/* The quadric through the fewest points that carry one: on laser lines it takes more.  HUGE_VAL:
- * there is none. */
-static double fit_quadric(const struct neighbourhood *near, struct quadric *q)
-{
-    for (size_t k = FEWEST; k <= near->n && k <= NEAR; k += FEWEST / 2)
-        if (quadric_settle(near->point, k, near->point[0], plane_normal(near->point, k), q) == 0)
-            return quadric_spread(q, near->point, k, QUADRIC);
-    return HUGE_VAL;
-}
-
 double upsample_about(const struct upsample *fill, size_t i, struct vec3s *to)
 {
     struct neighbourhood near;
-    struct quadric q, cubic;
+    struct quadric q;
 
     find_neighbourhood(fill->point_grid, i, NEAR, &near);
-    double spread = fit_quadric(&near, &q);
-    if (spread < HUGE_VAL && near.n >= FEW &&
-        cubic_fit(near.point, NULL, FEW, near.point[0], quadric_normal(&q), &cubic) == 0) {
-        double less = quadric_spread(&cubic, near.point, FEW, CUBIC);
-        if (less < spread) {
-            q = cubic;
-            spread = less;
-        }
-    }
+    double spread = fit_surface(&near, &q);
     if (spread == HUGE_VAL || !would_sink(fill, &near, spread))
         return 0;
     add_between(fill, &near, near.point[0], &q, true, to);

@@ -10,7 +10,7 @@
 #include "base/parallel.h"
 #include "math/plane_fit.h"
 
-enum { NEAR = WALL_POINTS_NEAR, WIDER = 48, FEWEST = WALL_POINTS_FEWEST };
+enum { NEAR = WALL_POINTS_NEAR, WIDER = 48, FEWEST = WALL_POINTS_FEWEST, WITHIN = 2 };
 
 static const double CELL = 2;                    /* width of a cell, mean spacings */
 static const double RISE = 2;                    /* of the cloud within one, by its width */
@@ -20,13 +20,15 @@ static const double STEEP = 0.25881904510252074; /* z of the normal: cos WALL_PO
 struct raster {
     double x, y, width;
     size_t columns, rows;
-    double *low, *high;  /* z */
-    unsigned char *near; /* is a cell where the cloud rises so much, or beside one */
+    double *low, *high;   /* z */
+    unsigned char *near;  /* is a cell where the cloud rises so much, or beside one */
+    unsigned char *steep; /* has points on a wall, or is within WITHIN cells of one that has */
 };
 
 /* Points to be looked at closely, and whether they lie on walls: by their neighbourhood, and in the
  * end. */
 struct candidates {
+    const struct raster *raster;
     const struct kdtree *tree;
     const struct vec3 *point;
     double spacing;
@@ -133,7 +135,8 @@ static void grow_walls(void *context, size_t from, size_t to)
         struct vec3 near[NEAR];
         struct plane_fit plane;
         l->wall[i] = l->steep[i];
-        size_t n = l->wall[i] ? 0 : kdtree_nearest(l->tree, l->point[i], WIDER, index, NULL);
+        bool looked = l->wall[i] || !l->raster->steep[cell_of(l->raster, l->point[i])];
+        size_t n = looked ? 0 : kdtree_nearest(l->tree, l->point[i], WIDER, index, NULL);
         for (size_t k = 0; k < n; k++) {
             const struct plane_fit *other = &l->plane[index[k]];
             if (!l->steep[index[k]])
@@ -146,6 +149,24 @@ static void grow_walls(void *context, size_t from, size_t to)
             fabs(plane.normal.z) < STEEP && plane.rms < plane.width / 2)
             l->wall[i] = lies_on(l, &plane, l->point[i]);
         l->wall[i] = l->wall[i] || on >= FEWEST;
+    }
+}
+
+/* Marks the cells near to points of walls: the WIDER points nearest to those of others are as near as
+ * WITHIN cells, so that none of them is on a wall. */
+static void mark_steep(struct raster *r, const struct candidates *l, size_t n)
+{
+    r->steep = mem_alloc(r->columns * r->rows, 1);
+    for (size_t i = 0; i < n; i++) {
+        size_t c = cell_of(r, l->point[i]), row = c / r->columns, column = c % r->columns;
+        if (!l->steep[i] || r->steep[c] == 2)
+            continue;
+        r->steep[c] = 2;
+        for (size_t j = row > WITHIN ? row - WITHIN : 0; j <= row + WITHIN && j < r->rows; j++)
+            for (size_t k = column > WITHIN ? column - WITHIN : 0;
+                 k <= column + WITHIN && k < r->columns; k++)
+                if (r->steep[j * r->columns + k] == 0)
+                    r->steep[j * r->columns + k] = 1;
     }
 }
 
@@ -185,14 +206,17 @@ size_t wall_points_part(struct vec3 *point, size_t n, double spacing, int thread
             if (raster.near[cell_of(&raster, point[i])])
                 *array_push(&close) = point[i];
         struct kdtree *tree = kdtree_new_by(close.item, close.n, threads);
-        struct candidates looked = {tree,
+        struct candidates looked = {&raster,
+                                    tree,
                                     close.item,
                                     spacing,
                                     mem_alloc(close.n, sizeof(bool)),
                                     mem_alloc(close.n, sizeof(bool)),
                                     mem_alloc(close.n, sizeof(struct plane_fit))};
         parallel_for(threads, close.n, fit_planes, &looked);
+        mark_steep(&raster, &looked, close.n);
         parallel_for(threads, close.n, grow_walls, &looked);
+        free(raster.steep);
         flat = move_walls_last(point, n, &raster, looked.wall);
         free(looked.steep);
         free(looked.wall);

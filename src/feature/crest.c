@@ -21,6 +21,7 @@ static const double BENT = 0.5;    /* curvature across by the length of the edge
 static const double TIGHT = 1.5;   /* curvature by the length of the edge: so tight it is a peak */
 static const double FACING = 0.3;  /* z of a normal that is seen well from above */
 static const double NOISY = 0.05;  /* spacings: less noise needs no more points */
+static const double STILL = 0.03;  /* spacings: a step that is no longer comes to rest */
 
 /* The surface over an edge, in equal steps. */
 struct profile {
@@ -200,6 +201,8 @@ static bool find_crest(const struct profile *p, int step, double sign, struct cr
         if (!(sign * bend < 0))
             return false;
         double shift = -slope / bend / p->length, most = 2.0 / p->n;
+        if (fabs(shift) * p->length < STILL * p->cloud->spacing)
+            break;
         if (i + 1 < TRIES)
             part += fmin(fmax(shift, -most), most);
     }

@@ -6,6 +6,7 @@
 #include "base/effort.h"
 #include "base/parallel.h"
 #include "cloud/edge_points.h"
+#include "cloud/scan_lines.h"
 #include "cloud/settle.h"
 #include "cloud/upsample.h"
 #include "curve/edge_curve.h"
@@ -198,7 +199,7 @@ static bool choose_work(struct guard_work *work, bool *sparse, size_t *near)
 
     work->fit = (struct surface_fit_options){b, rule->noise, 0,
                                              effort_covers(EFFORT_ALONG, rule->effort, b->n)};
-    work->fill = (struct upsample){b, rule->radius, rule->sink, rule->noise};
+    work->fill = (struct upsample){b, rule->radius, rule->sink, rule->noise, scan_lines_found(b)};
     *sparse = upsample_needed(&work->fill);
     work->filled = *sparse && effort_covers(EFFORT_GUARD_BETWEEN, rule->effort, b->n);
     if (rule->noise > 0)

@@ -11,13 +11,12 @@ static const double INDEPENDENT = 1e-3;
 /* Slope of a surface against its frame from which on it gets one of its own. */
 static const double SKEW = 0.2;
 
-static const double HIGHEST = 50; /* points a cell of the ball's width: no more are looked at */
+static const double HIGHEST = 20; /* so many times the points that fit are looked at, at most */
 
-/* The points in the ball, in the frame, in units of its radius; w in mm. */
+/* The points in the ball, from the place. */
 struct ball {
     size_t n;
-    double u[MOMENT_FIT_MOST], v[MOMENT_FIT_MOST], w[MOMENT_FIT_MOST];
-    struct vec3 d[MOMENT_FIT_MOST]; /* from the place */
+    struct vec3 d[MOMENT_FIT_MOST];
 };
 
 /* Sums of u^i v^j, by degree and from u^degree to v^degree; of u^i v^j w; and of w^2. */
@@ -68,24 +67,17 @@ static void take_frame(struct quadric *q, struct vec3 place, struct vec3 w)
     q->v = vec_cross(w, q->u);
 }
 
-static void turn_into(const struct quadric *frame, double radius, struct ball *ball)
-{
-    double shrink = 1 / radius;
-
-    for (size_t i = 0; i < ball->n; i++) {
-        ball->u[i] = vec_dot(ball->d[i], frame->u) * shrink;
-        ball->v[i] = vec_dot(ball->d[i], frame->v) * shrink;
-        ball->w[i] = vec_dot(ball->d[i], frame->w);
-    }
-}
-
-static struct sums add_up(const struct ball *ball)
+/* Of u and v in units of the radius, and w in mm. */
+static struct sums add_up(const struct quadric *frame, double radius, const struct ball *ball)
 {
     struct sums s = {.ww = 0};
+    struct vec3 along_u = vec_scale(1 / radius, frame->u),
+                along_v = vec_scale(1 / radius, frame->v);
     double *p = s.power;
 
     for (size_t i = 0; i < ball->n; i++) {
-        double u = ball->u[i], v = ball->v[i], w = ball->w[i];
+        double u = vec_dot(ball->d[i], along_u), v = vec_dot(ball->d[i], along_v);
+        double w = vec_dot(ball->d[i], frame->w);
         double uu = u * u, uv = u * v, vv = v * v;
         double u3 = uu * u, uuv = uu * v, uvv = u * vv, v3 = vv * v;
         p[1] += u, p[2] += v;
@@ -199,14 +191,13 @@ static double spread_of(const struct sums *s, const double y[CUBIC], int terms)
     return sqrt(fmax(left, 0) / fmax(s->power[0] - terms, 1));
 }
 
-static int fit_in_frame(struct vec3 place, struct vec3 w, double radius, struct ball *ball,
+static int fit_in_frame(struct vec3 place, struct vec3 w, double radius, const struct ball *ball,
                         struct moment_fit *fit)
 {
     double a[CUBIC][CUBIC], inverse[CUBIC], y[CUBIC];
 
     take_frame(&fit->cubic, place, w);
-    turn_into(&fit->cubic, radius, ball);
-    struct sums s = add_up(ball);
+    struct sums s = add_up(&fit->cubic, radius, ball);
     if (factor(&s, a, inverse) < 0)
         return -1;
     solve_forward(a, inverse, s.w, y);

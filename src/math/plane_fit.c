@@ -14,14 +14,20 @@ static struct vec3 mean_of(const struct vec3 *point, size_t n)
 
 static void covariance(const struct vec3 *point, size_t n, struct vec3 centre, double a[3][3])
 {
-    for (int i = 0; i < 9; i++)
-        a[i / 3][i % 3] = 0;
+    double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
+
     for (size_t k = 0; k < n; k++) {
-        struct vec3 p = vec_sub(point[k], centre);
-        const double d[3] = {p.x, p.y, p.z};
-        for (int i = 0; i < 9; i++)
-            a[i / 3][i % 3] += d[i / 3] * d[i % 3] / (double)n;
+        struct vec3 d = vec_sub(point[k], centre);
+        xx += d.x * d.x;
+        xy += d.x * d.y;
+        xz += d.x * d.z;
+        yy += d.y * d.y;
+        yz += d.y * d.z;
+        zz += d.z * d.z;
     }
+    const double sum[3][3] = {{xx, xy, xz}, {xy, yy, yz}, {xz, yz, zz}};
+    for (int i = 0; i < 9; i++)
+        a[i / 3][i % 3] = sum[i / 3][i % 3] / (double)n;
 }
 
 /* Turns rows and columns p and q of `a` so that a[p][q] becomes 0; the axes v with them. */

@@ -259,7 +259,7 @@ void point_grid_within(const struct point_grid *b, struct vec3 q, double radius,
  * distances: on a surface that fills it evenly.  A heap takes over where that does not serve. */
 
 /* Points looked at at once; parts of their distance; so many in one part are not distinguished. */
-enum { AT_ONCE = 512, BINS = 64, CROWD = 48, RINGS = 4 };
+enum { AT_ONCE = 1024, BINS = 64, CROWD = 48, RINGS = 4 };
 
 static const double ROUNDING = 1e-9; /* of a cell */
 

@@ -5,7 +5,7 @@
 
 #include "base/array.h"
 
-enum { TRIES = 4 };
+enum { TRIES = 4, SOME = 512 /* points ranked on the stack */ };
 
 static const double STEP = PI / 36;
 
@@ -48,46 +48,79 @@ static void select_first(struct ranked *r, size_t n, size_t k)
 size_t neighbourhood_along(const struct vec3 *point, size_t n, struct vec3 at, struct vec3 way,
                            double aspect, size_t k, struct vec3 *found)
 {
-    struct ranked *ranked = mem_alloc(n, sizeof *ranked);
+    struct ranked few[SOME], *ranked = n > SOME ? mem_alloc(n, sizeof *ranked) : few;
+    double most = -1, shorter = 1 - 1 / (aspect * aspect);
     size_t farthest = 0;
 
     k = k < n ? k : n;
     for (size_t i = 0; i < n; i++) {
         struct vec3 off = vec_sub(point[i], at);
         double along = vec_dot(off, way), all2 = vec_dot(off, off);
-        ranked[i] = (struct ranked){all2 - along * along * (1 - 1 / (aspect * aspect)), i};
+        ranked[i] = (struct ranked){all2 - along * along * shorter, i};
     }
     if (k < n)
         select_first(ranked, n, k);
     for (size_t i = 0; i < k; i++) {
         found[i] = point[ranked[i].index];
-        if (vec_distance(found[i], at) >= vec_distance(found[farthest], at))
+        struct vec3 off = vec_sub(found[i], at);
+        double distance2 = vec_dot(off, off);
+        if (distance2 >= most) {
+            most = distance2;
             farthest = i;
+        }
     }
     if (k > 0) {
         struct vec3 last = found[k - 1];
         found[k - 1] = found[farthest];
         found[farthest] = last;
     }
-    free(ranked);
+    if (ranked != few)
+        free(ranked);
     return k;
 }
 
+/* What is looked for, and where. */
+struct finding {
+    const struct vec3 *point;
+    size_t n, some;
+    struct vec3 at, up, way, side;
+};
+
+/* Along direction i: how far the points are off; infinite where they carry no surface. */
+static struct ridge_direction look_along(const struct finding *f, int i)
+{
+    struct vec3 found[RIDGE_DIRECTION_MOST];
+    struct ridge_direction rib = {.rms = INFINITY};
+
+    rib.way = vec_along(vec_scale(cos(i * STEP), f->way), sin(i * STEP), f->side);
+    size_t k =
+        neighbourhood_along(f->point, f->n, f->at, rib.way, RIDGE_DIRECTION_LONGER, f->some, found);
+    if (quadric_fit(found, k, f->at, f->up, &rib.q) == 0)
+        rib.rms = quadric_rms(&rib.q, found, k);
+    return rib;
+}
+
+/* Every other direction, then those beside the best. */
 bool ridge_direction_find(const struct vec3 *point, size_t n, struct vec3 at, struct vec3 up,
                           struct vec3 way, size_t some, struct ridge_direction *rib)
 {
-    struct vec3 found[RIDGE_DIRECTION_MOST], side = vec_cross(up, way);
+    const struct finding f = {point, n, some, at, up, way, vec_cross(up, way)};
+    int best = 0;
 
     rib->rms = INFINITY;
-    for (int i = -TRIES; i <= TRIES; i++) {
-        struct quadric q;
-        struct vec3 turned = vec_along(vec_scale(cos(i * STEP), way), sin(i * STEP), side);
-        size_t k = neighbourhood_along(point, n, at, turned, RIDGE_DIRECTION_LONGER, some, found);
-        if (quadric_fit(found, k, at, up, &q) < 0)
+    for (int i = -TRIES; i <= TRIES; i += 2) {
+        struct ridge_direction next = look_along(&f, i);
+        if (next.rms < rib->rms) {
+            *rib = next;
+            best = i;
+        }
+    }
+    for (int i = best - 1; i <= best + 1; i += 2) {
+        if (i < -TRIES || i > TRIES)
             continue;
-        double rms = quadric_rms(&q, found, k);
-        if (rms < rib->rms)
-            *rib = (struct ridge_direction){q, turned, rms};
+        struct ridge_direction next = look_along(&f, i);
+        if (next.rms < rib->rms)
+            *rib = next;
     }
     return rib->rms < INFINITY;
 }

@@ -39,31 +39,33 @@ int side_fit_plane_of(const struct vec3 *local, const unsigned char *side, unsig
     double mu = 0, mv = 0, mh = 0, uu = 0, uv = 0, vv = 0, uh = 0, vh = 0, *c = fit->q.c;
     size_t count = 0;
 
+    /* about the origin, which is near: no digits are lost, and one look at the points is enough */
     for (size_t i = 0; i < n; i++) {
-        if (side && side[i] != which)
-            continue;
-        mu += local[i].x;
-        mv += local[i].y;
-        mh += local[i].z;
-        count++;
+        double part = !side || side[i] == which ? 1 : 0;
+        double u = part * local[i].x, v = part * local[i].y, h = local[i].z;
+        count += part > 0;
+        mu += u;
+        mv += v;
+        mh += part * h;
+        uu += u * local[i].x;
+        uv += u * local[i].y;
+        vv += v * local[i].y;
+        uh += u * h;
+        vh += v * h;
     }
     if (count <= PLANE)
         return -1;
     mu /= (double)count;
     mv /= (double)count;
     mh /= (double)count;
-    for (size_t i = 0; i < n; i++) {
-        double u = local[i].x - mu, v = local[i].y - mv, h = local[i].z - mh;
-        if (side && side[i] != which)
-            continue;
-        uu += u * u;
-        uv += u * v;
-        vv += v * v;
-        uh += u * h;
-        vh += v * h;
-    }
+    uu -= (double)count * mu * mu;
+    uv -= (double)count * mu * mv;
+    vv -= (double)count * mv * mv;
+    uh -= (double)count * mu * mh;
+    vh -= (double)count * mv * mh;
     /* the smaller eigenvalue by the larger one is the square of width by length */
-    double mean = (uu + vv) / 2, half = hypot((uu - vv) / 2, uv), det = uu * vv - uv * uv;
+    double mean = (uu + vv) / 2, skew = (uu - vv) / 2, half = sqrt(skew * skew + uv * uv);
+    double det = uu * vv - uv * uv;
     if (!(mean - half > NARROW * NARROW * (mean + half)) || !(det > 0))
         return -1;
     c[1] = (uh * vv - vh * uv) / det;

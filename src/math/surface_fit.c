@@ -6,6 +6,7 @@
 #include "base/array.h"
 #include "base/parallel.h"
 #include "math/cubic.h"
+#include "math/moment_fit.h"
 #include "math/ridge_direction.h"
 
 enum { WIDEST = 1024 };
@@ -241,6 +242,25 @@ static bool fit_at(const struct surface_fit_options *rule, struct vec3 vertex, s
     return k > 0;
 }
 
+/* The points lie all around, and no frame shows them much closer to a surface than `fit` does: a
+ * rough place. */
+static bool frames_are_alike(const struct surface_fit_options *rule, struct vec3 vertex,
+                             struct vec3 guess, const struct surface_fit *fit)
+{
+    const double lean = 0.25, part = 0.8;
+    const struct vec3 up[2] = {guess, vec(0, 0, 1)};
+    double spacing = point_grid_spacing(rule->point_grid);
+
+    for (int i = 0; i < 2; i++) {
+        struct moment_fit m;
+        double radius = moment_fit_radius((double)rule->neighbours, spacing, up[i]);
+        if (moment_fit_ball(rule->point_grid, vertex, up[i], radius, &m) < 0 || m.lean > lean ||
+            m.cubic_spread < part * fit->spread)
+            return false;
+    }
+    return true;
+}
+
 /* Where the frame of the few nearest points led nowhere, as on laser lines it may: that of all of
  * them, and straight up. */
 static void try_other_frames(const struct surface_fit_options *rule, struct vec3 vertex,
@@ -249,6 +269,8 @@ static void try_other_frames(const struct surface_fit_options *rule, struct vec3
 {
     struct surface_fit other;
     struct vec3 normal[2] = {guess, vec(0, 0, 1)};
+    if (frames_are_alike(rule, vertex, guess, fit))
+        return;
     gather_hood(rule->point_grid, vertex, rule->neighbours, hood);
     if (quadric_fit_steep(hood->point, hood->n, vertex, guess, &other.q) == 0)
         normal[0] = quadric_normal(&other.q);
@@ -313,14 +335,25 @@ static bool best_along(const struct surface_fit_options *rule, const struct surf
     return better;
 }
 
+/* The way in which a surface bends least, from the perpendicular of its normal on, radians. */
+static double straight_angle(const struct quadric *q)
+{
+    double xx = 2 * q->c[3], xy = q->c[4], yy = 2 * q->c[5];
+    double turn = 0.5 * atan2(2 * xy, xx - yy) + (xx + yy < 0 ? 0 : PI / 2);
+    struct vec3 way = vec_along(vec_scale(cos(turn), q->u), sin(turn), q->v);
+    struct vec3 normal = quadric_normal(q), u = vec_perpendicular(normal);
+
+    return atan2(vec_dot(way, vec_cross(normal, u)), vec_dot(way, u));
+}
+
 /* The better surface where there is a rib or a groove. */
 static void fit_along(const struct surface_fit_options *rule, struct vec3 vertex, struct vec3 guess,
                       struct surface_fit_hood *hood, struct surface_fit *fit)
 {
-    static const struct longer rough = {3, 36, 4, PI / 9}, fine = {6, 72, 2, PI / 30};
+    static const struct longer rough = {3, 36, 1, PI / 9}, fine = {6, 72, 2, PI / 30};
     const double better = 0.85, sharp = 1.6;
     struct surface_fit along = *fit, best;
-    double angle = 0;
+    double angle = straight_angle(&fit->q);
 
     gather_hood(rule->point_grid, vertex, (size_t)(rough.aspect * (double)rough.points), hood);
     if (!best_along(rule, hood, vertex, guess, &rough, &angle, &along) ||
@@ -335,10 +368,58 @@ static void fit_along(const struct surface_fit_options *rule, struct vec3 vertex
         *fit = along;
 }
 
+/* ---- the first round: one set of sums */
+
+/* What points may be spread about a surface that explains them, in sigma. */
+static const double ROUGH = 1.2;
+
+/* The cubic through about k points around the foot of a place; false: it does not explain them, or
+ * they are not all around. */
+static bool fit_moments(const struct surface_fit_options *rule, struct vec3 place,
+                        struct vec3 guess, size_t k, struct surface_fit *fit)
+{
+    const double lean = 0.25, narrow = 0.05, far = 4, sigma = rule->sigma;
+    double radius = moment_fit_radius((double)k, point_grid_spacing(rule->point_grid), guess);
+    struct moment_fit m;
+    struct vec3 from = place;
+
+    if (moment_fit_ball(rule->point_grid, from, guess, radius, &m) < 0)
+        return false;
+    if (sigma > narrow * radius) { /* points near to one that is off are off to the same side */
+        from = quadric_foot(&m.cubic);
+        if (vec_distance(from, place) > far * sigma ||
+            moment_fit_ball(rule->point_grid, from, quadric_normal(&m.cubic), radius, &m) < 0)
+            return false;
+    }
+    *fit = (struct surface_fit){m.cubic, 0, m.cubic_spread, radius, m.n};
+    fit->offset = vec_dot(vec_sub(quadric_foot(&fit->q), place), guess);
+    return m.lean < lean && m.cubic_spread <= ROUGH * sigma && !is_useless(&fit->q, sigma);
+}
+
+/* A ball of as many points as the rule begins with: where it tells enough and its nearer half
+ * agrees, that is the surface, and else one of twice as many.  False: for the second round. */
+static bool fit_first(const struct surface_fit_options *rule, struct vec3 place, struct vec3 guess,
+                      struct surface_fit *fit)
+{
+    size_t k = rule->neighbours;
+    struct surface_fit other;
+
+    if (k > MOMENT_FIT_MOST / 2 || !fit_moments(rule, place, guess, k, fit))
+        return false;
+    if (is_settled(&fit->q, rule->sigma))
+        return k / 2 < LEAST || (fit_moments(rule, place, guess, k / 2, &other) &&
+                                 surfaces_agree(fit, &other, rule->sigma));
+    if (fit_moments(rule, place, guess, 2 * k, &other) && surfaces_agree(&other, fit, rule->sigma))
+        *fit = other;
+    return true;
+}
+
 bool surface_fit_at(const struct surface_fit_options *rule, struct vec3 place, struct vec3 guess,
                     struct surface_fit_hood *hood, struct surface_fit *fit)
 {
-    const double rough = 1.2, torn = 8; /* in sigma */
+    const double rough = ROUGH, torn = 8; /* in sigma */
+    if (fit_first(rule, place, guess, fit))
+        return true;
     if (!fit_at(rule, place, guess, hood, fit))
         return false;
     if (!surface_fit_holds(fit, rule->sigma))

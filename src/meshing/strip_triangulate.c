@@ -31,7 +31,7 @@ static double cost_of(const struct strip_search *z, size_t i, size_t j)
 /* Edges that are so far aslant are not looked at while others can be had. */
 static double cost_within(const struct strip_search *z, size_t i, size_t j)
 {
-    const double aslant = 3, cells = 4;
+    const double aslant = 3, cells = 2;
     double across = fabs(z->b[j].y - z->a[i].y), along = fabs(z->b[j].x - z->a[i].x);
     if (along > fmax(aslant * across, cells * z->cells->scan->cell))
         return 1e6 * along * along;

@@ -154,19 +154,39 @@ static void find_bodies(const struct patch_mesh *q, size_t *parent, size_t *body
     }
 }
 
-static void count_places(const struct patch_mesh *q, const size_t *body, struct skin *skin)
+/* The number of a facet's corner at a place. */
+static size_t corner_at(const struct patch_mesh *q, size_t facet, size_t place)
 {
-    size_t *seen = mem_alloc(q->vertex.n + 1, sizeof *seen);
+    const int *v = q->face.item[facet].v;
+    int k = 0;
 
-    /* A place where bodies touch counts in each of them; one after the other in facet order. */
-    for (size_t f = 0; f < q->face.n; f++) {
-        for (int k = 0; k < 3 && body[f] > 0; k++) {
-            size_t place = place_of(q, q->face.item[f].v[k]);
-            skin->body.item[body[f] - 1].places += seen[place] != body[f];
-            seen[place] = body[f];
+    while (k < 2 && place_of(q, v[k]) != place)
+        k++;
+    return 3 * facet + (size_t)k;
+}
+
+/* Counts the fans of facets about places, of each body: those that hang together by the edges at
+ * the place.  Where a skin touches itself at a point, one place has several fans and is several
+ * points of the surface; Euler's formula counts these. */
+static void count_fans(const struct patch_mesh *q, const struct skin_side *side, size_t n,
+                       const size_t *body, struct skin *skin)
+{
+    size_t *parent = mem_alloc(3 * q->face.n + 1, sizeof *parent);
+
+    for (size_t i = 0; i < 3 * q->face.n; i++)
+        parent[i] = i;
+    for (size_t i = 0, k; i < n; i += k) {
+        k = skin_sides_same(side, n, i);
+        for (size_t j = 1; j < k; j++) {
+            size_t a = side[i].facet, b = side[i + j].facet;
+            unite(parent, corner_at(q, a, side[i].low), corner_at(q, b, side[i].low));
+            unite(parent, corner_at(q, a, side[i].high), corner_at(q, b, side[i].high));
         }
     }
-    free(seen);
+    for (size_t c = 0; c < 3 * q->face.n; c++)
+        if (body[c / 3] > 0)
+            skin->body.item[body[c / 3] - 1].fans += root(parent, c) == c;
+    free(parent);
 }
 
 bool skin_body_closed(const struct skin_body *body)
@@ -190,7 +210,7 @@ struct skin skin_of(const struct patch_mesh *q)
             unite(parent, side[i].facet, side[i + j].facet);
     }
     find_bodies(q, parent, body, &skin);
-    count_places(q, body, &skin);
+    count_fans(q, side, n, body, &skin);
     for (size_t i = 0, k; i < n; i += k) {
         k = skin_sides_same(side, n, i);
         struct skin_body *b = &skin.body.item[body[side[i].facet] - 1];
@@ -206,8 +226,8 @@ struct skin skin_of(const struct patch_mesh *q)
         skin.open += b->open;
         skin.many += b->many;
         skin.unlike += b->unlike;
-        /* Euler: places - edges + facets = 2 - 2 genus */
-        b->genus = (2 - ((long)b->places - (long)b->edges + (long)b->facets)) / 2;
+        /* Euler: points - edges + facets = 2 - 2 genus */
+        b->genus = (2 - ((long)b->fans - (long)b->edges + (long)b->facets)) / 2;
     }
     find_loops(q, &open, &skin);
     if (skin.body.n > 1)

@@ -417,10 +417,22 @@ struct walk {
     int *first; /* of each place: an open edge that begins there */
     int *at;    /* of each place: where it is on the trail, from 1 */
     struct ints trail;
-    double gap;
-    bool avoid; /* no second edge between two places, where there is another way */
+    double gap, least; /* mm: of now, and as asked for */
+    double most;       /* mm: what is open between surfaces is filled up to this width */
+    bool avoid;        /* no second edge between two places, where there is another way */
     struct skin_close_count count;
 };
+
+/* Between borders of several surfaces?  Wider than the gap only such a loop is a slit: one in a
+ * single surface is a slot that its trimming says. */
+static bool is_between(const struct walk *w, const int *loop, size_t n)
+{
+    bool between = w->gap <= w->least;
+
+    for (size_t i = 1; i < n; i++)
+        between = between || w->rims.item[loop[i] / 2].sheet != w->rims.item[loop[0] / 2].sheet;
+    return between;
+}
 
 /* The trail's end, from `from` on, is a loop. */
 static void take_loop(struct walk *w, size_t from)
@@ -428,8 +440,9 @@ static void take_loop(struct walk *w, size_t from)
     size_t n = w->trail.n - from;
     const int *loop = w->trail.item + from;
 
-    double width =
-        n > 2 && n <= CORNERS_MAX ? loop_width(w->q, &w->rims, loop, n, w->gap) : HUGE_VAL;
+    double width = n > 2 && n <= CORNERS_MAX && is_between(w, loop, n)
+                       ? loop_width(w->q, &w->rims, loop, n, w->gap)
+                       : HUGE_VAL;
     if (width <= w->gap) {
         w->count.width = fmax(w->count.width, width);
         w->count.facets += fill_loop(w->q, &w->rims, loop, n, w->avoid);
@@ -536,7 +549,7 @@ static bool refill(struct walk *w, bool around, size_t *bad)
     copy_facets(q, &face, &sheet);
     drop_marked(q, out);
     free(out);
-    bool same = q->face.n == face.n;
+    bool same = q->face.n == face.n && (w->gap <= w->least || w->gap > w->most);
     if (!same)
         close_slits(w);
     out = mem_alloc(q->face.n + 1, sizeof *out);
@@ -561,7 +574,7 @@ static bool refill(struct walk *w, bool around, size_t *bad)
  * ways to take out and to fill the first that helps is taken, till none does. */
 static void untangle(struct walk *w)
 {
-    enum { TRIES = 60, AROUND = 1, AVOID = 2, WIDTHS = 4, WAYS = 12 };
+    enum { TRIES = 60, AROUND = 1, AVOID = 2, WIDTHS = 4, WAYS = 16 };
     double gap = w->gap;
     size_t bad = 1;
 
@@ -573,9 +586,9 @@ static void untangle(struct walk *w)
     w->gap = gap;
 }
 
-struct skin_close_count skin_close(struct patch_mesh *q, double gap)
+struct skin_close_count skin_close(struct patch_mesh *q, double gap, double most)
 {
-    struct walk w = {.q = q, .gap = gap};
+    struct walk w = {.q = q, .gap = gap, .least = gap, .most = most};
 
     w.count.folded = drop_folds(q, gap);
     close_slits(&w);

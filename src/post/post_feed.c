@@ -175,26 +175,34 @@ struct span_speeds {
     struct span_speed *item;
 };
 
+/* A curve in spans of which none is shorter than a block may be, but at its end: parts of those
+ * between its knots, for beside the singular direction the axes are slow over a small part of one.
+ */
 static struct span_speeds span_speeds(const struct nc_planner *planner, const struct motion *motion)
 {
     const struct block_pose *at = &planner->state.at;
     const struct nc_along along = {motion, 0, 1, NULL, 0};
+    const double least = SHORTEST / planner->options.unit;
+    const double wished = 1 / (planner->state.feed * planner->state.faster);
     struct span_speeds spans = {0};
+    struct span_speed span = {.rate = wished};
     struct sample a = sample_at(planner, at, &along, 0, at->q);
     for (double s = 0; s < 1;) {
         double from = s, to = motion_next_knot(motion, s);
-        struct span_speed span = {.rate = 1 / (planner->state.feed * planner->state.faster)};
         for (int i = 1; i <= SPAN_PIECES; i++) {
-            s = from + (to - from) * i / SPAN_PIECES;
+            s = i < SPAN_PIECES ? from + (to - from) * i / SPAN_PIECES : to;
             struct sample b = sample_at(planner, at, &along, s, a.q);
             double length = vec_distance(a.tip, b.tip);
+            span.s = s;
             span.length += length;
             if (length > 0)
                 span.rate = larger(span.rate, piece_minutes(planner->machine, &a, &b) / length);
             a = b;
+            if (span.length < least && s < 1)
+                continue;
+            *array_push(&spans) = span;
+            span = (struct span_speed){.rate = wished};
         }
-        span.s = s = to;
-        *array_push(&spans) = span;
     }
     return spans;
 }

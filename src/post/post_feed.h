@@ -33,7 +33,8 @@ double post_feed_minutes(const struct nc_planner *planner, const struct machine_
 
 /*
  * Where to divide a B-spline into two, each with its own F, so that a slow part does not slow the
- * rest: at s in (0, 1), a knot; 1: nowhere, because it would save too little time.
+ * rest: at s in (0, 1), with no part shorter than 0.02 mm; 1: nowhere, because it would save too
+ * little time.
  */
 double post_feed_divide(const struct nc_planner *planner, const struct motion *motion);
 

@@ -11,6 +11,7 @@ enum { LINE_STEPS = 4, CURVE_STEPS = 16, DEEPEST = 10 };
 
 #define FLAT 0.0002  /* mm: how straight a piece is followed */
 #define STEADY 0.005 /* radians that the axis turns in a step, at most */
+#define EVEN 3e-5    /* radians that it may be off an even turn there */
 #define STILL 0.005  /* mm: a tip that moves no further stands, and the axes turn about it */
 #define SHORT 0.05   /* mm: shorter pieces may be slow, and their inverse time says little */
 
@@ -48,8 +49,10 @@ static void add_stretches(const struct walk *w, double s0, struct nc_motion_pose
                           struct nc_motion_pose b, int depth)
 {
     struct nc_motion_pose m = tip_at(w->motion, w->piece, (s0 + s1) / 2, w->radius);
+    struct vec3 even = vec_unit(vec_mix(a.a, b.a, vec_segment_foot(a.p, b.p, m.p)));
     bool fine = vec_segment_distance(a.p, b.p, m.p) <= FLAT && vec_angle(a.a, b.a) <= STEADY &&
-                vec_angle(a.a, m.a) <= STEADY;
+                vec_angle(a.a, m.a) <= STEADY &&
+                (vec_angle(even, m.a) <= EVEN || vec_distance(a.p, b.p) <= STILL);
     if (depth >= DEEPEST || fine) {
         *array_push(w->to) = (struct stretch){a, b, w->piece, w->feed, false};
         return;

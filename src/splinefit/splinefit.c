@@ -8,11 +8,14 @@
 
 #include "base/array.h"
 #include "free_knots.h"
+#include "grown_knots.h"
 #include "interpolate.h"
 #include "spline_bound.h"
 #include "spline_lsq.h"
 
 enum { PARAMS = 3, KNOTS = 2, START = 5, STEP = 5, WIDER = 40 };
+
+static const double HURRIED = 0.5; /* of the usual work: searches would take minutes */
 
 struct search {
     const struct reference *reference;
@@ -204,6 +207,15 @@ static void set_polyline(const struct search *s, struct splinefit *fit)
     fit->within = deviation_within(&fit->proof, &s->within);
 }
 
+/* False: nothing was found. */
+static bool take_found(struct free_knots_result found, struct splinefit *fit)
+{
+    fit->curve = found.curve;
+    fit->proof = found.proof;
+    fit->cut = found.cut;
+    return found.curve.poles > 0;
+}
+
 /* With all combinations open, the knots may as well be free.  `before`: a curve for nearly the same
  * data, or NULL. */
 static bool fit_free_knots(const struct search *s, size_t known, const struct bspline *before,
@@ -218,10 +230,28 @@ static bool fit_free_knots(const struct search *s, size_t known, const struct bs
         return false;
     struct free_knots_result found = before ? free_knots_again(s->reference, &options, before)
                                             : free_knots_search(s->reference, &options);
-    fit->curve = found.curve;
-    fit->proof = found.proof;
-    fit->cut = found.cut;
-    return found.curve.poles > 0;
+    return take_found(found, fit);
+}
+
+static bool is_hurried(const struct splinefit_options *options)
+{
+    return options->work > 0 && options->work < HURRIED && options->params < 0 &&
+           options->knots < 0;
+}
+
+/* In a time that is linear in the data: knots where it asks for them, or the data's own polyline.
+ * `before` as above. */
+static void fit_grown_knots(const struct search *s, const struct bspline *before,
+                            struct splinefit *fit)
+{
+    const struct splinefit_options *o = s->options;
+    struct free_knots_options options = {o->degree, o->tolerance, o->angle, 0, o->work, o->least};
+    bool alike = before && before->degree == o->degree && before->poles < s->reference->n;
+
+    *fit = (struct splinefit){.kind = SPLINEFIT_FREE, .within = true};
+    if (!take_found(grown_knots_fit(s->reference, &options, alike ? before : NULL), fit))
+        set_polyline(s, fit);
+    fit->cut = true;
 }
 
 static void fit_by_least_squares(const struct search *s, struct splinefit *fit)
@@ -281,7 +311,10 @@ static void search_with(const struct reference *reference, const struct splinefi
     struct search s = search_new(reference, options, false);
 
     *fit = (struct splinefit){0};
-    if (!try_straight(&s, fit)) {
+    bool straight = try_straight(&s, fit);
+    if (!straight && is_hurried(options)) {
+        fit_grown_knots(&s, NULL, fit);
+    } else if (!straight) {
         struct splinefit squares = {0};
         bool turns = reference->turns; /* there the search is long: it is good to know before */
         if (turns)
@@ -318,7 +351,13 @@ void splinefit_again(const struct reference *reference, const struct splinefit_o
 {
     struct search s = search_new(reference, options, false);
 
-    if (fit_free_knots(&s, 0, &before->curve, fit))
+    bool found = true;
+
+    if (is_hurried(options))
+        fit_grown_knots(&s, &before->curve, fit);
+    else
+        found = fit_free_knots(&s, 0, &before->curve, fit);
+    if (found)
         set_paper_error(&s, fit);
     else
         splinefit_search(reference, options, fit);

@@ -85,6 +85,11 @@ const struct cli_option path_option_table[] = {
     {0, "lean-limit", "DEG",
      "largest tilt of the axis away from its rule for the tool to be clear\n(85)",
      CLI_NUMBER, &path_options.lean, 0, 85, 0, NULL},
+    {0, "box", "X0,Y0,Z0,X1,Y1,Z1", "cut what is inside this box",
+     CLI_NUMBERS, path_options.box, 0, 0, 6, &path_options.box_given},
+    {0, "region", "FILE", "cut what is inside the polygons of FILE, seen along z: a corner `x y` a\n"
+     "line, an empty line between two polygons",
+     CLI_TEXT, &path_options.region, 0, 0, 0, NULL},
     {0, "one-way", NULL, "cut all passes in one direction (default: zig-zag)",
      CLI_FLAG, &path_options.one_way, 0, 0, 0, NULL},
     {0, "layers", "N", "cut in N layers, the outermost first (1)",
@@ -170,6 +175,13 @@ int path_options_check(struct tool_axis_options *axis, struct error *error)
     if (c->tolerance == 0 && (c->guard.files.n > 0 || c->body.holder))
         c->tolerance = 0.01;
     return axis_rule(axis, error);
+}
+
+struct mesh_region_options path_options_region(void)
+{
+    return (struct mesh_region_options){.box = path_options.box_given ? path_options.box : NULL,
+                                        .region = path_options.region,
+                                        .up = {0, 0, 1}};
 }
 
 /* The scan that guards, until path_options_guard. */
@@ -299,9 +311,14 @@ static double mesh_top(const struct mesh *mesh)
 static int clearance_plane(const struct mesh *mesh, const struct gouge_check *guard, double *z,
                            struct error *error)
 {
+    const double most = 1e4 * path_options.radius; /* as of a part */
     double top = fmax(mesh_top(mesh), guard ? gouge_top(guard) : -HUGE_VAL);
+    double layers = (path_options.layers - 1) * path_options.depth;
 
-    top += (path_options.layers - 1) * path_options.depth;
+    if (layers > most)
+        return error_set(error, "option --layers: found layers %g mm thick, expected at most %g mm",
+                         layers, most);
+    top += layers;
     if (path_options.clearance < top)
         return error_set(error,
                          "option --clearance: found %g, expected more than the top of the part, %g",

@@ -384,7 +384,8 @@ void plane_passes_run_out(struct plane_passes *p, const struct mesh *mesh)
         .radius = path_options.radius,
         .sure = SURE * (path_options.tolerance + fmax(path_options.noise, 0))};
 
-    if (rule.scan->n > 0 && rule.spacing > 0 && mesh->origin.part.n == 0 && p->rule.normal.z == 0)
+    if (!p->region && rule.scan->n > 0 && rule.spacing > 0 && mesh->origin.part.n == 0 &&
+        p->rule.normal.z == 0)
         p->border_surface = border_surface_new(&rule, mesh);
     p->extended = mesh->origin.extended > 0;
     array_free(&path_options.certain);

@@ -12,7 +12,8 @@
 #include "ncread/ncread.h"
 #include "verify/verify.h"
 
-enum { TURN_STEPS = 4 }; /* of a piece, for its tool axis */
+/* Steps of a piece, for its tool axis; parts of a curve that count as blocks. */
+enum { TURN_STEPS = 4, CURVE_PARTS = 4 };
 
 #define FLAT 0.0002 /* mm: how straight the ball's centre goes between two places */
 #define SIGMAS 1.5  /* of the noise, that are allowed besides the tolerance and what may be left */
@@ -309,52 +310,76 @@ struct axis_turn {
     bool on;              /* the ball touches the part in it */
 };
 
-static struct axis_turn turn_of(const struct nc_motion *motion, const struct nc_piece *piece)
+/* From s0 to s1 of a piece. */
+static struct axis_turn turn_of(const struct nc_motion *motion, const struct nc_piece *piece,
+                                double s0, double s1)
 {
-    struct nc_motion_pose a = nc_motion_at(motion, piece, 0), b = nc_motion_at(motion, piece, 1);
+    struct nc_motion_pose a = nc_motion_at(motion, piece, s0), b = nc_motion_at(motion, piece, s1);
     struct axis_turn turn = {a.a, b.a, vec_angle(a.a, b.a), vec_distance(a.p, b.p), false};
     if (vec_distance(piece->q[0], piece->q[1]) < STILL && piece->shape == SHAPE_LINE)
         return turn;
     for (int i = 1; i < TURN_STEPS; i++) {
-        struct vec3 axis = nc_motion_at(motion, piece, (double)i / TURN_STEPS).a;
+        struct vec3 axis = nc_motion_at(motion, piece, s0 + (s1 - s0) * i / TURN_STEPS).a;
         turn.most = fmax(turn.most, vec_angle(a.a, axis));
     }
     return turn;
 }
 
+/* The jumps so far. */
+struct axis_jumps {
+    struct axis_turn before; /* ends where the next begins, if `follows` */
+    bool follows;
+    size_t count, last, worst; /* pieces: how many, the last and the worst of them */
+    double most;
+};
+
+/* A turn of a piece, which jumps back alone or with the one before. */
+static void add_turn(struct axis_jumps *j, struct axis_turn at, double radius, size_t piece)
+{
+    double turn = j->follows ? fmax(at.most, j->before.most) : at.most;
+    double back = vec_angle(j->follows ? j->before.from : at.from, at.to);
+    double length = at.length + (j->follows ? j->before.length : 0);
+    bool on = at.on || (j->follows && j->before.on);
+    j->before = at;
+    if (!on || turn <= RADIANS(JUMP) || back >= turn / 2 || turn * radius <= ROLLS * length)
+        return;
+    j->count += j->count == 0 || j->last != piece;
+    j->last = piece;
+    j->worst = turn > j->most ? piece : j->worst;
+    j->most = fmax(j->most, turn);
+}
+
 /*
  * Jumps of the tool axis with the ball on the part: it turns, in one block or two, and comes back
  * by more than half, half as fast again as where the ball rolls over an edge, 1 / R for each mm of
- * the tip.
+ * the tip.  A curve counts as several blocks: where it takes the axis over a rib and back, as many
+ * short lines would, nothing jumps.
  */
 static void judge_jumps(struct verdict *v)
 {
     const struct centre_path *cut = &v->cut;
-    size_t jumps = 0, worst = 0, last = SIZE_MAX - 1;
-    double most = 0;
-    struct axis_turn before = {0};
+    struct axis_jumps jumps = {.before = {.on = false}};
+    size_t last = SIZE_MAX - 1;
     for (size_t i = 0; i < cut->n;) {
         size_t piece = cut->item[i].piece;
-        struct axis_turn at = turn_of(v->program.motion, &v->program.motion->piece.item[piece]);
+        const struct nc_piece *p = &v->program.motion->piece.item[piece];
+        int parts = p->shape == SHAPE_LINE ? 1 : CURVE_PARTS;
+        bool on = false;
         for (; i < cut->n && cut->item[i].piece == piece; i++)
-            at.on = at.on || cut->item[i].on;
-        bool follows = piece == last + 1;
-        double turn = follows ? fmax(at.most, before.most) : at.most;
-        double back = vec_angle(follows ? before.from : at.from, at.to);
-        double length = at.length + (follows ? before.length : 0);
-        if ((at.on || (follows && before.on)) && turn > RADIANS(JUMP) && back < turn / 2 &&
-            turn * v->options.radius > ROLLS * length) {
-            jumps++;
-            worst = turn > most ? piece : worst;
-            most = fmax(most, turn);
+            on = on || cut->item[i].on;
+        for (int k = 0; k < parts; k++) {
+            struct axis_turn at =
+                turn_of(v->program.motion, p, (double)k / parts, (k + 1.0) / parts);
+            at.on = on;
+            jumps.follows = k > 0 || piece == last + 1;
+            add_turn(&jumps, at, v->options.radius, piece);
         }
         last = piece;
-        before = at;
     }
-    if (jumps > 0)
-        add_finding(v, true, worst,
+    if (jumps.count > 0)
+        add_finding(v, true, jumps.worst,
                     "the tool axis swings out by %.3f degrees and back on the part (blocks: %zu)",
-                    DEGREES(most), jumps);
+                    DEGREES(jumps.most), jumps.count);
 }
 
 /* Curves that leave the part and come back: by a radius, where what they leave is judged, since a

@@ -287,7 +287,7 @@ static int read_file(const char *file, struct cloud_source *s, struct error *err
     *s->count = (struct cloud_count){0};
     if (reader_open(&r, file, error) < 0)
         return -1;
-    s->reader = &r;
+    s->reader = &r; // cppcheck-suppress autoVariables
     int status = read_source(s, error);
     reader_close(&r);
     return status;

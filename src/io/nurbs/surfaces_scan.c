@@ -41,7 +41,7 @@ char *surfaces_scan_text(const struct scan_sources *scan)
 
 static bool read_place(const char *text, struct scan_sources *scan)
 {
-    struct transform place;
+    struct transform place = {0};
     for (int i = 0; i < 16; i++) {
         double *to = &place.m[i / 4][i % 4];
         text += strspn(text, " ");

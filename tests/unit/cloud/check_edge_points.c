@@ -309,6 +309,49 @@ START_TEST(points_on_a_ridge)
 }
 END_TEST
 
+/* Scan lines 0.8 mm apart, points 0.2 mm apart along them: through few lines a surface goes that
+ * has nothing to do with the part.  No place stands far above it, and the ridge is found. */
+START_TEST(on_scan_lines)
+{
+    static double (*const of[])(double, double) = {roof, frustum, frustum};
+    double (*height)(double, double) = of[_i], above = 0;
+    struct vec3s scan = {0};
+    struct point_grid grid;
+    struct error error;
+
+    turn = 0.35;
+    top = _i == 2 ? 6 : 0;
+    steep = _i == 2 ? 3 : 1;
+    for (int line = -15; line <= 15; line++)
+        for (int k = -80; k <= 80; k++) {
+            double x = 0.2 * k + 0.03 * line, y = 0.8 * line + 0.1 * x;
+            *array_push(&scan) = vec(x, y, height(x, y));
+        }
+    ck_assert_int_eq(point_grid_make(scan.item, scan.n, 0.8, 2, &grid, &error), 0);
+    struct guard_points_options options = {
+        .radius = RADIUS, .sink = TOLERANCE / 5, .vague = TOLERANCE, .effort = 1, .threads = 2};
+    struct guard_points points = guard_points_of_scan(&grid, &options);
+    ck_assert_uint_gt(points.point.n, 2 * scan.n);
+    for (size_t i = 0; i < points.point.n; i++) {
+        struct vec3 p = points.point.item[i];
+        above = fmax(above, (p.z - height(p.x, p.y)) / hypot(1, steep));
+    }
+    ck_assert_msg(above <= (_i == 0 ? TOLERANCE : 0.25), "%d: %.4f mm above", _i, above);
+    struct gouge_check *guard = gouge_new(points.point, 2);
+    for (double y = -9; _i == 0 && y <= 9; y += 0.07) {
+        struct vec3 p = vec(-y * sin(turn), y * cos(turn), 12);
+        ck_assert_double_le(gouge_depth(guard, vec_along(p, RADIUS, vec(0, 0, 1)), RADIUS), 1e-3);
+        ck_assert_double_ge(
+            gouge_depth(guard, vec_along(p, RADIUS - 1.5 * TOLERANCE, vec(0, 0, 1)), RADIUS), 0);
+    }
+    gouge_free(guard);
+    array_free(&points.certain);
+    array_free(&points.doubtful);
+    point_grid_free(&grid);
+    array_free(&scan);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("edge_points");
@@ -318,6 +361,7 @@ int main(void)
     tcase_add_loop_test(tests, rounded_edges, 0, 8);
     tcase_add_loop_test(tests, steep_flanks, 0, 4);
     tcase_add_loop_test(tests, points_on_a_ridge, 0, 3);
+    tcase_add_loop_test(tests, on_scan_lines, 0, 3);
     suite_add_tcase(suite, tests);
     tcase_set_timeout(tests, 60);
     srunner_run_all(runner, CK_ENV);

@@ -8,7 +8,7 @@
 #include "math/moment_fit.h"
 #include "noisy.h"
 
-enum { SIDE = 20, SIX = 6, TEN = 10 };
+enum { SIDE = 40, SIX = 6, TEN = 10 };
 
 static const double SPACING = 0.5;
 static struct vec3s cloud;
@@ -115,20 +115,22 @@ START_TEST(as_fits_to_the_same_points)
 }
 END_TEST
 
+/* At places that share few points; where noise alone speaks for a cubic it is taken rarely. */
 START_TEST(noise_is_no_cubic)
 {
+    struct point_grid grid = make_cloud(places[0], 0.05, 0.05, 0, 0.02);
     int quadrics = 0;
 
-    for (int k = 0; k < 40; k++) {
-        struct point_grid grid = make_cloud(vec(0.01 * k, 0, 0), 0.05, 0.05, 0, 0.02);
+    for (int k = 0; k < 25; k++) {
+        double x = 3.4 * (k % 5 - 2), y = 3.4 * (k / 5 - 2);
         struct moment_fit fit;
-        struct vec3 place = vec(0.07 * k - 1.4, 0.05 * k - 1, 0);
-        ck_assert_int_eq(moment_fit_ball(&grid, place, vec(0, 0, 1), 2, &fit), 0);
+        ck_assert_int_eq(
+            moment_fit_ball(&grid, on(places[0], x, y, 0.05, 0.05, 0), vec(0, 0, 1), 2, &fit), 0);
         quadrics += moment_fit_better(&fit) == &fit.quadric;
         ck_assert_double_eq_tol(fit.cubic_spread, 0.02, 0.008);
-        drop_cloud(&grid);
     }
-    ck_assert_int_gt(quadrics, 24);
+    drop_cloud(&grid);
+    ck_assert_int_ge(quadrics, 22);
 }
 END_TEST
 
@@ -137,9 +139,9 @@ START_TEST(none)
     struct point_grid grid = make_cloud(places[0], 0, 0, 0, 0);
     struct moment_fit fit;
 
-    ck_assert_int_eq(moment_fit_ball(&grid, places[0], vec(0, 0, 1), 1, &fit), -1); /* too few */
-    ck_assert_int_eq(moment_fit_ball(&grid, places[0], vec(0, 0, 1), 6, &fit), -1); /* too many */
-    ck_assert_int_eq(moment_fit_ball(&grid, vec(9, 0, 0), vec(0, 0, 1), 2, &fit), -1); /* beside */
+    ck_assert_int_eq(moment_fit_ball(&grid, places[0], vec(0, 0, 1), 1, &fit), -1);  /* too few */
+    ck_assert_int_eq(moment_fit_ball(&grid, places[0], vec(0, 0, 1), 11, &fit), -1); /* too many */
+    ck_assert_int_eq(moment_fit_ball(&grid, vec(13, 0, 0), vec(0, 0, 1), 2, &fit), -1); /* beside */
     drop_cloud(&grid);
     for (int i = 0; i < 60; i++) /* two lines */
         *array_push(&cloud) = vec(i % 2, 0.05 * i - 1.5, 0);
@@ -157,7 +159,7 @@ START_TEST(lean_tells_a_border)
 
     ck_assert_int_eq(moment_fit_ball(&grid, places[0], vec(0, 0, 1), 2, &fit), 0);
     ck_assert_double_lt(fit.lean, 0.15);
-    ck_assert_int_eq(moment_fit_ball(&grid, vec(-5, 0, 0), vec(0, 0, 1), 2, &fit), 0);
+    ck_assert_int_eq(moment_fit_ball(&grid, vec(-10, 0, 0), vec(0, 0, 1), 2, &fit), 0);
     ck_assert_double_eq_tol(fit.lean, 0.42, 0.1);
     drop_cloud(&grid);
 }

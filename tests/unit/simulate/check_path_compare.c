@@ -96,6 +96,42 @@ START_TEST(an_axis_that_the_path_has_within_the_tolerance_of_the_tip)
 }
 END_TEST
 
+/* A straight tip that goes as s^2 while the axis turns evenly with s: in as many lines as there are
+ * of `parts`, or as one polynomial. */
+static struct nc_motion uneven(int parts)
+{
+    struct nc_motion motion = {.kinematics = {.tool = {0, 0, 1}}};
+    struct vec3 p = {0, 0, 0}, q = {0, 0, 100};
+    for (int i = 1; i <= parts; i++) {
+        double s = (double)i / parts;
+        struct vec3 to = {s * s, 0, 0}, head = {s * s + 7 * s, 0, 100};
+        struct nc_piece piece = {.feed = 800,
+                                 .interpolation = AXIS_BY_HEAD,
+                                 .shape = parts > 1 ? SHAPE_LINE : SHAPE_POLYNOMIAL,
+                                 .p = {p, to},
+                                 .q = {q, head}};
+        *array_push(&motion.piece) = piece;
+        p = to;
+        q = head;
+    }
+    *array_push(&motion.polynomial) = (struct nc_motion_polynomial){
+        .p = {{0, 0, 0}, {1, 0, 0}}, .q = {{7, 0, 0}, {1, 0, 0}}, .turns = true};
+    return motion;
+}
+
+START_TEST(an_axis_that_turns_unevenly_with_the_tip)
+{
+    struct nc_motion path = uneven(2000), program = uneven(1);
+    struct path_compare_options narrow = options;
+    narrow.tolerance = 0.001;
+    narrow.axis = RADIANS(0.02);
+    struct path_compare found = path_compare_run(&program, &path, &narrow);
+    ck_assert_uint_eq(found.turned.count, 0);
+    nc_motion_free(&path);
+    nc_motion_free(&program);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("path_compare");
@@ -103,6 +139,7 @@ int main(void)
     tcase_add_test(tcase, the_same_is_the_same);
     tcase_add_test(tcase, what_is_off_is_told);
     tcase_add_test(tcase, an_axis_that_the_path_has_within_the_tolerance_of_the_tip);
+    tcase_add_test(tcase, an_axis_that_turns_unevenly_with_the_tip);
     suite_add_tcase(suite, tcase);
     SRunner *runner = srunner_create(suite);
     srunner_run_all(runner, CK_NORMAL);

@@ -1,0 +1,399 @@
+/* grown_knots - see grown_knots.h. */
+#include "grown_knots.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/array.h"
+#include "spline_bound.h"
+#include "spline_lsq.h"
+#include "splinefit/splinefit.h"
+
+enum {
+    POINTS_PER_SPAN = 32, /* to begin with */
+    ROUNDS = 32,          /* of divisions, at most */
+    PASSES = 40,          /* of knots taken out, at most */
+    PROOFS = 4,
+    PLACES = 3,  /* for a point, where the points alone do not do */
+    APART = 4,   /* knots between two that are taken out at once */
+    SETTLE = 3,  /* times that some of those are put back */
+    QUARTER = 4, /* parts that a span far off is divided into */
+};
+
+static const double FAR_OFF = 16;    /* tolerances: halves would not do (degree 3) */
+static const double GOAL = 0.98;     /* of the tolerance, at the points and between them */
+static const double CLOSER = 0.98;   /* of that, when the proof finds more */
+static const double HOPELESS = 4;    /* times the tolerance, by the proof */
+static const double SHORTEST = 1.05; /* of the least length, for a span before it is printed */
+
+struct inner_knot {
+    double u;
+    bool stays, out; /* it was missed when it was taken out; it is out now */
+};
+
+struct inner_knots {
+    size_t n, cap;
+    struct inner_knot *item;
+};
+
+struct growth {
+    const struct reference *whole;     /* what the curve is proven by */
+    const struct reference *reference; /* what it is fitted to: the same, or places on it */
+    const struct free_knots_options *options;
+    struct vec3 *head; /* of the points; NULL: the axis is fixed */
+    struct inner_knots inner;
+    struct bspline curve; /* through the points by least squares, with those that are not out */
+    double *worst;        /* by span of the curve: how far off, in parts of the tolerance */
+    double goal;          /* for it */
+};
+
+/* ---- a curve for given knots, and how far off it is */
+
+static void set_curve(struct growth *g)
+{
+    const struct reference *t = g->reference;
+    size_t degree = (size_t)g->options->degree, at = degree + 1, inner = 0;
+
+    for (size_t i = 0; i < g->inner.n; i++)
+        inner += !g->inner.item[i].out;
+    bspline_free(&g->curve);
+    g->curve = spline_new(t, g->options->degree, degree + 1 + inner);
+    for (size_t i = 0; i <= degree; i++) {
+        g->curve.knot[i] = 0;
+        g->curve.knot[g->curve.poles + i] = t->length[t->n - 1];
+    }
+    for (size_t i = 0; i < g->inner.n; i++)
+        if (!g->inner.item[i].out)
+            g->curve.knot[at++] = g->inner.item[i].u;
+}
+
+/* The places of both points and the axis at a parameter of the span. */
+static struct pose3 {
+    struct vec3 point, other, axis;
+} place_at(const struct growth *g, size_t span, double u)
+{
+    double value[BSPLINE_DEGREE_MAX + 1];
+    size_t degree = (size_t)g->curve.degree;
+    struct vec3 p = {0, 0, 0}, h = {0, 0, 0}, axis = g->whole->axis[0];
+
+    bspline_basis(g->curve.degree, g->curve.knot, span, u, value);
+    for (size_t i = 0; i <= degree; i++) {
+        p = vec_along(p, value[i], g->curve.pole[span - degree + i]);
+        if (g->head)
+            h = vec_along(h, value[i], g->curve.head[span - degree + i]);
+    }
+    if (g->head)
+        axis = vec_unit(vec_sub(h, p));
+    return (struct pose3){p, vec_along(p, g->reference->offset, axis), axis};
+}
+
+/* How far q is from the data beside interval k: from it, or from the one before. */
+static double off_polyline(const struct vec3 *data, size_t k, bool between, struct vec3 q)
+{
+    double off = vec_segment_distance(data[k], data[k + 1], q);
+
+    return k > 0 && !between ? fmin(off, vec_segment_distance(data[k - 1], data[k], q)) : off;
+}
+
+/* At point k, or in the middle between it and the next. */
+static double off_at(const struct growth *g, size_t span, size_t k, bool between)
+{
+    const struct reference *t = g->reference;
+    double s = between ? 0.5 : 0, u = t->length[k] + s * (t->length[k + 1] - t->length[k]);
+    struct pose3 at = place_at(g, span, u);
+    double off = off_polyline(t->point, k, between, at.point) / g->options->tolerance;
+
+    if (g->head) {
+        struct vec3 axis = vec_mix(t->axis[k], t->axis[k + 1], s);
+        off = fmax(off, off_polyline(t->other, k, between, at.other) / g->options->tolerance);
+        off = fmax(off, vec_distance(axis, at.axis) / g->options->angle);
+    }
+    return off;
+}
+
+/* Fits the curve and measures its spans; the largest figure, or infinite without a curve. */
+static double fit_curve(struct growth *g)
+{
+    const struct reference *t = g->reference;
+    size_t degree = (size_t)g->options->degree, span = degree;
+    double worst = 0;
+
+    set_curve(g);
+    if (!lsq_fit(&g->curve, t->length, t->point, g->head, t->n))
+        return INFINITY;
+    for (size_t i = 0; i < g->curve.poles; i++)
+        g->worst[i] = 0;
+    for (size_t k = 0; k + 1 < t->n; k++)
+        for (int between = 0; between < 2; between++) {
+            double u = between ? (t->length[k] + t->length[k + 1]) / 2 : t->length[k];
+            while (span + 1 < g->curve.poles && g->curve.knot[span + 1] <= u)
+                span++;
+            double off = off_at(g, span, k, between);
+            g->worst[span - degree] = fmax(g->worst[span - degree], off);
+            worst = fmax(worst, off);
+        }
+    return worst;
+}
+
+/* ---- more knots */
+
+static void add_knot(struct inner_knots *knots, double u)
+{
+    *array_push(knots) = (struct inner_knot){.u = u};
+}
+
+/* Parts for a span that holds so many points. */
+static size_t parts_of(const struct growth *g, double worst, double length, size_t points)
+{
+    size_t parts = worst <= g->goal ? 1 : worst > FAR_OFF ? QUARTER : 2;
+
+    parts = parts > points ? points : parts;
+    while (parts > 1 && length < (double)parts * SHORTEST * g->options->least)
+        parts--;
+    return parts > 1 ? parts : 1;
+}
+
+/* Divides the spans that are too far off; false if there is none that can be. */
+static bool divide_spans(struct growth *g)
+{
+    const struct reference *t = g->reference;
+    size_t degree = (size_t)g->options->degree, spans = g->curve.poles - degree, k = 0;
+    struct inner_knots more = {0};
+
+    for (size_t s = 0; s < spans; s++) {
+        double from = g->curve.knot[degree + s], to = g->curve.knot[degree + s + 1];
+        size_t first = k;
+        while (k < t->n && t->length[k] < to)
+            k++;
+        size_t parts = parts_of(g, g->worst[s], to - from, k - first);
+        for (size_t i = 1; i < parts; i++) {
+            size_t at = first + i * (k - first) / parts;
+            double u = at > first ? (t->length[at - 1] + t->length[at]) / 2 : from;
+            if (u > from)
+                add_knot(&more, u);
+        }
+        if (s + 1 < spans)
+            add_knot(&more, to);
+    }
+    bool done = more.n > g->inner.n;
+    array_free(&g->inner);
+    g->inner = more;
+    return done;
+}
+
+/* The spans beside those that are too far off are so, too. */
+static void spread_worst(struct growth *g)
+{
+    size_t spans = g->curve.poles - (size_t)g->options->degree;
+    double before = 0;
+
+    for (size_t s = 0; s < spans; s++) {
+        double here = g->worst[s], after = s + 1 < spans ? g->worst[s + 1] : 0;
+        g->worst[s] = fmax(here, fmax(before, after));
+        before = here;
+    }
+}
+
+/* Until the curve is near enough everywhere. */
+static bool grow(struct growth *g)
+{
+    size_t degree = (size_t)g->options->degree;
+
+    for (int i = 0; i < ROUNDS && g->inner.n + degree + 1 < g->whole->n; i++) {
+        double worst = fit_curve(g);
+        if (worst <= g->goal)
+            return true;
+        if (!isfinite(worst))
+            return false;
+        if (!divide_spans(g)) {
+            spread_worst(g);
+            if (!divide_spans(g))
+                return false;
+        }
+    }
+    return false;
+}
+
+/* ---- fewer knots */
+
+struct weight {
+    double missed;
+    size_t knot;
+};
+
+static int by_weight(const void *a, const void *b)
+{
+    const struct weight *v = a, *w = b;
+
+    if (v->missed != w->missed)
+        return v->missed < w->missed ? -1 : 1;
+    return v->knot < w->knot ? -1 : v->knot > w->knot;
+}
+
+/* Takes out knots that are missed least, none near to another; returns how many. */
+static size_t take_out(struct growth *g)
+{
+    size_t n = g->inner.n, first = (size_t)g->options->degree + 1, taken = 0;
+    struct weight *weight = mem_alloc(n + 1, sizeof *weight);
+
+    for (size_t i = 0; i < n; i++)
+        weight[i] = (struct weight){knots_init_missed(&g->curve, first + i), i};
+    qsort(weight, n, sizeof *weight, by_weight);
+    for (size_t w = 0; w < n; w++) {
+        size_t i = weight[w].knot, from = i > APART ? i - APART : 0;
+        bool apart = !g->inner.item[i].stays;
+        for (size_t k = from; k < n && k <= i + APART; k++)
+            apart = apart && !g->inner.item[k].out;
+        if (apart) {
+            g->inner.item[i].out = true;
+            taken++;
+        }
+    }
+    free(weight);
+    return taken;
+}
+
+/* Puts a knot back for good where the curve is too far off beside it; returns how many.  `all`:
+ * every one that is out. */
+static size_t put_back(struct growth *g, bool all)
+{
+    size_t degree = (size_t)g->options->degree, spans = g->curve.poles - degree, span = 0, n = 0;
+
+    for (size_t i = 0; i < g->inner.n; i++) {
+        struct inner_knot *knot = &g->inner.item[i];
+        while (span + 1 < spans && g->curve.knot[degree + span + 1] <= knot->u)
+            span++;
+        if (!knot->out)
+            continue;
+        double worst = g->worst[span];
+        for (size_t s = span > 1 ? span - 2 : 0; s < spans && s <= span + 2; s++)
+            worst = fmax(worst, g->worst[s]);
+        if (all || worst > g->goal) {
+            knot->out = false;
+            knot->stays = true;
+            n++;
+        }
+    }
+    return n;
+}
+
+static void forget_out(struct growth *g)
+{
+    size_t n = 0;
+
+    for (size_t i = 0; i < g->inner.n; i++)
+        if (!g->inner.item[i].out)
+            g->inner.item[n++] = g->inner.item[i];
+    g->inner.n = n;
+}
+
+/* As long as the curve can do without some of them. */
+static void thin_out(struct growth *g)
+{
+    for (int pass = 0; pass < PASSES && take_out(g) > 0; pass++) {
+        double worst = fit_curve(g);
+        for (int i = 0; i < SETTLE && worst > g->goal && put_back(g, false) > 0; i++)
+            worst = fit_curve(g);
+        if (worst > g->goal) {
+            put_back(g, true);
+            fit_curve(g);
+        }
+        forget_out(g);
+    }
+}
+
+/* ---- proven */
+
+/* The curve on its printed digits; how much of the tolerance it takes, infinite: it does not serve
+ * at all. */
+static double prove(const struct growth *g, struct free_knots_result *found)
+{
+    const struct free_knots_options *o = g->options;
+    double tolerance = o->tolerance;
+
+    found->curve = bspline_copy(&g->curve);
+    if (bspline_has_short_span(&found->curve, o->least) || !spline_bound_print(&found->curve))
+        return INFINITY;
+    spline_bound_measure(&found->curve, g->whole, SPLINE_RESOLUTION * tolerance,
+                         HOPELESS * tolerance, &found->proof);
+    const struct deviation *p = &found->proof;
+    return fmax(fmax(p->point, p->other) / tolerance, p->axis / o->angle);
+}
+
+/* Knots to begin with: those of the curve before, or evenly among the points. */
+static void begin(struct growth *g, const struct bspline *before)
+{
+    const struct reference *t = g->reference;
+    double length = t->length[t->n - 1], last = 0;
+
+    for (size_t j = before ? (size_t)before->degree + 1 : 0; before && j < before->poles; j++) {
+        double u = before->knot[j] * length / before->knot[before->poles];
+        if (u > last && u < length)
+            add_knot(&g->inner, u);
+        last = u;
+    }
+    for (size_t k = POINTS_PER_SPAN; !before && k + POINTS_PER_SPAN / 2 < t->n;
+         k += POINTS_PER_SPAN)
+        if ((t->length[k] + t->length[k - 1]) / 2 >= SHORTEST * g->options->least + last) {
+            last = (t->length[k] + t->length[k - 1]) / 2;
+            add_knot(&g->inner, last);
+        }
+}
+
+static struct growth growth_new(const struct reference *whole, const struct reference *places,
+                                const struct free_knots_options *options)
+{
+    size_t room = whole->n + places->n + (size_t)options->degree + 8;
+
+    return (struct growth){.whole = whole,
+                           .reference = places,
+                           .options = options,
+                           .head = places->turns ? spline_heads(places) : NULL,
+                           .worst = mem_alloc(room, sizeof(double)),
+                           .goal = GOAL};
+}
+
+static void growth_free(struct growth *g)
+{
+    free(g->head);
+    free(g->worst);
+    bspline_free(&g->curve);
+    array_free(&g->inner);
+}
+
+static struct free_knots_result fit_to_places(const struct reference *whole,
+                                              const struct reference *places,
+                                              const struct free_knots_options *options,
+                                              const struct bspline *before)
+{
+    struct free_knots_result found = {.cut = true};
+    struct growth g = growth_new(whole, places, options);
+
+    begin(&g, before);
+    for (int i = 0; i < PROOFS && grow(&g); i++) {
+        thin_out(&g);
+        double taken = prove(&g, &found);
+        if (taken <= 1)
+            break;
+        bspline_free(&found.curve);
+        if (!(taken < HOPELESS))
+            break;
+        g.goal *= CLOSER / taken;
+    }
+    growth_free(&g);
+    return found;
+}
+
+struct free_knots_result grown_knots_fit(const struct reference *reference,
+                                         const struct free_knots_options *options,
+                                         const struct bspline *before)
+{
+    struct free_knots_result found = fit_to_places(reference, reference, options, before);
+
+    if (found.curve.poles == 0) { /* more places than points: knots may be closer */
+        struct reference places = reference_sample(reference, PLACES * reference->n);
+        found = fit_to_places(reference, &places, options, NULL);
+        reference_free(&places);
+    }
+    return found;
+}

@@ -1,0 +1,54 @@
+#!/bin/sh
+# meshnorm-region.t - what of a mesh is cut: --box and --region, of a mesh of one part and of several;
+# the rest stays what the tool is kept clear of.
+. "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
+cd "$TMP" || exit 1
+
+# A dome of 20 x 20 mm with a post in the middle of one side
+awk 'BEGIN { for (i = -20; i <= 20; i++) for (k = -20; k <= 20; k++) {
+	x = i / 2; y = k / 2; z = -(x * x + y * y) / 80
+	if (x > 6 && x < 9 && y > -2 && y < 2) z += 4
+	printf "%.4f %.4f %.5f\n", x, y, z } }' >scan.xyz
+cloud2mesh -q scan.xyz >mesh.ply
+cloud2mesh -q --subdivide scan.xyz >parts.ply
+
+contacts() { # NAME ARGS...: contact points of the path NAME.cl, as `x y z i j k`
+	name=$1
+	shift
+	meshnorm -r 2 --avoid "$@" >"$name.cl" 2>"$name.err" && sed -n 's/^\$\$-> CONTCT\///p' "$name.cl" | tr , ' ' >"$name"
+}
+every() { # DESC NAME CONDITION: there are contacts, and all of them are so
+	ok "$1" awk "!($3) { bad++ } END { exit !(NR > 100 && bad == 0) }" "$2"
+}
+
+box='$1 > -5.001 && $1 < 4.001 && $2 > -6.001 && $2 < 3.001'
+contacts box --box=-5,-6,-50,4,3,50 mesh.ply
+every "--box: inside it" box "$box"
+ok "up to its sides" awk '$1 < -4.99 { a++ } $1 > 3.99 { b++ } $2 < -5.9 { c++ } $2 > 2.9 { d++ }
+	END { exit !(a > 5 && b > 5 && c > 5 && d > 5) }' box
+contacts box --box=-5,-6,-50,4,3,50 parts.ply
+every "also of a mesh of several parts" box "$box"
+
+# Two triangles, away from the border of the scan
+printf '# two\n0 0\n5 0\n5 3.75\n\n-8 -8\n-3 -8\n-3 -3\n' >two
+contacts region --region two mesh.ply
+every "--region: inside its polygons" region \
+	'($2 > -0.001 && $2 < 0.75 * $1 + 0.01 && $1 < 5.001) || ($1 < -2.999 && $2 > -8.001 && $2 < $1 + 0.01)'
+ok "in each of them" awk '$1 > 0 { a++ } $1 < 0 { b++ } END { exit !(a > 50 && b > 50) }' region
+
+# The post beside it guards: the ball and its flute stay clear of it
+printf '3 -1.5\n6 -1.5\n6 1.5\n3 1.5\n' >foot
+contacts foot --region foot mesh.ply
+biarcfit -q foot.cl >arcs.cl && ncpost -q --accept -c siemens arcs.cl >foot.mpf
+status 0 "what is outside of the region guards" ncverify -q -g scan.xyz -e 0.03 --partial --left 1000 foot.mpf
+has "and is accepted" '^verdict *accepted' out
+
+status 2 "rows of the mesh have no region" meshnorm -r 2 --rows mesh --region two mesh.ply
+has "which is said" 'found --region with the rows of the mesh' err
+status 2 "a box without inside" meshnorm -r 2 --box 0,0,0,0,1,1 mesh.ply
+status 1 "nothing in the box" meshnorm -r 2 --box 50,50,50,60,60,60 mesh.ply
+has "is said" 'nothing of the mesh is in the region' err
+status 1 "no polygon" meshnorm -r 2 --region mesh.ply mesh.ply
+status 0 "cloudmill takes it after --" cloudmill scan.xyz -r 2 -c siemens -o c.mpf -- --avoid --box=-5,-6,-50,4,3,50
+
+done_testing
