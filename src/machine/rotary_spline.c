@@ -76,7 +76,7 @@ static double *sample_angles(const struct kinematic_chain *chain, const struct m
             struct pose at = motion_at(motion, s + (next - s) * (double)i / (double)each);
             if (ik_choose(chain, at.a, q, true, -1, q, over) != 0)
                 return free(angle), NULL;
-            for (int k = 0; k < chain->n; k++)
+            for (int k = 0; k < ROTARY_MAX; k++)
                 angle[*n * ROTARY_MAX + (size_t)k] = q[k];
             ++*n;
         }

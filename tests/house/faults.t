@@ -1,7 +1,7 @@
 #!/bin/sh
 # faults.t - calls of the C library that fail, one after another, in every tool with every kind of
 # input: nothing half done, nothing silently other.  FAULTS calls of each kind are tried, evenly
-# spread (default 2; 0, which `make faults` sets: every one).
+# spread (default 2; 0, which `make faults` sets: every one); ONLY: of the jobs whose names match it.
 . "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
 cd "$TMP" || exit 1
 MOST=${FAULTS:-2}
@@ -29,6 +29,7 @@ printf '1 0 0 5\n0 1 0 0\n0 0 1 0\n0 0 0 1\n' >matrix.txt
 printf 'include = own-base.txt\nx.max = 900\ntools = tools.tbl\n' >own.txt
 cp "$SRC/machines/table-ac.txt" own-base.txt
 printf '1 120.5 BALL\n' >tools.tbl
+printf -- '-15 -10\n15 -10\n15 10\n-15 10\n' >region.txt
 printf 'base = fanuc\nnumber.step = 5\n' >own-control.txt
 cp "$SRC/tools/ball-8.txt" "$SRC/tools/hsk-a63-er20.txt" "$SRC/samples/saddle.nurbs" \
 	"$SRC/tests/data/box.step" .
@@ -44,11 +45,13 @@ rm remarks
 faults() {
 	desc=$1 which=$2 files=$3
 	shift 3
+	echo "$desc" | grep -qE -e "${ONLY:-.}" || return 0
 	rm -rf before work
 	mkdir before
 	for file in $files; do cp "$file" before; done
 	for file in out other page.html; do echo older >before/$file; done
 	if ./fault_run "$TMP/fault_lib.so" "$which" "$MOST" "$@" >faults.out 2>err; then
+		[ -z "$ONLY" ] || grep ' calls, ' faults.out
 		result 0 "$desc: $(awk '/ calls, / { n += $2 } END { print n }' faults.out) calls that fail"
 	else
 		grep '^bad' faults.out >>err
@@ -97,6 +100,12 @@ faults "ncverify, a path, a map, a page" $kinds "cloud.xyz program.fanuc arcs.cl
 for file in cloud.xyz mesh.ply arcs.cl program.siemens; do
 	faults "ncplot, $file" $kinds "$file" ncplot -o out $file
 done
+faults "planecut, a region, a scan, surfaces" $kinds "mesh.ply cloud.xyz region.txt saddle.nurbs" \
+	planecut -j 1 -r 4 -s 6 --region region.txt --surface saddle.nurbs -g cloud.xyz -o out mesh.ply
+faults "cloud2surf" $kinds "cloud.xyz matrix.txt" \
+	cloud2surf -j 1 -e 0.05 --matrix matrix.txt -o out cloud.xyz
+faults "cloud2surf, a net, IGES" malloc,calloc,realloc,read,end,bytes,write,full,some "cloud.xyz" \
+	cloud2surf -j 1 --bezier -t 8 --iges -o out cloud.xyz
 for file in saddle.nurbs box.step; do
 	faults "nurbs2mesh, $file" $kinds "$file" nurbs2mesh -j 1 -n 6 -o out $file
 done
