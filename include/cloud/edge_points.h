@@ -15,6 +15,8 @@
  *   3. Where the ball would sink in between points of a flank, points are put on it, up to its
  *      edges, where points or edges of the flank are on all sides; for no surface of all nearest
  *      points goes through there.
+ *   4. The tip of a cone is put where its straight lines, continued, meet (cone_tip.h), and places
+ *      round it as far as all neighbours know.
  * No edge is put where points near to it lie off both flanks, and on no flank of their own: there
  * the scan knows a rounding.  Flanks are seen from above: their normals point up.
  */

@@ -7,6 +7,7 @@
 #include "base/array.h"
 #include "base/parallel.h"
 #include "cloud/scan_lines.h"
+#include "cone_tip.h"
 #include "math/cubic.h"
 #include "math/plane_fit.h"
 #include "math/side_fit.h"
@@ -35,8 +36,9 @@ static const double UPRIGHT = 0.02;
 
 /* The surface of a point's own side. */
 struct flank {
-    bool rough, valid; /* the neighbourhood is no one quadric; it has a flank */
-    bool confirmed;    /* by those of its neighbours */
+    bool bent, rough; /* the neighbourhood is no one quadric; nor a cubic */
+    bool valid;       /* it has a flank */
+    bool confirmed;   /* by those of its neighbours */
     double spacing, rms;
     struct quadric q; /* if valid, or of the neighbourhood */
 };
@@ -122,15 +124,23 @@ static double within(const struct edge_work *work, double spacing)
 
 /* ---- flanks */
 
-static bool is_smooth(const struct edge_work *work, const struct hood *near, double spacing,
-                      struct quadric *q)
+/* How far points may be off their surface on average. */
+static double even(const struct edge_work *work, double spacing)
 {
-    double least = fmax(1.4 * work->options->noise, EVEN * spacing);
+    return fmax(1.4 * work->options->noise, EVEN * spacing);
+}
+
+static bool is_smooth(const struct edge_work *work, const struct hood *near, double spacing,
+                      struct quadric *q, bool *bent)
+{
+    double least = even(work, spacing);
     struct quadric cubic;
 
+    *bent = true;
     if (quadric_fit_free(near->point, SMOOTH, near->point[0], q) != 0)
         return false;
-    if (quadric_spread(q, near->point, SMOOTH, 6) <= least)
+    *bent = quadric_spread(q, near->point, SMOOTH, 6) > least;
+    if (!*bent)
         return true;
     if (cubic_fit(near->point, NULL, SMOOTH, near->point[0], quadric_normal(q), &cubic) != 0 ||
         quadric_spread(&cubic, near->point, SMOOTH, 10) > least)
@@ -263,7 +273,7 @@ static void find_flanks(void *context, size_t from, size_t to)
         if (near.n < NEAR)
             continue;
         flank->spacing = near.spacing;
-        flank->rough = !is_smooth(work, &near, flank->spacing, &flank->q);
+        flank->rough = !is_smooth(work, &near, flank->spacing, &flank->q, &flank->bent);
         if (flank->rough)
             find_flank(work, &near, flank);
         else
@@ -513,15 +523,69 @@ static void add_edge(const struct edge_work *work, const struct hood *near, size
         add_place(work, near, pair, spacing, vec_along(at, 0.75 * spacing * s / steps, way), to);
 }
 
+/* ---- tips of cones */
+
+/* No point about stands higher, seen along the normal of the neighbourhood. */
+static bool is_top(const struct hood *near)
+{
+    struct vec3 up = plane_normal(near->point, near->n);
+
+    if (up.z < 0)
+        up = vec_scale(-1, up);
+    for (size_t k = 1; k < ABOUT; k++)
+        if (vec_dot(up, vec_sub(near->point[k], near->point[0])) > 0)
+            return false;
+    return true;
+}
+
+/* The cone about its tip; with noise a cubic may do as well. */
+static bool find_cone(const struct edge_work *work, const struct hood *near,
+                      const struct flank *flank, struct cone_tip *tip)
+{
+    const double better = 0.75;
+    double least = within(work, near->spacing) + SIGMAS * EVEN * near->spacing;
+    struct quadric cubic;
+
+    if (cone_tip_fit(near->point, near->n, even(work, near->spacing), tip) != 0 ||
+        tip->worst > least)
+        return false;
+    return flank->rough || (cubic_fit(near->point, NULL, near->n, near->point[0],
+                                      quadric_normal(&flank->q), &cubic) == 0 &&
+                            tip->rms < better * quadric_spread(&cubic, near->point, near->n, 10));
+}
+
+/* The tip of a cone about a point of it, and places round it as far as all neighbours know. */
+static void add_cone(const struct edge_work *work, const struct hood *near,
+                     const struct flank *flank, struct vec3s *edge, struct vec3s *between)
+{
+    const double dense = 0.65;
+    double pitch = dense * work->options->along;
+    struct cone_tip tip;
+
+    if (!find_cone(work, near, flank, &tip))
+        return;
+    *array_push(edge) = cone_tip_at(&tip, 0, 0);
+    double down = pitch / hypot(1, tip.c[1]);
+    for (int ring = 1; ring * down < tip.reach; ring++) {
+        double r = ring * down, parts = ceil(2 * PI * r / pitch);
+        for (double k = 0; k < parts; k++)
+            *array_push(between) = cone_tip_at(&tip, r, 2 * PI * k / parts);
+    }
+}
+
 static void find_edges(void *context, size_t from, size_t to)
 {
     const struct edge_work *work = context;
     struct hood near;
 
     for (size_t i = from; i < to; i++) {
-        if (!work->flank[i].valid)
+        if (!work->flank[i].bent)
             continue;
         find_hood(work, i, &near);
+        if (is_top(&near))
+            add_cone(work, &near, &work->flank[i], &work->found[i], &work->between[i]);
+        if (!work->flank[i].valid)
+            continue;
         for (size_t k = 1; k < MEETING; k++)
             if (near.index[k] > i && is_edge_between(work, i, near.index[k]))
                 add_edge(work, &near, i, near.index[k], &work->found[i]);

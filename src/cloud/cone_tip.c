@@ -1,0 +1,181 @@
+/* cone_tip - see cone_tip.h. */
+#include "cone_tip.h"
+
+#include "math/band.h"
+
+/* Of the spacing: the search begins on a raster so far apart, and with these steps; it ends below
+ * the last. */
+static const double APART = 0.3, FIRST = 0.15, LAST = 1e-4;
+
+/* And so far from the highest point a tip may be: from afar a cone is as smooth as anything. */
+static const double FAR = 1.2, ROUND = 0.7;
+
+/* After some halvings a fit so many times too bad is none. */
+enum { RASTER = 3, EARLY = 3, HOPELESS = 8, HALVINGS = 14 };
+
+static const double POINTED = 0.36; /* slopes of two lines opposite each other together */
+
+static void terms_at(double u, double v, double x[CONE_TERMS])
+{
+    double r2 = u * u + v * v, r = sqrt(r2), c = r > 0 ? u / r : 1, s = r > 0 ? v / r : 0;
+    double c2 = c * c - s * s, s2 = 2 * c * s;
+
+    x[0] = 1;
+    x[1] = -r;
+    x[2] = -u;
+    x[3] = -v;
+    x[4] = -r * c2;
+    x[5] = -r * s2;
+    x[6] = -r * (c2 * c - s2 * s);
+    x[7] = -r * (s2 * c + c2 * s);
+    x[8] = -r2;
+}
+
+static double height_at(const struct cone_tip *tip, double u, double v)
+{
+    double x[CONE_TERMS], sum = 0;
+
+    terms_at(u, v, x);
+    for (int i = 0; i < CONE_TERMS; i++)
+        sum += tip->c[i] * x[i];
+    return sum;
+}
+
+/* The cone with its tip over tip->u, v; false: the points determine none. */
+static bool fit_there(const struct vec3 *local, size_t n, struct cone_tip *tip)
+{
+    struct band a = band_new(CONE_TERMS, CONE_TERMS - 1);
+    double x[CONE_TERMS], sum2 = 0;
+
+    for (int i = 0; i < CONE_TERMS; i++)
+        tip->c[i] = 0;
+    for (size_t k = 0; k < n; k++) {
+        terms_at(local[k].x - tip->u, local[k].y - tip->v, x);
+        for (int i = 0; i < CONE_TERMS; i++) {
+            tip->c[i] += x[i] * local[k].z;
+            for (int j = 0; j <= i; j++)
+                *band_at(&a, (size_t)i, (size_t)j) += x[i] * x[j];
+        }
+    }
+    bool solved = band_factor(&a);
+    if (solved)
+        band_solve(&a, tip->c, 1);
+    band_free(&a);
+    tip->worst = 0;
+    for (size_t k = 0; solved && k < n; k++) {
+        double off = local[k].z - height_at(tip, local[k].x - tip->u, local[k].y - tip->v);
+        off /= hypot(1, tip->c[1]); /* across the lines */
+        tip->worst = fmax(tip->worst, fabs(off));
+        sum2 += off * off;
+    }
+    tip->rms = solved ? sqrt(sum2 / (double)(n - CONE_TERMS - 2)) : HUGE_VAL;
+    return solved;
+}
+
+/* The best place of a raster about the origin. */
+static void search_coarsely(const struct vec3 *local, size_t n, double spacing,
+                            struct cone_tip *tip)
+{
+    struct cone_tip other = *tip;
+
+    tip->rms = HUGE_VAL;
+    for (int i = -RASTER; i <= RASTER; i++)
+        for (int j = -RASTER; j <= RASTER; j++) {
+            other.u = APART * spacing * i;
+            other.v = APART * spacing * j;
+            if (fit_there(local, n, &other) && other.rms < tip->rms)
+                *tip = other;
+        }
+}
+
+/* Moves the tip to where the fit is best, by steps that are halved. */
+static bool search(const struct vec3 *local, size_t n, double spacing, double rms,
+                   struct cone_tip *tip)
+{
+    static const int way[8][2] = {{1, 0}, {0, 1},  {-1, 0},  {0, -1},
+                                  {1, 1}, {-1, 1}, {-1, -1}, {1, -1}};
+    double step = FIRST * spacing;
+
+    search_coarsely(local, n, spacing, tip);
+    for (int halving = 0; halving < HALVINGS && step > LAST * spacing; halving++, step /= 2) {
+        for (int turn = 0, still = 0; turn < 4 && !still; turn++) {
+            struct cone_tip best = *tip;
+            for (int k = 0; k < 8; k++) {
+                struct cone_tip other = *tip;
+                other.u += step * way[k][0];
+                other.v += step * way[k][1];
+                if (hypot(other.u, other.v) < FAR * spacing && fit_there(local, n, &other) &&
+                    other.rms < best.rms)
+                    best = other;
+            }
+            still = best.rms >= tip->rms;
+            *tip = best;
+        }
+        if (halving >= EARLY && tip->rms > HOPELESS * rms)
+            return false;
+    }
+    return tip->rms <= rms;
+}
+
+/* How far the points go round the tip: the nearest point of the emptiest sector of the farthest. */
+static double find_reach(const struct vec3 *local, size_t n, const struct cone_tip *tip)
+{
+    enum { SECTORS = 6 };
+    double farthest[SECTORS] = {0}, reach = HUGE_VAL;
+
+    for (size_t k = 0; k < n; k++) {
+        double u = local[k].x - tip->u, v = local[k].y - tip->v;
+        int sector = (int)((atan2(v, u) + PI) / (2 * PI) * SECTORS) % SECTORS;
+        farthest[sector] = fmax(farthest[sector], hypot(u, v));
+    }
+    for (int s = 0; s < SECTORS; s++)
+        reach = fmin(reach, farthest[s]);
+    return reach;
+}
+
+static double slope_at(const struct cone_tip *tip, double t)
+{
+    double x[CONE_TERMS], sum = 0;
+
+    terms_at(cos(t), sin(t), x);
+    for (int i = 1; i + 1 < CONE_TERMS; i++)
+        sum -= tip->c[i] * x[i];
+    return sum;
+}
+
+static bool is_pointed(const struct cone_tip *tip)
+{
+    enum { WAYS = 12 };
+
+    for (int k = 0; k < WAYS; k++)
+        if (slope_at(tip, PI * k / WAYS) + slope_at(tip, PI * k / WAYS + PI) < POINTED)
+            return false;
+    return true;
+}
+
+int cone_tip_fit(const struct vec3 *point, size_t n, double rms, struct cone_tip *tip)
+{
+    struct vec3 local[CONE_POINTS], up = plane_normal(point, n);
+    double far = vec_distance(point[n - 1], point[0]), spacing = far * sqrt(PI / (double)n);
+
+    *tip = (struct cone_tip){.frame = {.origin = point[0], .w = up.z < 0 ? vec_scale(-1, up) : up}};
+    tip->frame.u = vec_perpendicular(tip->frame.w);
+    tip->frame.v = vec_cross(tip->frame.w, tip->frame.u);
+    if (n < 2 * CONE_TERMS + 2 || n > CONE_POINTS)
+        return -1;
+    for (size_t k = 0; k < n; k++)
+        local[k] = quadric_local(&tip->frame, point[k]);
+    if (!search(local, n, spacing, rms, tip) || !is_pointed(tip))
+        return -1;
+    tip->reach = find_reach(local, n, tip);
+    return tip->reach > ROUND * spacing ? 0 : -1;
+}
+
+struct vec3 cone_tip_at(const struct cone_tip *tip, double r, double t)
+{
+    const struct quadric *q = &tip->frame;
+    double u = r * cos(t), v = r * sin(t);
+    struct vec3 p = vec_along(q->origin, tip->u + u, q->u);
+
+    return vec_along(vec_along(p, tip->v + v, q->v), height_at(tip, u, v), q->w);
+}

@@ -1,0 +1,144 @@
+/* cone_tip: tips of cones, upright, leaning, elliptic, with flanks that bend, found again where no
+ * point is near; none on spheres, roofs, pyramids, or where all points are on one side. */
+#include <check.h>
+#include <stdlib.h>
+
+#include "../../../src/cloud/cone_tip.h"
+#include "noisy.h"
+
+enum { N = 40 };
+
+static struct vec3 point[N];
+
+static int compare(const void *pa, const void *pb)
+{
+    const struct vec3 *a = pa, *b = pb;
+    double da = vec_distance(*a, point[0]), db = vec_distance(*b, point[0]);
+    return (da > db) - (da < db);
+}
+
+/* Points over a disc of radius 1.4 about the origin, the highest first, the others by distance. */
+static void make(double (*height)(double x, double y), double sigma)
+{
+    size_t top = 0;
+
+    for (int i = 0; i < N;) {
+        double x = 2.8 * noisy_uniform() - 1.4, y = 2.8 * noisy_uniform() - 1.4;
+        if (hypot(x, y) < 1.4)
+            point[i++] = vec(x, y, height(x, y) + sigma * noisy_normal());
+    }
+    for (size_t i = 1; i < N; i++)
+        if (point[i].z > point[top].z)
+            top = i;
+    struct vec3 first = point[top];
+    point[top] = point[0];
+    point[0] = first;
+    qsort(point + 1, N - 1, sizeof *point, compare);
+}
+
+static double upright(double x, double y)
+{
+    return 5 - 1.2 * hypot(x - 0.1, y + 0.07);
+}
+
+static double elliptic(double x, double y)
+{
+    return 5 - 0.7 * hypot(1.2 * (x - 0.1), y + 0.07) + 0.2 * x;
+}
+
+static double ogive(double x, double y)
+{
+    double r = hypot(x - 0.1, y + 0.07);
+    return 5 - 1.1 * r - 0.15 * r * r;
+}
+
+static double sphere(double x, double y)
+{
+    return sqrt(4 - x * x - y * y);
+}
+
+static double ridge(double x, double y)
+{
+    return 5 - fabs(0.9 * x + 0.2 * y);
+}
+
+static double four_sides(double x, double y)
+{
+    return 5 - 1.2 * fmax(fabs(x - 0.1), fabs(y + 0.07));
+}
+
+static double (*const cone[])(double, double) = {upright, elliptic, ogive};
+static double (*const other[])(double, double) = {sphere, ridge, four_sides};
+
+START_TEST(found)
+{
+    struct cone_tip tip;
+
+    noisy_seed(5 + (unsigned)_i);
+    make(cone[_i % 3], 0);
+    ck_assert_int_eq(cone_tip_fit(point, N, 0.005, &tip), 0);
+    struct vec3 at = cone_tip_at(&tip, 0, 0);
+    double height = cone[_i % 3](0.1, -0.07);
+    ck_assert_double_le(vec_distance(at, vec(0.1, -0.07, height)),
+                        _i % 3 == 2 ? 0.05 : 0.01); /* bent: the axis of the fit leans */
+    ck_assert_double_ge(tip.reach, 0.45);
+    for (double t = 0; t < 6; t += 0.5) {
+        struct vec3 p = cone_tip_at(&tip, 0.6 * tip.reach, t);
+        ck_assert_double_eq_tol(p.z, cone[_i % 3](p.x, p.y), 0.015);
+    }
+}
+END_TEST
+
+START_TEST(found_in_noise)
+{
+    struct cone_tip tip;
+
+    noisy_seed(16 + (unsigned)_i);
+    make(cone[_i % 3], 0.01);
+    ck_assert_int_eq(cone_tip_fit(point, N, 0.02, &tip), 0);
+    ck_assert_double_le(vec_distance(cone_tip_at(&tip, 0, 0), vec(0.1, -0.07, 5)), 0.07);
+    ck_assert_double_ge(tip.rms, 0.004);
+}
+END_TEST
+
+START_TEST(none)
+{
+    struct cone_tip tip;
+
+    noisy_seed(25 + (unsigned)_i);
+    make(other[_i % 3], 0);
+    ck_assert_int_eq(cone_tip_fit(point, N, 0.008, &tip), -1);
+}
+END_TEST
+
+START_TEST(none_to_one_side)
+{
+    struct cone_tip tip;
+
+    noisy_seed(35);
+    make(upright, 0);
+    for (int i = 0; i < N; i++)
+        if (point[i].x < 0.1) {
+            point[i].x = 0.2 - point[i].x;
+            point[i].z = upright(point[i].x, point[i].y);
+        }
+    ck_assert_int_eq(cone_tip_fit(point, N, 0.005, &tip), -1);
+    ck_assert_int_eq(cone_tip_fit(point, 12, 0.005, &tip), -1); /* too few */
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("cone_tip");
+    TCase *tests = tcase_create("cone_tip");
+    SRunner *runner = srunner_create(suite);
+    tcase_add_loop_test(tests, found, 0, 9);
+    tcase_add_loop_test(tests, found_in_noise, 0, 6);
+    tcase_add_loop_test(tests, none, 0, 9);
+    tcase_add_test(tests, none_to_one_side);
+    suite_add_tcase(suite, tests);
+    srunner_run_all(runner, CK_ENV);
+    int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed > 0;
+}
