@@ -80,6 +80,7 @@ static void fit_run(const void *settings, const struct fit_request *request, str
         .fitted = &run->fitted,
         .report = run->result};
     run->gouge = gouge_refit_fit(gouge, points, fit_and_check, &f);
+    run->swept = gouge->guard != NULL;
     arcrun_memo_free(&f.memo);
     gouge_track_free(&f.track);
 }

@@ -68,6 +68,15 @@ static void add_pieces(const struct path *in, const struct spline_run *pieces,
     }
 }
 
+/* Some points stay as they came. */
+static bool any_still(const struct spline_run *pieces)
+{
+    for (size_t k = 0; k < pieces->n; k++)
+        if (pieces->item[k].still)
+            return true;
+    return false;
+}
+
 static void fit_run(const void *settings, const struct fit_request *request, struct run *points,
                     struct fitted_run *run)
 {
@@ -77,6 +86,7 @@ static void fit_run(const void *settings, const struct fit_request *request, str
     options.fit.angle *= request->axis_share;
     options.fit.work = request->work;
     run->gouge = spline_run_fit_guarded(points, &options, request->gouge, &result->pieces);
+    run->swept = request->gouge->guard && !any_still(&result->pieces);
     add_pieces(request->in, &result->pieces, run);
 }
 

@@ -22,6 +22,8 @@ struct spline_run_piece {
     size_t from, to; /* its first and last point in the run */
     bool still;      /* all its points are in one place: there is no curve */
     struct splinefit fit;
+    struct gouges gouges;  /* where it goes too deep, as long as ... */
+    bool swept;            /* ... it is the curve that was held against the guard */
     double smooth;         /* part of the tolerance that went into making the data dense, mm */
     struct poses fallback; /* straight pieces within SPLINE_FALLBACK of the curve, without its
                               start */

@@ -31,6 +31,7 @@
  *   SPLINE_DENSE       E    dense points off the smooth path; taken from E before the fit
  *   SPLINE_RESOLUTION  what is left   of a proof by least squares: what its bound may hide
  *   SPLINE_RESOLUTION_FREE   what is left   the same with free knots
+ *   SPLINE_RESOLUTION_GROWN  what is left   the same with knots that have grown
  *   SPLINE_MARGIN      what is left   kept by free knots for what the proof may find above it
  *   SPLINE_FALLBACK    E    straight pieces off the curve, for controls without splines; they do
  *                           not add to the curve's own distance in the ledger
@@ -46,6 +47,7 @@
 #define SPLINE_DENSE 0.1
 #define SPLINE_RESOLUTION 0.005
 #define SPLINE_RESOLUTION_FREE 0.002
+#define SPLINE_RESOLUTION_GROWN 0.01
 #define SPLINE_MARGIN 0.001
 #define SPLINE_FALLBACK 0.99
 #define SPLINE_CORNER 10.0
@@ -92,7 +94,8 @@ enum splinefit_kind {
     SPLINEFIT_FITTED,   /* by least squares, with `params` and `knots` */
     SPLINEFIT_STRAIGHT, /* degree 1 with two poles */
     SPLINEFIT_POLYLINE, /* degree 1 with a pole at each point: nothing else served */
-    SPLINEFIT_FREE,     /* with free knots (free_knots_search, or grown_knots_fit) */
+    SPLINEFIT_FREE,     /* with free knots (free_knots_search) */
+    SPLINEFIT_GROWN,    /* with knots where the data asks for them (grown_knots_fit) */
     SPLINEFIT_THROUGH   /* through all points (splinefit_through) */
 };
 

@@ -66,6 +66,7 @@ struct fitted_run {
     size_t number;      /* of the run, for the driver */
     struct path fitted; /* the items that take the place of [from + 1, to) */
     struct gouge_refit_result gouge;
+    bool swept;   /* all its motions were held against the guard, for `gouge` */
     void *result; /* the fitter's own, all zero before the fit */
 };
 

@@ -30,7 +30,9 @@ struct path_check {
                                         it may be */
     bool coarse; /* cuts are not looked at: straight lines between their points are not what will be
                     driven, but a curve that a fitter puts there */
-    int threads; /* as of parallel_for */
+    const bool *clear; /* by item of the path: whoever made it has found its motion clear, and it is
+                          not swept again; NULL: none */
+    int threads;       /* as of parallel_for */
 
     /* What was found. */
     struct path_check_deep deep[3]; /* by enum path_motion */

@@ -21,7 +21,7 @@ enum {
 };
 
 static const double FAR_OFF = 16;    /* tolerances: halves would not do (degree 3) */
-static const double GOAL = 0.98;     /* of the tolerance, at the points and between them */
+static const double GOAL = 0.975;    /* of the tolerance, at the points and between them */
 static const double CLOSER = 0.98;   /* of that, when the proof finds more */
 static const double HOPELESS = 4;    /* times the tolerance, by the proof */
 static const double SHORTEST = 1.05; /* of the least length, for a span before it is printed */
@@ -314,7 +314,7 @@ static double prove(const struct growth *g, struct free_knots_result *found)
     found->curve = bspline_copy(&g->curve);
     if (bspline_has_short_span(&found->curve, o->least) || !spline_bound_print(&found->curve))
         return INFINITY;
-    spline_bound_measure(&found->curve, g->whole, SPLINE_RESOLUTION * tolerance,
+    spline_bound_measure(&found->curve, g->whole, SPLINE_RESOLUTION_GROWN * tolerance,
                          HOPELESS * tolerance, &found->proof);
     const struct deviation *p = &found->proof;
     return fmax(fmax(p->point, p->other) / tolerance, p->axis / o->angle);

@@ -16,6 +16,7 @@ static void piece_free(struct spline_run_piece *piece)
 {
     splinefit_free(&piece->fit);
     array_free(&piece->fallback);
+    array_free(&piece->gouges);
 }
 
 void spline_run_free(struct spline_run *pieces)
@@ -220,15 +221,19 @@ struct guarded_fit {
     struct gouge_track *track;
 };
 
+/* Of a piece that is as it was when it was swept, they are known. */
 static void find_gouges(const struct guarded_fit *f, const struct run *run,
-                        const struct spline_run_piece *piece, struct gouges *gouges)
+                        struct spline_run_piece *piece, struct gouges *gouges)
 {
     const struct run_point *from = &run->item[piece->from];
     struct pose pose = {f->options->centre ? from->ball : from->tip, from->axis};
     struct motion motion = motion_spline(pose, pose, &piece->fit.curve);
 
-    if (!piece->still)
-        gouge_refit_motion(f->gouge, &motion, f->track, gouges);
+    if (!piece->still && !piece->swept)
+        gouge_refit_motion(f->gouge, &motion, f->track, &piece->gouges);
+    piece->swept = true;
+    for (size_t i = 0; i < piece->gouges.n; i++)
+        *array_push(gouges) = piece->gouges.item[i];
 }
 
 static void fit_and_check(void *context, const struct run *run, struct gouges *gouges)
@@ -262,7 +267,7 @@ static bool insert_lines(const struct guarded_fit *f, const struct run *run)
     bool done = false;
 
     for (size_t k = f->pieces->n; k-- > 0;) { /* a piece that is split grows upwards */
-        const struct spline_run_piece *piece = &f->pieces->item[k];
+        struct spline_run_piece *piece = &f->pieces->item[k];
         gouges.n = 0;
         find_gouges(f, run, piece, &gouges);
         struct gouge deepest = gouge_refit_beyond(f->gouge, &gouges);

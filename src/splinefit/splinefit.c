@@ -248,7 +248,7 @@ static void fit_grown_knots(const struct search *s, const struct bspline *before
     struct free_knots_options options = {o->degree, o->tolerance, o->angle, 0, o->work, o->least};
     bool alike = before && before->degree == o->degree && before->poles < s->reference->n;
 
-    *fit = (struct splinefit){.kind = SPLINEFIT_FREE, .within = true};
+    *fit = (struct splinefit){.kind = SPLINEFIT_GROWN, .within = true};
     if (!take_found(grown_knots_fit(s->reference, &options, alike ? before : NULL), fit))
         set_polyline(s, fit);
     fit->cut = true;
@@ -284,7 +284,7 @@ static void set_paper_error(struct search *s, struct splinefit *fit)
         memcpy(s->scaled, fit->curve.knot + 1, t->n * sizeof *s->scaled);
     else if (fit->kind == SPLINEFIT_FREE)
         spline_bound_feet(&fit->curve, t, s->options->tolerance * SPLINE_RESOLUTION, s->scaled);
-    else if (fit->kind == SPLINEFIT_STRAIGHT)
+    else if (fit->kind == SPLINEFIT_STRAIGHT || fit->kind == SPLINEFIT_GROWN)
         scale_params(s, s->u[PARAMS_CHORD], &fit->curve);
     else
         scale_params(s, s->u[fit->params], &fit->curve);

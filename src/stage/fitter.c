@@ -39,6 +39,11 @@ struct range {
     size_t from, to;
 };
 
+struct ranges {
+    size_t n, cap;
+    struct range *item;
+};
+
 static struct fitted_runs find_runs(const struct path *in)
 {
     struct fitted_runs runs = {0};
@@ -257,9 +262,11 @@ static void add_as_they_are(const struct fitter *fitter, struct path *out, const
     }
 }
 
-/* The range with the fitted items in the place of the runs; all else goes over as it is. */
+/* The range with the fitted items in the place of the runs; all else goes over as it is.  *clear:
+ * the items whose motions were found clear. */
 static struct path assemble(const struct fitter *fitter, const struct path *in,
-                            const struct fitted_runs *runs, struct range range)
+                            const struct fitted_runs *runs, struct range range,
+                            struct ranges *clear)
 {
     struct path out = {.name = in->name};
     size_t done = range.from;
@@ -270,7 +277,10 @@ static struct path assemble(const struct fitter *fitter, const struct path *in,
     for (size_t i = 0; i < runs->n; i++) {
         const struct fitted_run *run = &runs->item[i];
         add_as_they_are(fitter, &out, in, (struct range){done, run->from + 1}, &spent);
+        size_t first = out.item.n;
         path_add_items(&out, &run->fitted, 0, run->fitted.item.n);
+        if (run->swept && run->gouge.deepest.depth == 0)
+            *array_push(clear) = (struct range){first, out.item.n};
         spent = fmax(spent, fitter->spent(run->result) + run->gouge.lift);
         done = run->to;
     }
@@ -330,6 +340,24 @@ static struct range range_of(struct path_part part, const struct path *in)
     return range;
 }
 
+/* Holds what will be written against the guard, as far as the fits have not. */
+static void check_path(struct path_check *check, const struct path *in, struct range range,
+                       const struct path *out, const struct ranges *clear)
+{
+    bool *is_clear = mem_alloc(out->item.n + 1, sizeof *is_clear);
+
+    for (size_t i = 0; i < out->item.n; i++)
+        is_clear[i] = false;
+    for (size_t k = 0; k < clear->n; k++)
+        for (size_t i = clear->item[k].from; i < clear->item[k].to; i++)
+            is_clear[i] = true;
+    path_check_follow(check, in, 0, range.from);
+    check->clear = is_clear;
+    path_check_items(check, out, 0, out->item.n);
+    check->clear = NULL;
+    free(is_clear);
+}
+
 int fitter_run(const struct fitter *fitter, const struct cli *cli, struct error *error)
 {
     const struct fitter_options *options = fitter->options;
@@ -348,12 +376,13 @@ int fitter_run(const struct fitter *fitter, const struct cli *cli, struct error 
     for (size_t i = 0; i < runs.n; i++)
         lift = fmax(lift, runs.item[i].gouge.lift);
 
-    struct path out = assemble(fitter, &in, &runs, range);
+    struct ranges clear = {0};
+    struct path out = assemble(fitter, &in, &runs, range, &clear);
     struct unmets unmet = {0};
     fitter->report(fitter->settings, &in, &runs, &unmet);
     struct path_check check = {.tool = gouge, .threads = cli->threads};
-    path_check_follow(&check, &in, 0, range.from);
-    path_check_items(&check, &out, 0, out.item.n);
+    check_path(&check, &in, range, &out, &clear);
+    array_free(&clear);
     if (lift > 0)
         note("points lifted by at most %.4f mm where motions went too deep between them", lift);
     path_check_conclude(&check, &unmet);

@@ -72,9 +72,12 @@ static enum path_motion kind_of(const struct path_check *check, const struct pat
     return !check->contacts || (item->touches && check->touched) ? MOTION_CUT : MOTION_LINK;
 }
 
-static void follow_item(struct path_check *check, const struct path *path,
-                        const struct path_item *item, struct checked_motions *motions)
+static void follow_item(struct path_check *check, const struct path *path, size_t i,
+                        struct checked_motions *motions)
 {
+    const struct path_item *item = &path->item.item[i];
+    bool clear = check->clear && check->clear[i];
+
     if (item->kind == PATH_PASS)
         check->pass = item->index;
     if (item->kind == PATH_FEED)
@@ -86,7 +89,7 @@ static void follow_item(struct path_check *check, const struct path *path,
     if (!path_is_rapid(item))
         look_at_feed(check);
     enum path_motion kind = kind_of(check, item);
-    if (check->begun && check->tool.guard && !(kind == MOTION_CUT && check->coarse))
+    if (check->begun && check->tool.guard && !clear && !(kind == MOTION_CUT && check->coarse))
         *array_push(motions) = (struct checked_motion){
             .motion = path_item_motion(path, item, check->at), .kind = kind, .pass = check->pass};
     check->at = item->to;
@@ -101,7 +104,7 @@ void path_check_items(struct path_check *check, const struct path *path, size_t 
 
     check->contacts = check->contacts || path->contact.n > 0;
     for (size_t i = from; i < to; i++)
-        follow_item(check, path, &path->item.item[i], &motions);
+        follow_item(check, path, i, &motions);
     parallel_for(check->threads, motions.n, sweep_motions, &sweep);
     keep_worst(check, &motions);
     array_free(&motions);

@@ -18,6 +18,8 @@ static const char *combination(const struct splinefit *fit)
         return names[fit->params][fit->knots];
     if (fit->kind == SPLINEFIT_FREE)
         return "free";
+    if (fit->kind == SPLINEFIT_GROWN)
+        return "grown";
     if (fit->kind == SPLINEFIT_THROUGH)
         return "through all";
     return fit->kind == SPLINEFIT_STRAIGHT ? "straight" : "polyline";
