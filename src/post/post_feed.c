@@ -175,6 +175,15 @@ struct span_speeds {
     struct span_speed *item;
 };
 
+/* Looks at a span as close as post_feed_minutes takes them: what it misses cannot be divided. */
+static int looks_at_span(const struct motion *motion)
+{
+    size_t spans = 0, poles = motion->curve ? motion->curve->poles : 0;
+    for (double s = 0; s < 1; s = motion_next_knot(motion, s))
+        spans++;
+    return SPAN_PIECES * (int)((poles + spans) / spans);
+}
+
 /* A curve in spans of which none is shorter than a block may be, but at its end: parts of those
  * between its knots, for beside the singular direction the axes are slow over a small part of one.
  */
@@ -187,10 +196,11 @@ static struct span_speeds span_speeds(const struct nc_planner *planner, const st
     struct span_speeds spans = {0};
     struct span_speed span = {.rate = wished};
     struct sample a = sample_at(planner, at, &along, 0, at->q);
+    const int looks = looks_at_span(motion);
     for (double s = 0; s < 1;) {
         double from = s, to = motion_next_knot(motion, s);
-        for (int i = 1; i <= SPAN_PIECES; i++) {
-            s = i < SPAN_PIECES ? from + (to - from) * i / SPAN_PIECES : to;
+        for (int i = 1; i <= looks; i++) {
+            s = i < looks ? from + (to - from) * i / looks : to;
             struct sample b = sample_at(planner, at, &along, s, a.q);
             double length = vec_distance(a.tip, b.tip);
             span.s = s;

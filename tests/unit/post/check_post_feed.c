@@ -93,7 +93,7 @@ static struct bspline leaning(double lean)
     return b;
 }
 
-/* Parted beside what is slow, at an eighth of a span, and there alone. */
+/* Parted beside what is slow, at a part of a span, and there alone. */
 START_TEST(slow_part_of_a_curve)
 {
     struct machine m = machine_default();
@@ -115,7 +115,7 @@ START_TEST(slow_part_of_a_curve)
         ck_assert_int_eq(
             ik_choose(&m.chain, from.a, (double[]){0, 0}, false, -1, planner.state.at.q, &over), 0);
         double s = post_feed_divide(&planner, &motion);
-        ck_assert_double_eq_tol(96 * s, round(96 * s), 1e-9);
+        ck_assert_double_eq_tol(192 * s, round(192 * s), 1e-9);
         if (i > 0)
             ck_assert_double_eq(s, 1);
         else
