@@ -120,6 +120,32 @@ START_TEST(surfaces)
 }
 END_TEST
 
+/* What lies over a slanted square without a triangle in it has their area, seen along z. */
+START_TEST(polygons_seen_from_above)
+{
+    const struct vec3 corner[] = {{6, 1, 0},  {1, 6, 0},   {-5, 0, 0}, {0, -5, 0},
+                                  {-1, 0, 0}, {2.5, 1, 0}, {0.5, 3, 0}};
+    struct mesh m = half_ball();
+    struct mesh_polygons p = {0};
+    double seen = 0;
+    for (int i = 0; i < 7; i++)
+        *array_push(&p.corner) = corner[i];
+    *array_push(&p.from) = 0;
+    *array_push(&p.from) = 4;
+    mesh_clip_polygons(&m, &p);
+    mesh_clip_unused(&m);
+    holds(&m);
+    for (size_t f = 0; f < m.face.n; f++)
+        seen += mesh_face_cross(&m, f).z / 2;
+    /* |(-5, 5)| |(-6, -6)|, and half of (3.5, 1) x (1.5, 3); a border that
+     * another side crosses gets a corner as round as the ball: 0.5^2 / 8 R off, for 0.5 mm */
+    ck_assert_double_eq_tol(seen, 60 - (3.5 * 3 - 1.5) / 2, 0.5 * 0.5 * 0.5 / 8 / R);
+    array_free(&p.corner);
+    array_free(&p.from);
+    mesh_free(&m);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("mesh_clip");
@@ -129,6 +155,8 @@ int main(void)
     tcase_add_test(tests, halves);
     tcase_add_test(tests, steep);
     tcase_add_test(tests, surfaces);
+    tcase_add_test(tests, polygons_seen_from_above);
+
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);
     int failed = srunner_ntests_failed(runner);
