@@ -43,6 +43,23 @@ else
 	result 1 "mandoc is installed (make deps)"
 fi
 
+# Short paragraphs: at most some nine lines of 78 columns.
+long_paragraphs() { # PAGE...
+	awk 'function flush() { if (n > 600) print FILENAME ": " n " characters: " substr(text, 1, 60); n = 0; text = "" }
+	FNR == 1 { flush(); literal = references = 0 }
+	/^\.Sh / { references = $2 == "SEE" }
+	/^\.Bd -literal/ { flush(); literal = 1 }
+	/^\.Ed/ { literal = 0 }
+	/^\.(Pp|Sh|Ss|Bl|El|Bd|It)/ { flush(); next }
+	!literal && !references && !/^\.\\"/ { n += length($0) + 1; text = text $0 " " }
+	END { flush() }' "$@"
+}
+long_paragraphs "$pages"/*.[157] >"$TMP/found"
+empty "no paragraph is longer than some nine lines" "$TMP/found"
+{ echo .Pp; yes "A line of text that is far from short, and another." | head -n 13; } >"$TMP/long.7"
+long_paragraphs "$TMP/long.7" >"$TMP/found"
+ok "one that is would be found" test -s "$TMP/found"
+
 # Each page says which page it is, and refers to pages of ours that there are.
 for page in "$pages"/*.[157]; do
 	file=$(basename "$page")
