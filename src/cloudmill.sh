@@ -108,16 +108,26 @@ doctor() {
 	spacing=$(sed -n 's/^comment spacing //p' "$folder/mesh.ply")
 	awk -v spacing="$spacing" -v scan="$scan" -v unit="${unit:+ -u $unit}" '
 	$1 == "size" { for (i = 2; i <= 4; i++) longest = $i > longest ? $i : longest }
-	$1 == "ball" { share[++n] = $3; ball[n] = $2; if ($3 == 100) whole = $2; if ($3 >= 99) most = $2 }
+	$1 == "ball" {
+		share[++n] = $3; ball[n] = $2
+		if ($3 == 100) whole = $2
+		if ($3 >= 99) most = $2
+		if ($3 >= 85) main = n
+		if (!least && $2 >= spacing) least = n
+	}
 	END {
 		if (longest < 1) print "unit      the part is " longest " mm long: metres? Try -u m (or inch)"
 		else if (longest > 3000) print "unit      the part is " longest " mm long: micrometres? Try -u um"
 		for (i = 1; i <= n; i++) list = list sprintf("%s R %g: %g %%", i > 1 ? "," : "", ball[i], share[i])
 		print "balls     share of the surface whose hollows a ball fits:" list
-		r = most ? most : 1
+		# Hollows narrower than the mesh are not known, and a ball for the last of them takes all day:
+		# then the one for most of the surface, and what it leaves is for a smaller one.
+		k = !most && main > least ? main : least ? least : n
+		r = most >= spacing ? most : ball[k]
 		if (whole) print "          the largest usual ball that fits everywhere: R " whole
 		else print "          none of these fits everywhere; the others leave material there (--avoid)"
 		print "suggested cloudmill " scan unit " -r " r " -c CONTROL -o part.nc" (whole >= r ? "" : " -- --avoid")
+		if (r != most) print "          R " r " fits " share[k] " % of the surface; what it leaves is for a smaller ball"
 	}' "$folder/found"
 	exit $code
 }

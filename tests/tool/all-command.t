@@ -41,6 +41,12 @@ status 0 "doctor" cloudmill doctor trough.xyz
 has "the size and the unit that was taken" '20 x 20 x 4 mm, their unit taken as mm' out
 has "which balls fit" 'R 3: 100 %, R 4: .* R 6: ' out
 has "what to begin with" '^suggested cloudmill trough.xyz -r [34] ' out
+# Hollows everywhere: grooves of radius 2.5 in a slope, a fifth of the surface; none but small balls fit them.
+awk 'BEGIN { for (x = -25; x <= 25; x += 0.5) for (y = 0; y <= 40; y += 0.5) {
+	d = x - 12.5 * int(x / 12.5 + (x < 0 ? -0.5 : 0.5)); r = 6.25 - d * d
+	printf "%.3f %.3f %.4f\n", x, y, 0.1 * x - (r > 0 ? sqrt(r) : 0) } }' >grooves.xyz
+status 0 "doctor, of grooves" cloudmill doctor grooves.xyz
+has "no tiny ball is suggested for them" '^suggested cloudmill grooves.xyz -r ([2-9]|[1-9][0-9]) ' out
 awk '{ print $1 / 1000, $2 / 1000, $3 / 1000 }' "$scan" >metres.xyz
 status 0 "a scan in metres" cloudmill doctor metres.xyz
 has "is suspected" 'Try -u m' out
