@@ -133,8 +133,7 @@ static void read_options(struct settings *s, struct cli *cli, int argc, char **a
          "length of the shaft of the ball's diameter above the ball's centre,\n"
          "checked in all moves (default: four radii)",
          CLI_NUMBER, &s->flute, 0, 1e4, 0, &s->flute_given},
-        {0, "shank", "MM", "the same by its former name", CLI_NUMBER, &s->flute, 0, 1e4, 0,
-         &s->flute_given},
+        {0, "shank", "MM", NULL, CLI_ALIAS, "flute", 0, 0, 0, NULL},
         {0, "holder", "SPEC",
          "shank and holder from the ball's centre upward, as cylinders R:L and\n"
          "cones R0:R1:L joined by +, besides the shaft",

@@ -462,7 +462,7 @@ verdicts() {
 		echo "verdict-holder.$end.txt ncverify -q -r 2 -g wave.xyz --holder 2:5+8:30 wave-splines.$end"
 	done
 	cat <<-'END'
-		verdict-e.txt ncverify -q -r 8 -g panel.xyz -e 0.001 --left 0.01 --band 1 --shank 20 panel-arcs.mpf
+		verdict-e.txt ncverify -q -r 8 -g panel.xyz -e 0.001 --left 0.01 --band 1 --flute 20 panel-arcs.mpf
 		verdict-c.txt ncverify -q -c fanuc -r 8 -g panel.xyz panel-arcs.nc
 		verdict-mesh.txt ncverify -q -r 8 -g panel-4.ply panel-arcs.mpf
 		verdict-s1.txt ncverify -q -r 4 -g s1.igs s1-splines.mpf

@@ -179,6 +179,12 @@ status 0 "by their old names" planecut -r 4 -s 3 --oneway --angle 90 mesh.ply
 has "a note of one" '--oneway is now --one-way' err
 has "a note of the other" '--angle is now --direction' err
 same "the same bytes" out want
+ncplot -q --joints path.cl >want
+for old in points ends; do
+	status 0 "ncplot --$old" ncplot --$old path.cl
+	has "is told" "--$old is now --joints" err
+	same "the same picture" out want
+done
 cloud2surf -q --outliers keep --bending 0.001 cloud.xyz >want
 status 0 "an old name without a value of one that has it" cloud2surf --keep-outliers --smooth 0.001 cloud.xyz
 has "a note with the value" '--keep-outliers is now --outliers=keep' err

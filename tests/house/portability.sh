@@ -85,7 +85,8 @@ jobs() {
 
 failed=0
 first=
-for name in ${*:-$platforms}; do
+[ $# -gt 0 ] || eval "set -- $platforms"
+for name; do
 	platform "$name"
 	why=$(build "$name")
 	case $? in
