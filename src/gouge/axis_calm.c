@@ -20,6 +20,8 @@ static const double SPARE = RADIANS(0.6);  /* of play, for rounding off where it
 static const double TIGHTER = 0.4;         /* of the way: that a bad station keeps, each time */
 static const double SLACKENS = RADIANS(1); /* each mm from one */
 static const double LOOSE = RADIANS(12);   /* as far as that */
+static const double POLE_FLAT = 6;         /* mm: so near the pole the turn stays */
+static const double POLE_WIDE = 20;        /* mm: so far it is led to that */
 static const double POLE = 1e-9; /* radians: an axis that leans less is at the pole, and stays */
 
 /* A point of the chain. */
@@ -177,6 +179,44 @@ static void average_angles(struct chain *c, double half, bool held)
             move_towards(c, &at[i], mean[i]);
     free(sum);
     free(mean);
+}
+
+/* ---- through the pole */
+
+/* How much of its own turn an axis keeps at this distance from the pole: none beside it. */
+static double own_turn(double away)
+{
+    double s = fmin(fmax((away - POLE_FLAT) / (POLE_WIDE - POLE_FLAT), 0), 1);
+
+    return s * s * (3 - 2 * s);
+}
+
+/* The stations to one side of a station at the pole come to its turn. */
+static void meet_turn(struct chain *c, size_t pole, double turn, bool after)
+{
+    for (size_t k = 1; after ? pole + k < c->n : k <= pole; k++) {
+        struct station *s = &c->at[after ? pole + k : pole - k];
+        double away = fabs(s->along - c->at[pole].along);
+        struct rotary_angles to = {s->angles.lean, turn + own_turn(away) * (s->angles.turn - turn)};
+        if (away >= POLE_WIDE || fabs(s->was.lean) <= POLE)
+            return;
+        move_towards(c, s, to);
+    }
+}
+
+/* The pole is passed at one turn, which is that on both sides of it: else an axis would have to turn
+ * there while the tool hardly moves. */
+static void fix_poles(struct chain *c)
+{
+    for (size_t i = 1; i + 1 < c->n; i++) {
+        const struct station *s = &c->at[i];
+        double turn = (s[-1].angles.turn + s[1].angles.turn) / 2;
+        if (fabs(s->was.lean) > POLE || fabs(s[1].angles.turn - s[-1].angles.turn) > RADIANS(60))
+            continue;
+        meet_turn(c, i, turn, false);
+        meet_turn(c, i, turn, true);
+        c->at[i].angles.turn = turn;
+    }
 }
 
 /* ---- kept clear */
@@ -341,6 +381,8 @@ void axis_calm_chain(const struct axis_calm_options *options, const struct axis_
     for (double half = NARROW; half >= NARROWEST; half /= 2)
         for (int sweep = 0; sweep < SWEEPS; sweep++)
             average_angles(&c, half, false);
+    fix_poles(&c);
+    average_angles(&c, NARROWEST, false);
     keep_clear(&c);
     for (size_t i = 0; i < c.n; i++)
         *c.at[i].point = point_of(&c, &c.at[i]);

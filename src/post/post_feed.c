@@ -6,9 +6,17 @@
 #include "base/array.h"
 #include "base/num.h"
 
-enum { PIECES = 12, PIECES_MOST = 240, SPAN_PIECES = 8, MORE_DIGITS = 3, DIGITS_MAX = 9 };
+enum {
+    PIECES = 12,
+    PIECES_LEAST = 6,
+    PIECES_MOST = 256,
+    SPAN_PIECES = 8,
+    MORE_DIGITS = 3,
+    DIGITS_MAX = 9
+};
 
 static const double NOTHING = 1e-6;  /* mm and degrees */
+static const double KEPT = 0.98;     /* of an axis' largest speed: for who looks at other places */
 static const double SHORTEST = 0.02; /* mm: of a block that is made to be slow alone */
 
 static inline double larger(double a, double b)
@@ -126,11 +134,12 @@ static bool axes_keep_up(const struct nc_planner *planner, const struct block_po
 }
 
 /* In how many pieces a block with vectors is looked at: beside the singular direction a peak is
- * narrow, but one narrower than SHORTEST is none to a control. */
+ * narrow, but one narrower than SHORTEST is none to a control that slows down by itself. */
 static int pieces_of_vector(const struct nc_planner *planner, double length)
 {
     double n = ceil(length * planner->options.unit / SHORTEST);
-    return (int)fmin(fmax(n, 2), PIECES_MOST);
+    double least = planner->machine->slows ? 2 : PIECES_LEAST;
+    return (int)fmin(fmax(n, least), PIECES_MOST);
 }
 
 double post_feed_minutes(const struct nc_planner *planner, const struct machine_pose *to,
@@ -159,7 +168,7 @@ double post_feed_minutes(const struct nc_planner *planner, const struct machine_
         double share = length > 0 ? vec_distance(a.tip, b.tip) / length
                                   : degrees(a.q, b.q) / degrees(from->q, to->at.q);
         if (share > 0 && share < HUGE_VAL)
-            minutes = larger(minutes, piece_minutes(m, &a, &b) / share);
+            minutes = larger(minutes, piece_minutes(m, &a, &b) / (KEPT * share));
         a = b;
     }
     return minutes;
