@@ -36,7 +36,8 @@ struct surface_fit_options {
     const struct point_grid *point_grid; /* the scan */
     double sigma;                        /* its noise, one standard deviation, mm (noise.h) */
     size_t neighbours;                   /* to begin with */
-    bool along;                          /* look along ribs and grooves, which takes its time */
+    bool along; /* look along ribs and grooves, and again where no surface holds the points at all:
+                   which takes its time */
 };
 
 struct surface_fit {

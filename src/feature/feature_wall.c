@@ -294,16 +294,31 @@ static bool find_wall(const struct feature_cloud *cloud, const struct level leve
     return off < far * cloud->spacing;
 }
 
-/* The step is what it was taken for: much higher than the levels are rough, and no slope that goes
- * on beyond it. */
-static bool is_step(const struct feature *f, const struct level level[2], struct vec3 a,
-                    struct vec3 b, const struct feature_cloud *cloud)
+/* How far about the ends of an edge a level is looked at. */
+static double reach_of(const struct feature_cloud *cloud, struct vec3 a, struct vec3 b)
+{
+    return 1.2 * hypot(b.x - a.x, b.y - a.y) + 2.5 * cloud->spacing;
+}
+
+/* The levels at both ends, each no rougher than a surface is. */
+static bool find_levels(const struct feature_cloud *cloud, struct vec3 a, struct vec3 b,
+                        struct level level[2])
+{
+    double reach = reach_of(cloud, a, b);
+
+    return find_level(cloud, a, b, reach, &level[0]) && level[0].sheet.rms < allowed_rms(cloud) &&
+           find_level(cloud, b, a, reach, &level[1]) && level[1].sheet.rms < allowed_rms(cloud);
+}
+
+/* The step is what it was taken for: much higher than the noise, and no slope that goes on beyond
+ * it. */
+static bool is_step(const struct feature *f, struct vec3 a, struct vec3 b,
+                    const struct feature_cloud *cloud)
 {
     double step = fabs(f->place[0].z - f->place[1].z), rise = fabs(a.z - b.z);
 
     return (f->place[0].z > f->place[1].z) == (a.z > b.z) && step > 0.5 * rise &&
-           step > fmax(6 * cloud->noise, cloud->spacing) &&
-           level[0].sheet.rms < allowed_rms(cloud) && level[1].sheet.rms < allowed_rms(cloud);
+           step > fmax(6 * cloud->noise, cloud->spacing);
 }
 
 bool feature_steep(const struct feature_cloud *cloud, struct vec3 a, struct vec3 b)
@@ -320,17 +335,16 @@ struct feature feature_wall(const struct feature_cloud *cloud, struct vec3 a, st
 {
     struct feature f = {.kind = FEATURE_NONE};
     struct level level[2] = {{.point = {0}}, {.point = {0}}};
-    double reach = 1.2 * hypot(b.x - a.x, b.y - a.y) + 2.5 * cloud->spacing;
 
-    if (find_level(cloud, a, b, reach, &level[0]) && find_level(cloud, b, a, reach, &level[1]) &&
-        find_wall(cloud, level, a, b, &f) && is_step(&f, level, a, b, cloud)) {
+    if (find_levels(cloud, a, b, level) && find_wall(cloud, level, a, b, &f) &&
+        is_step(&f, a, b, cloud)) {
         struct vec3 down = a.z > b.z ? vec_sub(b, a) : vec_sub(a, b);
         down.z = 0;
         f.kind = FEATURE_WALL;
         f.wall = vec_dot(f.wall, down) < 0 ? vec_scale(-1, f.wall) : f.wall;
         f.wall.z = fmax(f.wall.z, 0); /* nothing is seen of an overhang from above */
         f.wall = vec_unit(f.wall);
-        f.known = reach;
+        f.known = reach_of(cloud, a, b);
         f.along = vec_unit(vec_cross(UP, f.wall));
         for (int s = 0; s < 2; s++) {
             f.normal[s] = side_fit_normal(&level[s].sheet, f.place[s]);

@@ -422,7 +422,7 @@ bool surface_fit_at(const struct surface_fit_options *rule, struct vec3 place, s
         return true;
     if (!fit_at(rule, place, guess, hood, fit))
         return false;
-    if (!surface_fit_holds(fit, rule->sigma))
+    if (!surface_fit_holds(fit, rule->sigma) && (rule->along || fit->spread < torn * rule->sigma))
         try_other_frames(rule, place, guess, hood, fit);
     if (rule->along && fit->spread > rough * rule->sigma && fit->spread < torn * rule->sigma &&
         fit->n <= FEW)
