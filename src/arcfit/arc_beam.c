@@ -133,7 +133,9 @@ enum {
     SHORTER = 6, /* ends tried, each a sixteenth of the reach shorter than the one before */
     ACROSS = 5,  /* curvatures tried in the plane of the bend, */
     ASIDE = 3,   /* and out of it */
-    TURNED = 3,  /* directions tried at the start, to each side */
+    TURNED = 3,  /* directions tried at the start, to each side, */
+    ALL_STARTS = (2 * TURNED + 1) * (2 * TURNED + 1),
+    STARTS = 16, /* of these, in a hurry */
     AXIS_DIGITS = 9
 };
 
@@ -142,7 +144,10 @@ static const struct beam_effort {
     size_t still, turning; /* chains kept where the axis stands still, and where it turns: there
                                each proof takes longer */
     double window, reach;  /* further away, the next point looked at */
-} EFFORT[] = {{24, 8, 1.0 / 40, 1.0 / 40}, {24, 8, 1.0 / 10, 1.0 / 6}, {4, 4, 1.0 / 10, 1.0 / 6}};
+    size_t starts;         /* directions of the first arc */
+} EFFORT[] = {{24, 8, 1.0 / 40, 1.0 / 40, ALL_STARTS},
+              {24, 8, 1.0 / 10, 1.0 / 6, ALL_STARTS},
+              {4, 4, 1.0 / 10, 1.0 / 6, STARTS}};
 
 static const double TURN_MAX = 2.6;  /* of one arc, radians */
 static const double STRAIGHT = 1e-9; /* mm: an end this near to the line ahead is on it */
@@ -360,7 +365,8 @@ static void step_by_biarc(struct beam *b, size_t from)
     array_free(&m);
 }
 
-/* Chains start at the first point, in directions around the reference's own. */
+/* Chains start at the first point, in directions around the reference's own: in those that look
+ * furthest ahead. */
 static void add_starts(struct beam *b)
 {
     const struct reference *t = b->reference;
@@ -371,9 +377,18 @@ static void add_starts(struct beam *b)
     for (int x = -TURNED; x <= TURNED; x++) {
         for (int y = -TURNED; y <= TURNED; y++) {
             struct vec3 turned = vec_unit(vec_along(vec_along(ahead, x * turn, u), y * turn, v));
-            *array_push(&b->done) = (struct node){.end = {0, t->point[0], turned, t->axis[0]}};
+            struct proposal start = {.p = t->point[0], .t = turned, .order = b->next.n};
+            if (b->effort->starts < ALL_STARTS)
+                start.reach = reach_from(b, 0, start.p, turned);
+            *array_push(&b->next) = start;
         }
     }
+    if (b->effort->starts < ALL_STARTS)
+        qsort(b->next.item, b->next.n, sizeof *b->next.item, by_reach);
+    for (size_t i = 0; i < b->effort->starts; i++)
+        *array_push(&b->done) =
+            (struct node){.end = {0, t->point[0], b->next.item[i].t, t->axis[0]}};
+    b->next.n = 0;
 }
 
 /* Pieces of the chain that ends in `node`, in order. */
