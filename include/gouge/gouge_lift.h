@@ -7,7 +7,9 @@
  * layer leaves on the part, and by the lift: the least that clears the guard points (gouge.h).  The
  * contacts of a coarse mesh may float above the scan that it was made from, by its sagitta: with
  * `sink` the ball is let down from there until it touches.  So where it fits it touches, and where
- * it does not it runs on the envelope of the balls that do.
+ * it does not it runs on the envelope of the balls that do.  That has a corner at each point that
+ * takes over from another; so centres are lifted a little more, no more than `smooth`, to where
+ * they run most smoothly.
  */
 #ifndef CLOUDMILL_GOUGE_LIFT_H
 #define CLOUDMILL_GOUGE_LIFT_H
@@ -26,6 +28,7 @@ struct gouge_lift_options {
     bool between; /* put points between those that are given */
     double tolerance; /* of straight lines against the curve and the part, mm */
     double step;      /* no points nearer than this are put between, mm */
+    double smooth;    /* centres may be lifted by so much more, mm, so that they run smoothly */
     double uncut;     /* what may stay uncut under a ball that was lifted, mm */
     struct tool_axis_options axis;
     struct tool_axis_feed feed;

@@ -17,6 +17,7 @@
 struct path_options {
     double radius; /* of the ball; each tool has -r in a table of its own */
     double tilt, lead, fixed[3], to_point[3], from_point[3], circle[7];
+    double smooth; /* so much higher a centre may be to run smoothly, mm; -1: by the tolerance */
     double left_share; /* percent of the points that may be left within reach */
     double scallop;    /* between the rows, mm; 0: nothing is promised of it */
     double tolerance, limit, depth, noise, play, rate, lean, turn; /* degrees, degrees/mm */

@@ -8,6 +8,8 @@
 
 #include <stdlib.h>
 
+#include "smooth_up.h"
+
 enum { HALVINGS = 20 }; /* of a jump of the lift, at most */
 
 static const struct vec3 UP = {0, 0, 1};
@@ -382,6 +384,76 @@ static void lift_smooth(const struct run *run, const struct gouge_lift_options *
     }
 }
 
+/* Points that follow each other with no jump and no other way between. */
+struct smooth_piece {
+    struct lifted_point *item;
+    size_t n;
+};
+
+/* Lifts them to where they run more smoothly; where the ball is not clear there, or not on the
+ * straight line from the point before, both stay. */
+static void smooth_piece(struct smooth_piece piece, const struct gouge_lift_options *rule,
+                         double radius)
+{
+    struct lifted_point *l = piece.item;
+    size_t n = piece.n;
+    struct vec3 *point = mem_alloc(n, sizeof *point), *up = mem_alloc(n, sizeof *up);
+    double *most = mem_alloc(n, sizeof *most), *rise = mem_alloc(n, sizeof *rise);
+    struct run_point *as_it_was = mem_alloc(n, sizeof *as_it_was);
+
+    for (size_t i = 0; i < n; i++) {
+        point[i] = l[i].p.ball;
+        up[i] = l[i].p.normal;
+        most[i] = rule->smooth;
+    }
+    smooth_up(point, up, most, n, rise);
+    for (size_t i = 0; i < n; i++) {
+        as_it_was[i] = l[i].p;
+        if (rise[i] == 0)
+            continue;
+        double lift = vec_dot(vec_sub(point[i], l[i].touching), up[i]) + rise[i];
+        place_lifted(&l[i].p, l[i].touching, lift, rule, radius);
+        if (!gouge_clear_along(rule->guard, l[i].p.ball, l[i].p.ball, rule->offset, 2e-6))
+            l[i].p = as_it_was[i];
+    }
+    /* From the end, so that what is put back is looked at again with the one before it. */
+    for (bool back = true; back;) {
+        back = false;
+        for (size_t i = n - 1; i > 0; i--) {
+            bool moved = vec_distance(l[i].p.ball, point[i]) > 0 ||
+                         vec_distance(l[i - 1].p.ball, point[i - 1]) > 0;
+            if (!moved || is_line_clear(&l[i - 1].p, &l[i].p, rule))
+                continue;
+            l[i].p = as_it_was[i];
+            l[i - 1].p = as_it_was[i - 1];
+            back = true;
+        }
+    }
+    free(as_it_was);
+    free(rise);
+    free(most);
+    free(up);
+    free(point);
+}
+
+static bool follows(const struct lifted_point *a, const struct lifted_point *b,
+                    const struct gouge_lift_options *rule)
+{
+    return !a->unreachable && !b->unreachable && !lift_jumps(a, b, rule) &&
+           is_line_clear(&a->p, &b->p, rule);
+}
+
+static void smooth_points(struct lifted_points *points, const struct gouge_lift_options *rule,
+                          double radius)
+{
+    for (size_t from = 0, to; from < points->n; from = to) {
+        for (to = from + 1;
+             to < points->n && follows(&points->item[to - 1], &points->item[to], rule);)
+            to++;
+        smooth_piece((struct smooth_piece){points->item + from, to - from}, rule, radius);
+    }
+}
+
 void gouge_lift_run(const struct run *run, const struct gouge_lift_options *rule,
                     struct lifted_strip *to)
 {
@@ -390,6 +462,8 @@ void gouge_lift_run(const struct run *run, const struct gouge_lift_options *rule
 
     if (rule->between)
         lift_smooth(run, rule, &points);
+    if (rule->between && rule->guard && rule->smooth > 0)
+        smooth_points(&points, rule, run->radius);
     for (size_t i = 0; !rule->between && i < run->n; i++)
         *array_push(&points) = lift_point(&run->item[i], &nothing, rule, run->radius);
     add_points(to, &points, rule);
