@@ -27,6 +27,8 @@ enum { TURN_STEPS = 4, CURVE_PARTS = 4 };
 #define ROUNDED 0.001   /* mm: what places and radii printed may be off */
 #define JUMP 5.0        /* degrees: less is no jump of the tool axis */
 #define STILL 0.5       /* degrees of rotary axes, or mm of a second point, that need no look */
+#define BESIDE 0.2      /* of the ball's radius: no rapid move stays so near to the part ... */
+#define ALONG 0.7       /* ... that leads up or down the tool by less of its length */
 #define ROLLS 1.5       /* times as fast as the ball rolls over an edge */
 #define THICKER 0.01    /* of the ball's radius: so much thicker than it, a tool is a holder */
 
@@ -487,6 +489,18 @@ static void judge_path(struct verdict *v)
                     "the path has coolant on, the program cuts without");
 }
 
+/* A rapid move that stays beside the part from end to end, across the tool. */
+static bool goes_beside(const struct verdict *v, const struct kdtree *part, size_t piece)
+{
+    const struct nc_motion *motion = v->program.motion;
+    const struct nc_piece *p = &motion->piece.item[piece];
+    struct nc_motion_pose a = nc_motion_at(motion, p, 0), b = nc_motion_at(motion, p, 1);
+    double near = fmax(v->map.touch, BESIDE * v->options.radius);
+    struct vec3 way = vec_sub(b.p, a.p);
+    return vec_length(way) > ROUNDED && fabs(vec_dot(way, a.a)) < ALONG * vec_length(way) &&
+           off_part(v, part, piece, 0) <= near && off_part(v, part, piece, 1) <= near;
+}
+
 /*
  * Rapid moves that reach the part or go along it: where the ball was not on it already and leaves
  * it.  The last move has to leave the part, too.
@@ -495,19 +509,23 @@ static void judge_touches(struct verdict *v)
 {
     const struct nc_motion *motion = v->program.motion;
     struct kdtree *part = kdtree_new(v->program.part->item, v->program.part->n);
-    size_t n = motion->piece.n, touches = 0, first = 0;
+    size_t n = motion->piece.n, touches = 0, first = 0, besides = 0, beside = 0;
     double on = v->map.touch;
     for (size_t i = 0; i < n; i++) {
         if (!motion->piece.item[i].rapid)
             continue;
         bool still = vec_distance(motion->piece.item[i].p[0], motion->piece.item[i].p[1]) == 0;
         bool begins = i > 0 && off_part(v, part, i, 0) <= on;
-        if (off_part(v, part, i, 1) > on || (still && begins))
-            continue;
-        first = touches++ == 0 ? i : first;
+        if (off_part(v, part, i, 1) <= on && !(still && begins))
+            first = touches++ == 0 ? i : first;
+        else if (i > 0 && goes_beside(v, part, i))
+            beside = besides++ == 0 ? i : beside;
     }
     if (touches > 0)
         add_finding(v, true, first, "a rapid move ends on the part (blocks: %zu)", touches);
+    if (besides > 0)
+        add_finding(v, true, beside, "a rapid move goes along beside the part (blocks: %zu)",
+                    besides);
     if (n > 0 && v->cut.n > 0 && off_part(v, part, n - 1, 1) <= on)
         add_finding(v, true, n - 1, "the program ends on the part: no retract follows");
     kdtree_free(part);

@@ -249,6 +249,8 @@ END {
 		if (gone[i])
 			continue
 		near = (i >= from - reach && i <= from + reach)
+		if (kind == "poly") # all of them have it
+			near = near || t ~ /PO\[/
 		if (control == "heidenhain") {
 			if (i in put) { print k " " put[i]; list = list "|" k++ }
 			sub(/^[0-9]+/, k, t)
