@@ -88,14 +88,14 @@ status 1 "no count in the mesh" meshnorm -r 2 bad.ply
 
 # Over points that noise has moved the centre rises a little to run smoothly, and no more.
 awk 'BEGIN { srand(4); for (i = 0; i < 4000; i++) { x = 20 * rand(); y = 20 * rand()
-	printf "%.4f %.4f %.4f\n", x, y, 2 * sin(x / 6) + 0.004 * rand() } }' >rough.xyz
+	printf "%.4f %.4f %.4f\n", x, y, 0.1 * x + 0.002 * rand() } }' >rough.xyz
 cloud2mesh -q -t 1.5 rough.xyz >rough.ply 2>/dev/null
 for smooth in 0 0.005; do
 	meshnorm -q -r 3 --noise 0 --fixed 0,0,1 --smooth $smooth --avoid -o rough.cl rough.ply 2>/dev/null
 	awk -F'[/,]' '/^RAPID/ { n = 0 }
 	/^GOTO/ {
 		if (n > 0) next_slope = ($4 - z) / (0.001 + sqrt(($2 - x) ^ 2 + ($3 - y) ^ 2))
-		if (n > 1 && (next_slope - slope) ^ 2 < 0.04) sum += (next_slope - slope) ^ 2
+		if (n > 1 && (next_slope - slope) ^ 2 < 0.01 && x > 3 && x < 17 && $2 > 3 && $2 < 17) sum += (next_slope - slope) ^ 2
 		slope = next_slope; x = $2; y = $3; z = $4; n++; count++
 	}
 	END { print sum / count }' rough.cl
