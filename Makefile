@@ -163,7 +163,7 @@ figures: all
 
 bench: all $(benches)
 	@BIN="$(abspath $(BUILD))/bin" FLOOR="$(abspath $(BUILD))/bench" POINTS="$(POINTS)" RUNS="$(RUNS)" \
-	  ONLY="$(ONLY)" SCANS="$(SCANS)" sh tests/bench/bench.sh
+	  ONLY="$(ONLY)" SCANS="$(SCANS)" GROWTH="$(GROWTH)" sh tests/bench/bench.sh
 
 accuracy: all $(readback) $(cloud)
 	@BIN="$(abspath $(BUILD))/bin" READBACK="$(abspath $(BUILD))/tests/readback/readback" \

@@ -349,6 +349,7 @@ struct source {
     struct mesh_origin origin;       /* as it is before a mesh is made */
     const struct feature_zone *zone; /* NULL: not known yet */
     struct vec3s judged;             /* what the last mesh was judged by */
+    bool elsewhere;                  /* what is farthest off is near to no crease or wall */
 };
 
 /* Noisy points moved onto the surface that they stand for, all or, of very many, those of a grid
@@ -563,6 +564,7 @@ static int mesh_by_zone(const struct cloudmesh_options *asked, struct source *s,
             feature_zone_make(grid_result.edge.item, grid_result.edge.n, options.spacing);
         s->zone = &zone;
         status = mesh_in_zone(asked, s, grid_result.walls > 0, threads, mesh, result, error);
+        s->elsewhere = !feature_zone_near(&zone, result->rows.at.x, result->rows.at.y);
         feature_zone_free(&zone);
         s->zone = NULL;
     }
@@ -570,7 +572,8 @@ static int mesh_by_zone(const struct cloudmesh_options *asked, struct source *s,
     return status;
 }
 
-/* A false edge may take the mesh out of the error; then the mesh without edges is the result. */
+/* A false edge may take the mesh out of the error; then the mesh without edges is the result.  Not
+ * where it is out of it elsewhere, for there that mesh is too. */
 static int mesh_without_edges(const struct cloudmesh_options *asked, struct source *s, int threads,
                               struct mesh *mesh, struct cloudmesh *result, struct error *error)
 {
@@ -623,7 +626,7 @@ static int mesh_within(const struct cloudmesh_options *options, struct vec3s *po
     bool edges = status == 0 && mesh->face.n > 0 && !options->smooth;
     if (edges && (result->creases > 0 || has_walls(options, &s, threads)))
         status = mesh_by_zone(options, &s, threads, mesh, result, error);
-    if (edges && status == 0 && result->creases + result->walls > 0 &&
+    if (edges && status == 0 && result->creases + result->walls > 0 && !s.elsewhere &&
         result->rows.worst > options->error)
         status = mesh_without_edges(options, &s, threads, mesh, result, error);
     if (noise > 0)

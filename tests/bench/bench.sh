@@ -7,6 +7,7 @@
 #
 #	make bench                          a million points
 #	make bench POINTS=10000000 RUNS=1   ten million, as the goals are set for
+#	make bench GROWTH="100000 1000000"  how large clouds grow (default: to ten million points)
 #	make bench ONLY=cloud2mesh          part of it: reading cloud2mesh fit post verify
 #	make bench SCANS="a.xyz b.xyz"      instead of the samples
 #
@@ -103,8 +104,7 @@ p = n.loadtxt(sys.argv[1]); x = n.arange(p[:, 0].min(), p[:, 0].max()); y = n.ar
 print(p[s.cKDTree(p[:, :2]).query(n.array(n.meshgrid(x, y)).reshape(2, -1).T)[1]].sum())' "$tmp/cloud.xyz"
 
 	head_row 'Growth: microseconds a point'
-	for n in 100000 $((points / 3)) "$points"; do
-		head -n "$n" "$tmp/cloud.xyz" >/dev/null # in memory, like the others
+	for n in ${GROWTH:-100000 1000000 10000000}; do
 		"$FLOOR/make_cloud" random "$n" >"$tmp/growing.xyz"
 		each "cloud2mesh -t 1 --normals facet, $n points" 'linear' "$n" "$BIN/cloud2mesh" -q -j 1 -t 1 --normals facet "$tmp/growing.xyz"
 		each "cloud2mesh -t 1, $n points" 'linear' "$n" "$BIN/cloud2mesh" -q -j 1 -t 1 "$tmp/growing.xyz"
