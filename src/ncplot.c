@@ -50,8 +50,8 @@ static struct settings read_settings(struct cli *cli, int argc, char **argv)
         {0, "width", "PX", "largest width of the picture (1000)", CLI_COUNT, &s.width, 300, 10000,
          0, NULL},
         {'m', "machine", "MACHINE",
-         "machine that a program is for (default: what its head names, or table-ac)", CLI_TEXT,
-         &s.machine, 0, 0, 0, NULL},
+         "machine of a program (default: what its head names, or table-ac)", CLI_TEXT, &s.machine,
+         0, 0, 0, NULL},
         UNIT_OPTION("units of clouds (default: mm)", &s.unit, NULL),
         {0},
     };

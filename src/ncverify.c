@@ -158,7 +158,7 @@ static void read_options(struct settings *s, struct cli *cli, int argc, char **a
         {0},
     };
     *cli = (struct cli){.tool = "ncverify",
-                        .usual = "guard path radius control machine tolerance scallop report",
+                        .usual = "guard radius control machine tolerance partial report",
                         .usage = "-g FILE [-r MM] [options] [PROGRAM]",
                         .about = "Checks an NC program against the scan or mesh it was made for.",
                         .option = option};

@@ -14,6 +14,19 @@ static bool is_file(const char *name)
     return name[strcspn(name, "/.")] != '\0';
 }
 
+/* From the tools' folder to the sources: build/bin, build/static/bin, build/portable/musl/bin. */
+static const char *way_to_sources(const char *tools)
+{
+    static const char *const ways[] = {"/../../..", "/../../../.."};
+    char file[LIBRARY_FILE];
+    for (size_t i = 0; i < sizeof ways / sizeof *ways; i++) {
+        snprintf(file, sizeof file, "%s%s/VERSION", tools, ways[i]);
+        if (access(file, R_OK) == 0)
+            return ways[i];
+    }
+    return "/../..";
+}
+
 /* The folders of the tools and of what is installed with them: PREFIX/bin and
  * PREFIX/share/cloudmill, or build/bin and the sources'; wherever they were moved to. */
 static void installed_folders(const char *what, char installed[LIBRARY_FILE],
@@ -22,7 +35,7 @@ static void installed_folders(const char *what, char installed[LIBRARY_FILE],
     enum { LONGEST = 900 };
     char prefix[LONGEST];
     program_dir(prefix, sizeof prefix);
-    snprintf(built, LIBRARY_FILE, "%s/../../%s", prefix, what);
+    snprintf(built, LIBRARY_FILE, "%s%s/%s", prefix, way_to_sources(prefix), what);
     char *slash = strrchr(prefix, '/');
     bool up = slash && strcmp(slash, "/.") != 0 && strcmp(slash, "/..") != 0;
     if (up)

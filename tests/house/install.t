@@ -130,6 +130,12 @@ ok "a tool finds its data there" elsewhere "$stage/opt/mill/bin/ncpost" -c fanuc
 status 1 "and says where it looks" \
 	elsewhere "$stage/opt/mill/bin/ncpost" -c fanuc -m no-such "$TMP/path.cl"
 has "beside the tool" "in $stage/opt/mill/share/cloudmill/machines" "$TMP/err"
+for folder in build/bin build/static/bin build/portable/musl/bin; do
+	mkdir -p "$TMP/sources/$folder" && cp "$BIN/ncpost" "$TMP/sources/$folder"
+	[ -e "$TMP/sources/machines" ] || { cp -R "$SRC/machines" "$TMP/sources" && cp "$SRC/VERSION" "$TMP/sources"; }
+	ok "and from $folder, those of the sources" \
+		elsewhere "$TMP/sources/$folder/ncpost" -c fanuc -m table-bc "$TMP/path.cl"
+done
 ln -s "$stage/opt/mill/bin/ncpost" "$TMP/elsewhere/post"
 ok "also through a link" elsewhere ./post -c fanuc -m table-bc "$TMP/path.cl"
 mv "$stage/opt" "$stage/moved"

@@ -172,6 +172,16 @@ for tool in cloud2mesh cloud2surf nurbs2mesh meshnorm planecut biarcfit bsplfit 
 	empty "$tool | head -n 1 is quiet" err
 done
 
+# Of every tool
+for tool in "$BIN"/*; do
+	name=${tool##*/}
+	"$tool" --help >help
+	ok "$name --help fits a screen" test "$(wc -l <help)" -le 24
+	[ "$name" = cloudmill ] || "$tool" --help all >>help
+	awk 'length > 100' help >long
+	empty "and 100 columns" long
+done
+
 # Old names, with a note of the new one.
 status 2 "two directions by their new names" planecut -r 4 -s 3 -a 90 --normal 0,1,0 mesh.ply
 planecut -q -r 4 -s 3 --one-way --direction 90 mesh.ply >want

@@ -10,10 +10,9 @@ BUILD=${BUILD:-build}
 TMP=$(mktemp -d "${TMPDIR:-/tmp}/cloudmill.XXXXXX") || exit 1
 trap 'rm -rf "$TMP"' EXIT
 trap 'exit 130' INT TERM
-CLOUDMILL_MACHINES=$SRC/machines
-CLOUDMILL_CONTROLS=$SRC/controls
 WINEDEBUG=-all
-export CLOUDMILL_MACHINES CLOUDMILL_CONTROLS WINEDEBUG
+export WINEDEBUG
+unset CLOUDMILL_MACHINES CLOUDMILL_CONTROLS
 unset MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES
 
 platforms="gcc-O0 gcc-O1 gcc-O2 gcc-O3 gcc-native clang-O0 clang-O1 clang-O2 clang-O3 musl i386 arm64 windows"
