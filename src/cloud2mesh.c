@@ -97,8 +97,9 @@ static struct settings read_options(struct cli *cli, int argc, char **argv)
          "standard deviation of the points (default: measured; 0: vertices\n"
          "stay points of the scan)",
          CLI_NUMBER, &s.noise, 0, 1e6, 0, NULL},
-        {0, "smooth", NULL, "do not detect creases, walls and ribs", CLI_FLAG, &s.meshing.smooth, 0,
-         0, 0, NULL},
+        {0, "smooth", NULL, NULL, CLI_ALIAS, "no-features", 0, 0, 0, NULL},
+        {0, "no-features", NULL, "do not detect creases, walls and ribs", CLI_FLAG,
+         &s.meshing.smooth, 0, 0, 0, NULL},
         {0, "extend", "MM", "extend the surface by this beyond the outer border", CLI_NUMBER,
          &s.extend, CLI_POSITIVE, 0, 0, NULL},
         {0, "subdivide", NULL, "divide the cloud by orientation, each part with its own projection",

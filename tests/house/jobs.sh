@@ -91,7 +91,7 @@ meshes() {
 		panel-paper.ply cloud2mesh -q --paper -t 4 panel.xyz
 		face-paper.ply cloud2mesh -q --paper -t 3.8 face.xyz
 		face-2.ply cloud2mesh --nodes scan -q -t 2 face.xyz
-		face-smooth.ply cloud2mesh --nodes scan -q -t 2 --smooth face.xyz
+		face-smooth.ply cloud2mesh --nodes scan -q -t 2 --no-features face.xyz
 		half-e.ply cloud2mesh --nodes scan -q -e 0.3 half.xyz
 		panel-20.ply cloud2mesh --nodes scan -q -a 20 -t 3 panel.xyz
 		panel-et.ply cloud2mesh --nodes scan -q -e 0.02 -t 2 little.xyz
@@ -101,10 +101,10 @@ meshes() {
 		wave-paper-quadric.ply cloud2mesh -q --paper --normals quadric wave.xyz
 		wave-12.ply cloud2mesh --nodes scan -q --neighbours 12 -t 0.8 wave.xyz
 		wave-coarse.ply cloud2mesh --nodes scan -q -t 5 wave.xyz
-		wave-smooth.ply cloud2mesh --nodes scan -q --smooth -t 1.5 wave-noise.xyz
+		wave-smooth.ply cloud2mesh --nodes scan -q --no-features -t 1.5 wave-noise.xyz
 		wave-known.ply cloud2mesh --nodes scan -q --noise 0.02 wave-noise.xyz
 		wave-rough.ply cloud2mesh --nodes scan -q --noise 0 wave-noise.xyz
-		wave-e-smooth.ply cloud2mesh --nodes scan -q --smooth -e 0.05 wave-noise.xyz
+		wave-e-smooth.ply cloud2mesh --nodes scan -q --no-features -e 0.05 wave-noise.xyz
 		wave-tight.ply cloud2mesh --nodes scan -q -e 0.001 wave.xyz
 		wave-turned.ply cloud2mesh --nodes scan -q --matrix turn.matrix -t 1.5 wave.xyz
 		hole-gap.ply cloud2mesh --nodes scan -q --max-gap 20 hole.xyz
@@ -121,8 +121,8 @@ meshes() {
 		box-parts.ply cloud2mesh --nodes scan -q --subdivide -t 1 box.xyz
 		box-parts-e.ply cloud2mesh --nodes scan -q --subdivide -e 0.1 box.xyz
 		panel-parts.ply cloud2mesh --nodes scan -q --subdivide -t 4 panel.xyz
-		roof-smooth.ply cloud2mesh --nodes scan -q --smooth roof.xyz
-		wall-smooth.ply cloud2mesh --nodes scan -q --smooth wall.xyz
+		roof-smooth.ply cloud2mesh --nodes scan -q --no-features roof.xyz
+		wall-smooth.ply cloud2mesh --nodes scan -q --no-features wall.xyz
 		face-keep.ply cloud2mesh --nodes scan -q -t 4 --outliers keep --normals facet face.xyz
 		corner-coarse.ply cloud2mesh --nodes scan -q -t 4 corner.xyz
 		block-coarse.ply cloud2mesh --nodes scan -q -t 3 block.xyz

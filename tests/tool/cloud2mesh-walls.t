@@ -78,8 +78,8 @@ for kind in roof wall; do
 		measure $kind "$TMP/$kind.ply" >"$TMP/off"
 		below "$kind, noise $noise: within 0.1 mm" "$(awk '{ print $2 }' "$TMP/off")" 0.1
 		has "$kind, noise $noise: its edges are there from end to end" 'gaps 0$' "$TMP/off"
-		cloud2mesh --nodes scan -q --smooth "$TMP/$kind.xyz" -o "$TMP/smooth.ply"
-		below "$kind: --smooth leaves more" 0.2 "$(measure $kind "$TMP/smooth.ply" | awk '{ print $2 }')"
+		cloud2mesh --nodes scan -q --no-features "$TMP/$kind.xyz" -o "$TMP/smooth.ply"
+		below "$kind: --no-features leaves more" 0.2 "$(measure $kind "$TMP/smooth.ply" | awk '{ print $2 }')"
 	done
 done
 
@@ -154,7 +154,7 @@ down() {
 		from && NR > from && NR <= from + n && $6 < 0.1 { down++ } END { print down + 0 }' "$1"
 }
 cloud2mesh --nodes scan -q -t 2 "$face" -o "$TMP/face.ply"
-cloud2mesh --nodes scan -q -t 2 --smooth "$face" -o "$TMP/smooth.ply"
+cloud2mesh --nodes scan -q -t 2 --no-features "$face" -o "$TMP/smooth.ply"
 below "face: normals that point aside or down" "$(down "$TMP/face.ply")" "$(down "$TMP/smooth.ply")"
 below "face: none points down" "$(awk '/^element vertex/ { n = $3 } /^end_header/ { from = NR }
 	from && NR > from && NR <= from + n && $6 < 0 { d++ } END { print d + 0 }' "$TMP/face.ply")" 0
@@ -166,8 +166,8 @@ done
 # Nothing is found where there is nothing, and the same whatever the threads.
 cloud2mesh --nodes scan -v -t 4 "$panel" -o "$TMP/panel.ply" 2>"$TMP/err"
 has "panel: no creases" 'creases cross 0 edges of the mesh, walls 0' "$TMP/err"
-cloud2mesh --nodes scan -q --smooth -t 4 "$panel" -o "$TMP/smooth.ply"
-same "panel: as with --smooth" "$TMP/smooth.ply" "$TMP/panel.ply"
+cloud2mesh --nodes scan -q --no-features -t 4 "$panel" -o "$TMP/smooth.ply"
+same "panel: as with --no-features" "$TMP/smooth.ply" "$TMP/panel.ply"
 cloud2mesh --nodes scan -q -j 1 "$TMP/wall.xyz" -o "$TMP/one.ply"
 cloud2mesh --nodes scan -q -j 5 "$TMP/wall.xyz" -o "$TMP/five.ply"
 same "wall: the same for any number of threads" "$TMP/one.ply" "$TMP/five.ply"
