@@ -91,7 +91,7 @@ static void read_options(struct settings *s, struct cli *cli, int argc, char **a
     const struct cli_option option[] = {
         {'g', "guard", "FILE",
          "what the program is checked against: points, a mesh (.ply, .stl, .off)\n"
-         "or surfaces (.igs, .iges, .nurbs); may be given several times",
+         "or surfaces (.igs, .stp, .nurbs); may be given several times",
          CLI_LIST, &s->part, 0, 0, 0, NULL},
         {'p', "path", "FILE",
          "the path that the program was made from: tip, tool axis and feed are\n"

@@ -178,7 +178,8 @@ static double make_patch_mesh(const struct cli *cli, const struct settings *s,
             "triangles are off the surfaces by %g mm, of it %g mm between neighbours that lie "
             "apart, expected %g mm (-e): use a smaller --gap",
             error, sewn.moved, s->tolerance);
-    struct orient_count out = orient_outward(patch_mesh, vec(s->up[0], s->up[1], s->up[2]));
+    struct orient_count out =
+        orient_outward(patch_mesh, patches, vec(s->up[0], s->up[1], s->up[2]));
     note("%zu border vertices joined and %zu inserted, moved by at most %g mm; %zu %s; %zu open "
          "edges",
          sewn.joined, sewn.inserted, sewn.moved, out.bodies, out.bodies == 1 ? "body" : "bodies",

@@ -4,6 +4,7 @@
 #ifndef CLOUDMILL_ORIENT_H
 #define CLOUDMILL_ORIENT_H
 
+#include "nurbs/patch.h"
 #include "nurbs/patch_mesh.h"
 
 /* Of the area of a body: area vectors that sum up to less say nothing. */
@@ -20,8 +21,10 @@ struct orient_count {
  * Sets patch_mesh->flipped.  Neighbours along an edge are turned to the same side, by a maximum
  * spanning tree over the lengths of the common edges (Kruskal).  Then each body as a whole is
  * turned so that the sum of its area vectors looks along `up`; a closed body, whose area vectors
- * cancel out within ORIENT_CLOSED of its area, so that its volume is positive.
+ * cancel out within ORIENT_CLOSED of its area, so that its volume is positive, or negative where
+ * `patches` (NULL: not known) say that it bounds a void.
  */
-struct orient_count orient_outward(struct patch_mesh *patch_mesh, struct vec3 up);
+struct orient_count orient_outward(struct patch_mesh *patch_mesh, const struct patches *patches,
+                                   struct vec3 up);
 
 #endif

@@ -29,6 +29,7 @@ struct patch {
     char *file;              /* where it was read from ... */
     int entity;              /* ... and its number there: in IGES its directory entry */
     int body;                /* closed shell of the file that it is a face of, from 1; 0: none */
+    bool cavity;             /* that shell bounds a void of its solid: its outside is within */
     int ignored;             /* loops of curves that are not read ... */
     int ignored_entity;      /* ... the first of them ... */
     int ignored_type;        /* ... and the type of the curve */

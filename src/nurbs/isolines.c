@@ -40,23 +40,27 @@ void isolines_equal(const struct nurbs_axis *axis, int n, struct doubles *line)
     array_free(&at);
 }
 
-/* The surface with u and v exchanged where `flip` is set, so that one function does both. */
-static double bend_at(const struct nurbs *s, bool flip, double along, double across)
+/* The surface with u and v exchanged where `flip` is set, so that one function does both.
+ * `border`: the line along is a border, whose bend within the surface counts too. */
+static double bend_at(const struct nurbs *s, bool flip, double along, double across, bool border)
 {
     struct vec3 d[3][3];
     struct uv at = flip ? (struct uv){across, along} : (struct uv){along, across};
     nurbs_derivatives(s, at, 2, d);
     struct vec3 n = nurbs_place(s, at).normal;
-    double straight = fabs(vec_dot(flip ? d[0][2] : d[2][0], n));
+    struct vec3 second = flip ? d[0][2] : d[2][0], first = vec_unit(flip ? d[0][1] : d[1][0]);
+    double straight = fabs(vec_dot(second, n));
     double twist = fabs(vec_dot(d[1][1], n));
     const struct nurbs_axis *u = flip ? &s->v : &s->u, *v = flip ? &s->u : &s->v;
     /* twist counts as if both ranges had as many cells */
-    return straight + twist * (v->to - v->from) / (u->to - u->from);
+    straight += twist * (v->to - v->from) / (u->to - u->from);
+    /* h^2 bend / 8 <= tolerance there, twice what lines_of asks for */
+    return border ? fmax(straight, vec_length(vec_reject(second, first)) / 2) : straight;
 }
 
 /* Lines between two breaks: equal shares of the integral of the root of the bend. */
 static void lines_between(const struct nurbs *s, bool flip, double from, double to, double factor,
-                          struct doubles *line)
+                          bool border, struct doubles *line)
 {
     const struct nurbs_axis *other = flip ? &s->u : &s->v;
     double sum[ALONG + 1] = {0};
@@ -64,7 +68,7 @@ static void lines_between(const struct nurbs *s, bool flip, double from, double 
         double most = 0, x = from + (to - from) * (i + 0.5) / ALONG;
         for (int k = 0; k <= ACROSS; k++) {
             double y = other->from + (other->to - other->from) * k / ACROSS;
-            most = fmax(most, bend_at(s, flip, x, y));
+            most = fmax(most, bend_at(s, flip, x, y, border && (k == 0 || k == ACROSS)));
         }
         sum[i + 1] = sum[i] + sqrt(most) * (to - from) / ALONG * factor;
     }
@@ -79,22 +83,23 @@ static void lines_between(const struct nurbs *s, bool flip, double from, double 
     }
 }
 
-static void lines_of(const struct nurbs *s, bool flip, double factor, struct doubles *line)
+static void lines_of(const struct nurbs *s, bool flip, double factor, bool border,
+                     struct doubles *line)
 {
     struct doubles at = {0};
     break_lines(flip ? &s->v : &s->u, &at);
     line->n = 0;
     for (size_t i = 0; i + 1 < at.n; i++)
-        lines_between(s, flip, at.item[i], at.item[i + 1], factor, line);
+        lines_between(s, flip, at.item[i], at.item[i + 1], factor, border, line);
     *array_push(line) = at.item[at.n - 1];
     array_free(&at);
 }
 
-void isolines_bent(const struct nurbs *s, double tolerance, double finer, struct doubles *u,
-                   struct doubles *v)
+void isolines_bent(const struct nurbs *s, double tolerance, double finer, bool border,
+                   struct doubles *u, struct doubles *v)
 {
     /* h^2 bend / 8 <= tolerance / 2 in each direction */
     double factor = finer / sqrt(4 * tolerance);
-    lines_of(s, false, factor, u);
-    lines_of(s, true, factor, v);
+    lines_of(s, false, factor, border, u);
+    lines_of(s, true, factor, border, v);
 }

@@ -157,7 +157,8 @@ static struct body_sum sum_body(const struct patch_mesh *q, const int *body, int
     return sum;
 }
 
-struct orient_count orient_outward(struct patch_mesh *q, struct vec3 up)
+struct orient_count orient_outward(struct patch_mesh *q, const struct patches *patches,
+                                   struct vec3 up)
 {
     struct orient_count count = {0};
     struct bonds bonds = {0};
@@ -176,7 +177,8 @@ struct orient_count orient_outward(struct patch_mesh *q, struct vec3 up)
             continue; /* trimmed away, or too narrow */
         count.bodies++;
         count.unclear += !closed && fabs(along) <= ORIENT_CLOSED * sum.total;
-        bool turn = closed ? sum.volume < 0 : along < 0;
+        bool cavity = patches && patches->item[i].cavity;
+        bool turn = closed ? (sum.volume < 0) != cavity : along < 0;
         for (size_t k = 0; k < q->sheets && turn; k++)
             if (body[k] == (int)i)
                 q->flipped[k] = !q->flipped[k];

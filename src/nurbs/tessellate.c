@@ -291,7 +291,8 @@ static void tessellate_once(const struct patch *patch, struct tessellate_options
     }
     double last = HUGE_VAL, factor = 1;
     for (int round = 0, idle = 0; how.n == 0 && round < ROUNDS && idle < IDLE; round++) {
-        isolines_bent(&patch->surface, how.tolerance, finer, &u, &v);
+        isolines_bent(&patch->surface, how.tolerance, finer, patch->open || patch->loop.n == 0, &u,
+                      &v);
         sheet->too_fine = u.n * v.n > TESSELLATE_CELLS_MAX;
         if (sheet->too_fine)
             break;

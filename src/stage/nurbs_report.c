@@ -155,14 +155,21 @@ void nurbs_report_skin(const struct patches *patches, const struct skin *skin)
     for (size_t i = 0; i < skin->body.n && i < NAMED; i++) {
         const struct skin_body *b = &skin->body.item[i];
         if (skin_body_closed(b))
-            note("body %zu: closed, genus %ld, area %.6f mm2, volume %.6f mm3, %zu facets", i + 1,
-                 b->genus, b->area, b->volume, b->facets);
+            note("body %zu: closed%s, genus %ld, area %.6f mm2, volume %.6f mm3, %zu facets", i + 1,
+                 b->volume < 0 ? " about a void" : "", b->genus, b->area, b->volume, b->facets);
         else
             note("body %zu: open at %zu edges, area %.6f mm2, %zu facets", i + 1, b->open, b->area,
                  b->facets);
     }
     if (skin->body.n > NAMED)
         note("%zu bodies more", skin->body.n - NAMED);
+    double area = 0, volume = 0;
+    for (size_t i = 0; i < skin->body.n; i++) {
+        area += skin->body.item[i].area;
+        volume += skin_body_closed(&skin->body.item[i]) ? skin->body.item[i].volume : 0;
+    }
+    if (skin->body.n > 1)
+        note("all %zu bodies: area %.6f mm2, volume %.6f mm3", skin->body.n, area, volume);
     tell_loops(patches, skin);
     if (skin->many > 0)
         say("%zu edges have more than two facets", skin->many);

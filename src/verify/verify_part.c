@@ -102,8 +102,9 @@ int verify_part_read(const char *file, double unit, double radius, struct vec3s 
     struct mesh mesh = {0};
     struct cloud_count count = {0};
     bool solid = has_ending(file, ".stl") || has_ending(file, ".off");
-    bool surfaces =
-        has_ending(file, ".igs") || has_ending(file, ".iges") || has_ending(file, ".nurbs");
+    bool surfaces = has_ending(file, ".igs") || has_ending(file, ".iges") ||
+                    has_ending(file, ".stp") || has_ending(file, ".step") ||
+                    has_ending(file, ".nurbs");
     *spacing = 0;
     if (solid || surfaces || has_ending(file, ".ply")) {
         int result = surfaces ? read_surfaces(file, &mesh, error) : mesh_read(file, &mesh, error);

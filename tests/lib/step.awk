@@ -1,6 +1,6 @@
 # step.awk - a STEP file from lines `NAME ENTITY(...)`, where {NAME} in the attributes is the reference
 # to another instance and {p X Y Z}, {d X Y Z}, {v X Y Z}, {a P Z X} make points, directions, vertices and
-# axes (P, Z, X as X,Y,Z) on the spot; -v unit=INCH (default mm).  {CONTEXT} is the context of units.
+# axes (P, Z, X as X,Y,Z) on the spot; -v unit=INCH (default mm), -v degrees=1.  {CONTEXT} is the context of units.
 function new(text) { out[++n] = text; return "#" n }
 function point(x, y, z) { return new("CARTESIAN_POINT(''," "(" x "," y "," z "))") }
 function direction(x, y, z) { return new("DIRECTION(''," "(" x "," y "," z "))") }
@@ -38,7 +38,9 @@ END {
 		"(CONVERSION_BASED_UNIT('INCH'," new("LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE(25.4)," new("(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.))") ")") ")LENGTH_UNIT()NAMED_UNIT(*))" : \
 		"(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.))"
 	length_unit = new(length_unit)
-	angle = new("(NAMED_UNIT(*)PLANE_ANGLE_UNIT()SI_UNIT($,.RADIAN.))")
+	angle = "(NAMED_UNIT(*)PLANE_ANGLE_UNIT()SI_UNIT($,.RADIAN.))"
+	if (degrees) angle = "(CONVERSION_BASED_UNIT('DEGREE'," new("PLANE_ANGLE_MEASURE_WITH_UNIT(PLANE_ANGLE_MEASURE(0.017453292519943295)," new(angle) ")") ")NAMED_UNIT(*)PLANE_ANGLE_UNIT())"
+	angle = new(angle)
 	if ("CONTEXT" in number)
 		out[number["CONTEXT"]] = "(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNIT_ASSIGNED_CONTEXT((" \
 			length_unit "," angle "))REPRESENTATION_CONTEXT('',''))"

@@ -13,6 +13,7 @@ struct walk {
     bool (*counts)(int type);
     int *bodies;
     struct iges_parts *parts;
+    bool cavity;
     long left; /* steps, so that what holds itself many times over ends */
 };
 
@@ -131,7 +132,10 @@ static int place_held(struct walk *w, const struct iges_entity *e, const struct 
             iges_matrix(w->iges, (int)value_at(v, 2 + n + k, 0), &own, error) < 0)
             return -1;
         int in = e->type == 186 ? ++*w->bodies : body;
+        bool was = w->cavity;
+        w->cavity = was || e->type == 186;
         status = place_at(w, v, p.first + k * p.step, transform_product(to, own), in, depth, error);
+        w->cavity = was;
     }
     return status;
 }
@@ -146,7 +150,7 @@ static int place(struct walk *w, const struct iges_entity *e, struct transform t
         return error_at(error, w->iges->name, e->at,
                         "parts within parts without end, expected a model that ends");
     if (w->counts(e->type)) {
-        *array_push(w->parts) = (struct iges_part){e, to, body};
+        *array_push(w->parts) = (struct iges_part){e, to, body, w->cavity};
         return 0;
     }
     if (!holds(e->type, &p) && e->type != 408 && e->type != 430)
@@ -161,7 +165,7 @@ static int place(struct walk *w, const struct iges_entity *e, struct transform t
 int iges_parts(const struct iges *iges, bool (*counts)(int type), int *bodies,
                struct iges_parts *parts, struct error *error)
 {
-    struct walk w = {iges, counts, bodies, parts, PARTS_MAX};
+    struct walk w = {iges, counts, bodies, parts, false, PARTS_MAX};
     bool *inside = mem_alloc(iges->entity.n + 1, sizeof *inside);
     int status = mark_inside(&w, inside, error);
     for (size_t i = 0; i < iges->entity.n && status == 0; i++) {

@@ -12,7 +12,8 @@
 struct iges_part {
     const struct iges_entity *entity;
     struct transform to;
-    int body; /* the shell of a solid that it belongs to, from *bodies on; 0: none */
+    int body;    /* the shell of a solid that it belongs to, from *bodies on; 0: none */
+    bool cavity; /* which bounds a void */
 };
 
 struct iges_parts {

@@ -111,7 +111,8 @@ struct trimmed {
     const struct iges_entity *trim;
     size_t order; /* of those with the same surface */
     struct transform to;
-    int body; /* as in struct iges_part */
+    int body;    /* as in struct iges_part, ... */
+    bool cavity; /* ... and this too */
 };
 
 struct all_trimmed {
@@ -237,7 +238,7 @@ static int add_patch(const struct source *s, const struct trimmed *t, struct err
     struct iges_trimming trimming = {
         .iges = s->iges, .mm = s->mm, .space = e->type != 128 && e->type != 114};
     struct iges_values v;
-    struct patch patch = {.entity = e->number, .body = t->body};
+    struct patch patch = {.entity = e->number, .body = t->body, .cavity = t->cavity};
     if (iges_matrix(s->iges, t->trim ? t->trim->matrix : 0, &trimming.outer, error) < 0)
         return -1;
     trimming.outer = transform_product(t->to, trimming.outer);
@@ -305,8 +306,12 @@ static int find_trimmed(const struct source *s, struct all_trimmed *all, struct 
         status = basis_of(s, p->entity, &basis, error);
         const struct iges_entity *on = surface ? p->entity : basis;
         if (status == 0 && is_surface(on->type) && !(surface && used[on - first]))
-            *array_push(all) = (struct trimmed){(size_t)(on - first), surface ? NULL : p->entity,
-                                                all->n, p->to, p->body};
+            *array_push(all) = (struct trimmed){(size_t)(on - first),
+                                                surface ? NULL : p->entity,
+                                                all->n,
+                                                p->to,
+                                                p->body,
+                                                p->cavity};
     }
     if (all->n > 0)
         qsort(all->item, all->n, sizeof *all->item, compare_trimmed);

@@ -38,7 +38,8 @@ struct model {
         struct alias *item; /* by id; each points towards the one that stands for all */
     } alias;
     long visits;
-    int body; /* closed shell whose faces are read, 0: none */
+    int body;    /* closed shell whose faces are read, 0: none */
+    bool cavity; /* it bounds a void */
 };
 
 static int follow_reference(const struct model *m, const struct step_values *from,
@@ -266,7 +267,8 @@ static int add_bound(const struct step_place *place, const struct step_values *f
 static int add_face(struct model *m, const struct step_place *place, const struct step_values *v,
                     const struct step_value *face, struct error *error)
 {
-    struct patch patch = {.entity = (int)v->instance->id, .body = m->body};
+    struct patch patch = {
+        .entity = (int)v->instance->id, .body = m->body, .cavity = m->body > 0 && m->cavity};
     struct vec3s points = {0};
     char kind[40] = "";
     const struct step_value *list = step_item(face, 1);
@@ -399,15 +401,21 @@ static bool is_other(const struct step_value *record)
 static int add_item(struct model *m, const struct step_place *place, const struct step_values *from,
                     const struct step_value *reference, int depth, struct error *error);
 
-/* All that the values of an instance refer to. */
+/* All that the values of an instance refer to; of a solid with voids the first is its outer shell,
+ * the others bound the voids. */
 static int add_items(struct model *m, const struct step_place *place, const struct step_values *v,
                      int depth, struct error *error)
 {
-    for (size_t i = 0; i < v->n; i++)
-        if (v->item[i].kind == STEP_REFERENCE &&
-            add_item(m, place, v, &v->item[i], depth + 1, error) < 0)
-            return -1;
-    return 0;
+    bool voids = step_record(v, "BREP_WITH_VOIDS") != NULL, was = m->cavity;
+    int status = 0;
+    for (size_t i = 0; i < v->n && status == 0; i++) {
+        if (v->item[i].kind != STEP_REFERENCE)
+            continue;
+        status = add_item(m, place, v, &v->item[i], depth + 1, error);
+        m->cavity = m->cavity || voids;
+    }
+    m->cavity = was;
+    return status;
 }
 
 static int add_item(struct model *m, const struct step_place *place, const struct step_values *from,

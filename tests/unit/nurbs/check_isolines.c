@@ -58,7 +58,7 @@ START_TEST(bent)
     struct patch p = known_cylinder(10, 50);
     struct doubles u = {0}, v = {0};
     for (int k = 0; k < 4; k++) {
-        isolines_bent(&p.surface, tolerance[k], 1, &u, &v);
+        isolines_bent(&p.surface, tolerance[k], 1, false, &u, &v);
         rises(&u, &p.surface.u);
         ck_assert_uint_eq(v.n, 2); /* straight */
         double most = 0, fewest = PI / acos(1 - tolerance[k] / 10);

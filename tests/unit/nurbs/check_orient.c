@@ -16,7 +16,7 @@ static struct orient_count count_of(struct patch p, struct vec3 up, bool *flippe
     tessellate(&p, (struct tessellate_options){8, 0.01, 1}, &s);
     patch_mesh_make(&s, 1, 0, &q);
     sew(&q, &all, 1e-6, 0.01);
-    struct orient_count count = orient_outward(&q, up);
+    struct orient_count count = orient_outward(&q, NULL, up);
     *flipped = q.flipped[0];
     patch_mesh_mesh(&q, &mesh);
     *volume = 0;

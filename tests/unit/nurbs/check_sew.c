@@ -44,7 +44,7 @@ static struct joined join(const struct patches *patches, const int *n, double ga
         tessellate(&patches->item[i], (struct tessellate_options){n[i], 0.001, 1}, &sheet[i]);
     patch_mesh_make(sheet, patches->n, 0, &patch_mesh);
     j.sewn = sew(&patch_mesh, patches, gap, 0.001);
-    j.out = orient_outward(&patch_mesh, vec(0, 0, 1));
+    j.out = orient_outward(&patch_mesh, NULL, vec(0, 0, 1));
     patch_mesh_mesh(&patch_mesh, &j.mesh);
     for (size_t i = 0; i < patches->n; i++)
         sheet_free(&sheet[i]);
