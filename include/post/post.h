@@ -27,6 +27,9 @@
  *    - post_lookahead: the path group by group; the rotary axes of a group with the fewest turns
  *      back and then the least travel, as the shortest path through a graph (machine/ik_plan.h).
  *
+ *    What all of it takes with the axes' accelerations is in post_time.h: the time in the head, and
+ *    inverse-time feeds.
+ *
  * 4. Text (post_program.h).  The control's dialect (fanuc.c, siemens.c, heidenhain.c, linuxcnc.c;
  *    gcode.h is the G-code that several share: head of the program, tool, blocks, end) sets the
  *    moves down in words (post_words.h), with a comment for people at the top (post_head.h), what

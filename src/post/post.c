@@ -12,6 +12,7 @@
 #include "post_lookahead.h"
 #include "post_output.h"
 #include "post_statement.h"
+#include "post_time.h"
 
 struct post {
     struct nc_program program;
@@ -90,8 +91,10 @@ static int make_plan(struct post *post, const struct machine *machine, enum post
     if (p->plane && ability.splines == NC_SPLINES_ROTARY) /* they need tool-centre-point control */
         ability.splines = NC_SPLINES_NONE;
     ability.smoothing = smoothing;
-    if (nc_plan_make(&post->plan, p->path, machine, ability, p->options, error) == 0)
+    if (nc_plan_make(&post->plan, p->path, machine, ability, p->options, error) == 0) {
+        post_time(&post->plan, machine);
         return 0;
+    }
     return post->plan.unmet ? EXIT_UNMET : EXIT_FAILED;
 }
 

@@ -1,0 +1,201 @@
+/* post_time - see post_time.h. */
+#include "post_time.h"
+
+#include <stdlib.h>
+
+#include "base/array.h"
+#include "base/num.h"
+#include "machine/axis_time.h"
+#include "post_feed.h"
+
+enum { LOOKS_MOST = 400 };
+
+static const double STEP = 0.2;        /* mm: between places on curves and where the tool turns */
+static const double PER_DEGREE = 0.05; /* mm of way for each degree that the tool turns */
+
+struct places {
+    size_t n, cap;
+    struct axis_time_place *item;
+};
+
+struct timing {
+    struct nc_plan *plan;
+    const struct machine *machine;
+    struct axis_time_limits limits;
+    struct places places; /* of the run at feed */
+    struct sizes move;    /* of each place: the move that leads to it */
+    double wished;        /* seconds of the run at its feeds */
+};
+
+static double per_second(const struct machine *m, int axis)
+{
+    return m->rapid[axis] / 60;
+}
+
+static struct axis_time_limits limits_of(const struct machine *m, double unit)
+{
+    struct axis_time_limits limits = {.smoothing = fmax(m->smoothing, 0.02) / unit};
+    for (int k = 0; k < AXIS_TIME_AXES; k++) {
+        bool slides = k <= MACHINE_Z, is = slides || k - 3 < m->chain.n;
+        int axis = slides ? k : is ? m->letter[k - 3] : MACHINE_X;
+        double per = slides ? unit : 1;
+        limits.speed[k] = per_second(m, axis);
+        limits.acceleration[k] = m->acceleration[axis] / per;
+        limits.jerk[k] = m->jerk[axis] / per;
+    }
+    return limits;
+}
+
+/* Where the axes are when the tip is at p and the rotary axes at q. */
+static void axes_at(const struct timing *t, struct vec3 p, const double q[], double axis[])
+{
+    const struct kinematic_chain *chain = &t->machine->chain;
+    struct vec3 linear = t->plan->ability.mode == INTERPOLATE_JOINT ? p : chain_linear(chain, p, q);
+    axis[0] = linear.x, axis[1] = linear.y, axis[2] = linear.z;
+    for (int k = 0; k < 2; k++)
+        axis[3 + k] = k < chain->n ? DEGREES(q[k]) : 0;
+}
+
+static struct vec3 tip_at(const struct nc_plan *plan, const struct nc_move *move,
+                          const struct block_pose *from, const struct block_pose *to, double s)
+{
+    if (move->kind == NC_ARC) {
+        struct motion arc = nc_arc_motion(&plan->arc.item[move->index], from, to);
+        return motion_at(&arc, s).p;
+    }
+    const struct nc_spline *spline =
+        move->kind == NC_SPLINE ? &plan->spline.item[move->index] : NULL;
+    if (spline && spline->form != NC_POLY) {
+        const struct bspline *b = &spline->curve;
+        double first = b->knot[b->degree];
+        return bspline_at(b, b->pole, first + s * (b->knot[b->poles] - first));
+    }
+    return vec_mix(from->p, to->p, s);
+}
+
+/* Seconds of a block by its F. */
+static double block_seconds(const struct timing *t, const struct nc_move *move, double tip,
+                            double joint, double degrees)
+{
+    if (!(move->feed > 0))
+        return 0;
+    if (t->plan->ability.feeds == NC_FEEDS_INVERSE)
+        return 60 / move->feed;
+    if (t->plan->ability.feeds == NC_FEEDS_COMBINED)
+        return 60 * joint / move->feed;
+    return 60 * (tip > 0 ? tip : degrees) / move->feed;
+}
+
+static void add_place(struct timing *t, const double axis[], double way, double feed, size_t move)
+{
+    struct axis_time_place place = {.way = way, .feed = feed};
+    for (int k = 0; k < AXIS_TIME_AXES; k++)
+        place.axis[k] = axis[k];
+    *array_push(&t->places) = place;
+    *array_push(&t->move) = move;
+}
+
+/* The places of a move at feed: one at its end, and on the way to it where it bends or turns. */
+static void add_move(struct timing *t, size_t index, const struct block_pose *from,
+                     const struct block_pose *to)
+{
+    const struct nc_move *move = &t->plan->move.item[index];
+    double turn = DEGREES(fmax(fabs(to->q[0] - from->q[0]), fabs(to->q[1] - from->q[1])));
+    double around = DEGREES(hypot(to->q[0] - from->q[0], to->q[1] - from->q[1]));
+    double unit = t->plan->ability.unit, straight = vec_distance(from->p, to->p), length = straight;
+    if (move->kind == NC_ARC)
+        length = nc_arc_length(&t->plan->arc.item[move->index], from, to);
+    double way = fmax(length, PER_DEGREE / unit * turn), axis[AXIS_TIME_AXES];
+    double joint = hypot(straight, around);
+    double seconds = block_seconds(t, move, length, joint, around);
+    bool even = move->kind == NC_LINE && turn == 0;
+    int n = even ? 1 : (int)fmin(LOOKS_MOST, fmax(1, ceil(way * unit / STEP)));
+    if (!(way > 0) || !(seconds > 0))
+        return;
+    if (t->places.n == 0) {
+        axes_at(t, from->p, from->q, axis);
+        add_place(t, axis, 0, way / seconds, index);
+    }
+    double start = t->places.item[t->places.n - 1].way;
+    for (int i = 1; i <= n; i++) {
+        double s = (double)i / n;
+        double q[ROTARY_MAX] = {from->q[0] + s * (to->q[0] - from->q[0]),
+                                from->q[1] + s * (to->q[1] - from->q[1])};
+        axes_at(t, tip_at(t->plan, move, from, to, s), q, axis);
+        add_place(t, axis, start + s * way, way / seconds, index);
+    }
+    t->wished += seconds;
+}
+
+/* Each block of the run gets the time that it takes. */
+static void set_inverse(struct timing *t, const double step[])
+{
+    const struct nc_ability *ability = &t->plan->ability;
+    for (size_t i = 1, next; i < t->places.n; i = next) {
+        struct nc_move *move = &t->plan->move.item[t->move.item[i]];
+        double seconds = 0;
+        for (next = i; next < t->places.n && t->move.item[next] == t->move.item[i]; next++)
+            seconds += step[next];
+        double feed = 60 / fmax(seconds, 1e-9);
+        int digits = post_feed_digits(ability, feed);
+        double said = num_round(feed, digits), least = 1 / num_ten[digits];
+        if (feed < move->feed)
+            move->feed = said > 0 ? said : least;
+    }
+}
+
+static void end_run(struct timing *t)
+{
+    size_t n = t->places.n;
+    if (n > 1) {
+        double *step = mem_alloc(n, sizeof *step);
+        double seconds = axis_time_run(&t->limits, t->places.item, n, step);
+        t->plan->total.minutes += fmax(0, seconds - t->wished) / 60;
+        if (t->plan->ability.feeds == NC_FEEDS_INVERSE)
+            set_inverse(t, step);
+        free(step);
+    }
+    t->places.n = t->move.n = 0;
+    t->wished = 0;
+}
+
+static void add_rapid(struct timing *t, const struct block_pose *from, const struct block_pose *to)
+{
+    struct axis_time_limits straight = t->limits;
+    double a[AXIS_TIME_AXES], b[AXIS_TIME_AXES], way = 0;
+    axes_at(t, from->p, from->q, a);
+    axes_at(t, to->p, to->q, b);
+    for (int k = 0; k < AXIS_TIME_AXES; k++)
+        way = fmax(way, fabs(b[k] - a[k]) / straight.speed[k]);
+    t->plan->total.minutes += fmax(0, axis_time_rapid(&straight, a, b) - way) / 60;
+}
+
+void post_time(struct nc_plan *plan, const struct machine *machine)
+{
+    struct timing t = {
+        .plan = plan, .machine = machine, .limits = limits_of(machine, plan->ability.unit)};
+    const struct kinematic_chain *chain = &machine->chain;
+    struct block_pose at = {.a = vec(0, 0, 1)};
+    bool known = false;
+    for (size_t i = 0; i < plan->move.n; i++) {
+        const struct nc_move *move = &plan->move.item[i];
+        if (!nc_moves(move)) {
+            if (move->kind == NC_TOOL || move->kind == NC_PLANE)
+                end_run(&t);
+            continue;
+        }
+        struct block_pose to = nc_plan_pose(plan, chain, move);
+        if (move->kind == NC_RAPID || move->kind == NC_HOLE || !known) {
+            end_run(&t);
+            if (known && move->kind == NC_RAPID)
+                add_rapid(&t, &at, &to);
+        } else {
+            add_move(&t, i, &at, &to);
+        }
+        at = to;
+        known = true;
+    }
+    end_run(&t);
+    array_free(&t.places);
+    array_free(&t.move);
+}
