@@ -20,7 +20,8 @@ struct settings {
 
 static int prepare(void *settings, struct path *in, struct error *error)
 {
-    const struct settings *s = settings;
+    struct settings *s = settings;
+    s->common.least = s->common.paper ? 0 : fitter_least(&s->common, in);
     if (!s->common.tolerance_given && !s->common.paper)
         say("tolerance %g mm (-e)", s->common.tolerance);
     if (in->head.track == TRACK_CONTACT)

@@ -23,41 +23,47 @@
 struct fitter_options {
     double tolerance; /* -e, mm: of the tip and the ball's centre */
     bool tolerance_given;
-    double angle;          /* --axis-tolerance, degrees */
-    bool paper;            /* --paper: as published */
-    bool report;           /* --report: a table on standard error */
-    double least;          /* --min-length: of a piece, mm; 0: any */
+    double angle; /* --axis-tolerance, degrees */
+    bool paper;   /* --paper: as published */
+    bool report;  /* --report: a table on standard error */
+    double least; /* --min-length: of a piece, mm; 0: any */
+    bool least_given;
     const char *part_text; /* --part: K/N; NULL: the whole path */
     struct path_part part; /* what it says */
     struct gouge_options gouge;
 };
 
 /* The rows of the options table that are the same in all fitters. */
-#define FITTER_OPTIONS(common)                                                          \
-    {0,        "no-guard",                                                              \
-     NULL,     "by no scan, not even the one that the path names",                      \
-     CLI_FLAG, &(common)->gouge.scan.none,                                              \
-     0,        0,                                                                       \
-     0,        NULL},                                                                   \
-        {0,          "noise",                                                           \
-         "MM",       "standard deviation of the scan's noise (default: measured)",      \
-         CLI_NUMBER, &(common)->gouge.noise,                                            \
-         0,          10,                                                                \
-         0,          NULL},                                                             \
-        EFFORT_OPTION(&(common)->gouge.effort),                                         \
-        {0,        "part",                                                              \
-         "K/N",    "only part K of N: whole passes, to be joined by cat",               \
-         CLI_TEXT, &(common)->part_text,                                                \
-         0,        0,                                                                   \
-         0,        NULL},                                                               \
-    {                                                                                   \
-        0, "min-length", "MM",                                                          \
-            "no piece and no knot span shorter, unless the tolerance forbids it (any)", \
-            CLI_NUMBER, &(common)->least, CLI_POSITIVE, 100, 0, NULL                    \
+#define FITTER_OPTIONS(common)                                                             \
+    {0,        "no-guard",                                                                 \
+     NULL,     "by no scan, not even the one that the path names",                         \
+     CLI_FLAG, &(common)->gouge.scan.none,                                                 \
+     0,        0,                                                                          \
+     0,        NULL},                                                                      \
+        {0,          "noise",                                                              \
+         "MM",       "standard deviation of the scan's noise (default: measured)",         \
+         CLI_NUMBER, &(common)->gouge.noise,                                               \
+         0,          10,                                                                   \
+         0,          NULL},                                                                \
+        EFFORT_OPTION(&(common)->gouge.effort),                                            \
+        {0,        "part",                                                                 \
+         "K/N",    "only part K of N: whole passes, to be joined by cat",                  \
+         CLI_TEXT, &(common)->part_text,                                                   \
+         0,        0,                                                                      \
+         0,        NULL},                                                                  \
+    {                                                                                      \
+        0, "min-length", "MM",                                                             \
+            "no piece and no knot span shorter, unless the tolerance forbids it; 0: any\n" \
+            "(6 ms at the path's feed: 0.08 mm at 800 mm/min)",                            \
+            CLI_NUMBER, &(common)->least, 0, 100, 0, &(common)->least_given                \
     }
 
 /* As they are when none is given, with this tolerance. */
 struct fitter_options fitter_defaults(double tolerance);
+
+/* The least length of a piece, mm: the one that was asked for; else what the path's largest feed goes
+ * in three blocks of 2 ms, which any control can read ahead, without one 800 mm/min. */
+double fitter_least(const struct fitter_options *options, const struct path *in);
 
 /* One cutting run, and what became of it. */
 struct fitted_run {

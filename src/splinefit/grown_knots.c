@@ -25,6 +25,7 @@ static const double GOAL = 0.975;    /* of the tolerance, at the points and betw
 static const double CLOSER = 0.98;   /* of that, when the proof finds more */
 static const double HOPELESS = 4;    /* times the tolerance, by the proof */
 static const double SHORTEST = 1.05; /* of the least length, for a span before it is printed */
+static const double FLOOR = 0.02;    /* mm: no span is made shorter, if there is a least length */
 
 struct inner_knot {
     double u;
@@ -148,8 +149,10 @@ static size_t parts_of(const struct growth *g, double worst, double length, size
     size_t parts = worst <= g->goal ? 1 : worst > FAR_OFF ? QUARTER : 2;
 
     parts = parts > points ? points : parts;
-    while (parts > 1 && length < (double)parts * SHORTEST * g->options->least)
+    while (parts > 2 && length < (double)parts * SHORTEST * g->options->least)
         parts--;
+    if (length < (double)parts * FLOOR && g->options->least > 0)
+        parts = 1;
     return parts > 1 ? parts : 1;
 }
 
@@ -236,8 +239,11 @@ static size_t take_out(struct growth *g)
     size_t n = g->inner.n, first = (size_t)g->options->degree + 1, taken = 0;
     struct weight *weight = mem_alloc(n + 1, sizeof *weight);
 
-    for (size_t i = 0; i < n; i++)
-        weight[i] = (struct weight){knots_init_missed(&g->curve, first + i), i};
+    for (size_t i = 0; i < n; i++) {
+        const double *knot = &g->curve.knot[first + i];
+        bool close = fmin(knot[0] - knot[-1], knot[1] - knot[0]) < SHORTEST * g->options->least;
+        weight[i] = (struct weight){close ? 0 : knots_init_missed(&g->curve, first + i), i};
+    }
     qsort(weight, n, sizeof *weight, by_weight);
     for (size_t w = 0; w < n; w++) {
         size_t i = weight[w].knot, from = i > APART ? i - APART : 0;
@@ -312,7 +318,7 @@ static double prove(const struct growth *g, struct free_knots_result *found)
     double tolerance = o->tolerance;
 
     found->curve = bspline_copy(&g->curve);
-    if (bspline_has_short_span(&found->curve, o->least) || !spline_bound_print(&found->curve))
+    if (!spline_bound_print(&found->curve))
         return INFINITY;
     spline_bound_measure(&found->curve, g->whole, SPLINE_RESOLUTION_GROWN * tolerance,
                          HOPELESS * tolerance, &found->proof);

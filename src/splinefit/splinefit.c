@@ -333,17 +333,26 @@ static void search_with(const struct reference *reference, const struct splinefi
     search_free(&s);
 }
 
+/* With knot spans of any length first: as a rule none of them is too short.  Knots that grow look to
+ * it themselves. */
 void splinefit_search(const struct reference *reference, const struct splinefit_options *options,
                       struct splinefit *fit)
 {
     struct splinefit_options any = *options;
+    struct splinefit longer;
 
-    search_with(reference, options, fit);
-    if (!(options->least > 0) || fit->kind != SPLINEFIT_POLYLINE)
-        return;
-    splinefit_free(fit); /* the tolerance forbids it */
-    any.least = 0;
+    any.least = is_hurried(options) ? options->least : 0;
     search_with(reference, &any, fit);
+    if (any.least > 0 || fit->kind == SPLINEFIT_POLYLINE || fit->kind == SPLINEFIT_STRAIGHT ||
+        !bspline_has_short_span(&fit->curve, options->least))
+        return;
+    search_with(reference, options, &longer);
+    if (longer.kind == SPLINEFIT_POLYLINE) { /* the tolerance forbids it */
+        splinefit_free(&longer);
+        return;
+    }
+    splinefit_free(fit);
+    *fit = longer;
 }
 
 void splinefit_again(const struct reference *reference, const struct splinefit_options *options,

@@ -16,6 +16,19 @@ struct fitter_options fitter_defaults(double tolerance)
         .tolerance = tolerance, .angle = 1, .gouge = {.noise = -1, .effort = 1}};
 }
 
+double fitter_least(const struct fitter_options *options, const struct path *in)
+{
+    const double blocks = 3 * 0.002 / 60, usual = 800, longest = 1; /* min, mm/min, mm */
+    double feed = 0;
+
+    if (options->least_given)
+        return options->least;
+    for (size_t i = 0; i < in->item.n; i++)
+        if (in->item.item[i].kind == PATH_FEED)
+            feed = fmax(feed, in->item.item[i].feed);
+    return fmin(blocks * (feed > 0 ? feed : usual), longest);
+}
+
 /* So many points get the usual work each, more share it. */
 static const double USUAL_POINTS = 12000;
 

@@ -30,7 +30,7 @@ over() { awk -v a="$1" -v b="$2" 'BEGIN { exit !(a >= b) }'; }
 arcs() { grep -c '^CIRCLE' "$1"; }
 poles() { sed -n 's/^MOVNRB.ON,[0-9]*,[0-9]*,0,\([0-9]*\),.*/\1/p' "$1" | awk '{ n += $1 } END { print n + 0 }'; }
 
-status 0 "as short as comes" biarcfit -e 0.01 -o "$TMP/any.cl" "$passes"
+status 0 "as short as comes" biarcfit -e 0.01 --min-length 0 -o "$TMP/any.cl" "$passes"
 status 0 "two millimetres" biarcfit -e 0.01 --min-length 2 -o "$TMP/two.cl" "$passes"
 fails "there are shorter ones without it" over "$(shortest "$TMP/any.cl")" 1.98
 ok "none is shorter with it" over "$(shortest "$TMP/two.cl")" 1.98
@@ -38,12 +38,31 @@ ok "no more arcs for it" test "$(arcs "$TMP/two.cl")" -le "$(arcs "$TMP/any.cl")
 status 0 "no room" biarcfit -e 0.001 --min-length 20 -o "$TMP/no.cl" "$passes"
 has "they are told and counted" '[0-9][0-9]* pieces are shorter than asked for' "$TMP/err"
 
-status 0 "as short as comes" bsplfit -e 0.01 -o "$TMP/any.cl" "$passes"
+status 0 "as short as comes" bsplfit -e 0.01 --min-length 0 -o "$TMP/any.cl" "$passes"
 status 0 "three millimetres" bsplfit -e 0.01 --min-length 3 -o "$TMP/three.cl" "$passes"
 hasnt "none is too short" 'shorter than asked for' "$TMP/err"
 ok "the shortest span is longer with it" over "$(span "$TMP/three.cl")" \
 	"$(span "$TMP/any.cl" | awk '{ print 1.2 * $1 }')"
 ok "a few control points for it" test "$(poles "$TMP/three.cl")" -le $(($(poles "$TMP/any.cl") + 4))
-status 2 "no length" bsplfit --min-length 0 "$passes"
+
+# by default what the feed goes in 6 ms: a rough pass of points 0.03 mm apart
+rough() { # FEED
+	sed '/^RAPID/,$d' "$passes"
+	echo "FEDRAT/MMPM,$1"
+	awk 'BEGIN { s = 1; for (i = 0; i < 300; i++) { s = s * 16807 % 2147483647
+			printf "GOTO/%.6f,0.000000,%.6f,0.000000000,0.000000000,1.000000000\n",
+				i * 0.03, 0.03 * s / 2147483647 }
+		print "FINI" }'
+}
+rough 1500 >"$TMP/rough.cl"
+for fit in biarcfit bsplfit; do
+	status 0 "$fit: the feed's length" $fit -o "$TMP/feed" "$TMP/rough.cl"
+	status 0 "$fit: the same by hand" $fit --min-length 0.15 -o "$TMP/hand" "$TMP/rough.cl"
+	has "$fit: shorter ones are told" 'shorter than asked for' "$TMP/err"
+	ok "$fit: 6 ms of the feed" cmp "$TMP/feed" "$TMP/hand"
+	status 0 "$fit: any length" $fit --min-length 0 -o "$TMP/none" "$TMP/rough.cl"
+	hasnt "$fit: none is too short then" 'shorter than asked for' "$TMP/err"
+done
+status 2 "no length" bsplfit --min-length -1 "$passes"
 
 done_testing
