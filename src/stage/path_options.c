@@ -243,7 +243,7 @@ static int check_extent(const struct mesh *mesh, double radius, struct error *er
         return 0;
     return error_set(
         error,
-        "the part is %.4g mm in size, expected at most %.4g mm for a ball of radius %g: "
+        "the part is %.6g mm in size, expected at most %.6g mm for a ball of radius %g: "
         "is the unit right?",
         size, most * radius, radius);
 }

@@ -51,6 +51,7 @@ bad() {
 
 # bounded COMMAND...: in 5 s of processor time and 4 GB
 bounded() {
+	# shellcheck disable=SC3045 # every shell here has these
 	(ulimit -t 5 && ulimit -v 4000000 && exec "$@") >out 2>err </dev/null
 }
 

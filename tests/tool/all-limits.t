@@ -60,4 +60,40 @@ done
 # the smallest spacing
 cloud 0 0 0.001 >small.xyz
 status 0 "points 2 micrometres apart" cloud2mesh -q -t 0.004 -o small.ply small.xyz
+
+# numbers of options
+status 0 "an option of 1000000000" cloud2mesh -q -t 4 -e 1e9 near.xyz
+status 2 "an option of more" cloud2mesh -q -t 4 -e 1000000001 near.xyz
+status 2 "one of several of more" meshnorm -q -r 4 --fixed 0,0,1.1e9 near.ply
+
+# the size of a part, the planes, all cuts, layers: in radii of the ball
+plate() { # X Y: flat
+	printf 'ply\nformat ascii 1.0\nelement vertex 4\nproperty double x\nproperty double y\n'
+	printf 'property double z\nelement face 2\nproperty list uchar int vertex_indices\nend_header\n'
+	printf '0 0 0\n%s 0 0\n%s %s 0\n0 %s 0\n3 0 1 2\n3 0 2 3\n' "$1" "$1" "$2" "$2"
+}
+bare='planecut -q --paper -r 1'
+plate 10000.1 1 >longer.ply
+status 1 "a part longer than 10,000 radii" planecut -q --no-guard --ball-only -r 1 -s 5 longer.ply
+has "... is told" 'the part is 10000.1 mm in size, expected at most 10000 mm' err
+plate 1000 996 >wide.ply
+# shellcheck disable=SC2086
+status 0 "499 planes of 1,000 mm" $bare -s 2 wide.ply
+plate 1000 1004 >wide.ply
+# shellcheck disable=SC2086
+status 1 "503 of them: more than 500,000 radii" $bare -s 2 wide.ply
+has "... is told" 'would cut 503 m .* at most 500 m' err
+plate 100.1 10 >many.ply
+# shellcheck disable=SC2086
+status 1 "100,100 planes" $bare -a 90 -s 0.001 many.ply
+has "... are told" 'would make 100100 planes, expected at most 100000' err
+plate 10 10 >small.ply
+# shellcheck disable=SC2086
+status 0 "layers 10,000 radii thick" $bare -s 5 --layers 11 --depth 1000 small.ply
+# shellcheck disable=SC2086
+status 2 "thicker ones" $bare -s 5 --layers 12 --depth 1000 small.ply
+has "... are told" 'layers 11000 mm thick, expected at most 10000 mm' err
+status 0 "a cloud extended by its own width" cloud2mesh -q -t 4 --extend 49.9 near.xyz
+status 1 "by more" cloud2mesh -q -t 4 --extend 50.1 near.xyz
+has "... is told" 'at most its own width of 50 mm' err
 done_testing
