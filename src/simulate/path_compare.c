@@ -13,7 +13,8 @@ enum { LINE_STEPS = 4, CURVE_STEPS = 16, DEEPEST = 10 };
 #define STEADY 0.005 /* radians that the axis turns in a step, at most */
 #define EVEN 3e-5    /* radians that it may be off an even turn there */
 #define STILL 0.005  /* mm: a tip that moves no further stands, and the axes turn about it */
-#define SHORT 0.05   /* mm: shorter pieces may be slow, and their inverse time says little */
+#define SHORT 0.05   /* mm: shorter pieces may be slow, and their inverse time says little, ... */
+#define WAIT (1 / 60.0) /* ... if they take no more than that, minutes */
 
 /* A straight bit of a motion at feed, with the tool axis at its ends. */
 struct stretch {
@@ -96,7 +97,9 @@ static void follow(const struct nc_motion *m, double radius, bool combined, stru
         for (size_t k = first; k < to->n; k++)
             length += vec_distance(to->item[k].a.p, to->item[k].b.p);
         for (size_t k = first; k < to->n; k++)
-            to->item[k].feed = tip_feed(&w, length), to->item[k].brief = length <= SHORT;
+            to->item[k].feed = tip_feed(&w, length);
+        for (size_t k = first; k < to->n; k++)
+            to->item[k].brief = length <= SHORT && length <= WAIT * to->item[k].feed;
     }
 }
 
@@ -296,24 +299,40 @@ static void compare_program(struct compare *c, const struct nc_motion *program)
     }
 }
 
-static void note_missed(struct compare *c, double off, const struct stretch *s, size_t nearest)
+/* True if it is the worst so far. */
+static bool note_missed(struct compare *c, double off, const struct stretch *s, size_t nearest)
 {
-    if (c->found.missed.count == 0 || off > c->found.missed.value)
+    bool worst = c->found.missed.count == 0 || off > c->found.missed.value;
+    if (worst)
         c->found.missed.near = nearest < c->program.n ? c->program.item[nearest].piece : 0;
     note_fault(&c->found.missed, off, s->piece, s->b.p);
+    return worst;
 }
 
+/* What is missed is told at the nearest piece between those where the path was on the program
+ * before and is on it again, or there: not on a row beside. */
 static void compare_path(struct compare *c)
 {
+    size_t last = 0;
+    bool waits = false;
     for (size_t i = 0; i < c->path.n; i++) {
         struct beside b;
         const struct stretch *s = &c->path.item[i];
         double off = look_beside(c, false, s->b, &b);
-        if (off > c->options->tolerance)
-            note_missed(c, off, s, b.nearest);
-        else if (b.turn > c->options->axis)
-            note_fault(&c->found.turned, b.turn, c->program.item[b.least].piece, s->b.p);
+        if (off > c->options->tolerance) {
+            waits = note_missed(c, off, s, b.nearest) || waits;
+            continue;
+        }
+        size_t piece = c->program.item[b.least].piece;
+        if (waits && (c->found.missed.near < last || c->found.missed.near > piece))
+            c->found.missed.near = piece;
+        waits = false;
+        last = piece;
+        if (b.turn > c->options->axis)
+            note_fault(&c->found.turned, b.turn, piece, s->b.p);
     }
+    if (waits && c->found.missed.near < last)
+        c->found.missed.near = last;
 }
 
 struct path_compare path_compare_run(const struct nc_motion *program, const struct nc_motion *path,

@@ -49,6 +49,28 @@ static void roll_outliers(struct verdict *v)
     deviation_map_free(&map);
 }
 
+/* Of the region cut: points that no ball and tool reach are none of it. */
+static void leave_out_of_reach(struct verdict *v)
+{
+    const struct verify_options *o = &v->options;
+    const struct vec3s *part = v->program.part;
+    const struct verify_surface *surface = v->program.surface;
+    double *left = mem_alloc(part->n, sizeof *left);
+    struct vec3s axis = part_coverage_axes(&v->program.motion->kinematics);
+    const struct part_coverage_options reach = {o->radius, v->limit, &o->tool, &axis, o->threads};
+    struct part_coverage coverage;
+    for (size_t i = 0; i < part->n; i++)
+        left[i] = v->map.region[i] ? v->map.deviation[i] : 0;
+    part_coverage_run(part->item, left, surface ? surface->under : NULL, part->n, &reach,
+                      &coverage);
+    for (size_t i = 0; i < part->n; i++)
+        v->map.region[i] =
+            v->map.region[i] && (coverage.of[i] == COVERAGE_CUT || coverage.of[i] == COVERAGE_LEFT);
+    part_coverage_free(&coverage);
+    array_free(&axis);
+    free(left);
+}
+
 /* The ball over all points; which of them are cut, out of reach, or left. */
 static void roll_cuts(struct verdict *v)
 {
@@ -60,8 +82,13 @@ static void roll_cuts(struct verdict *v)
     deviation_map_run(&v->cut, part->item, part->n, &roll, &v->map);
     if (surface)
         roll_outliers(v);
-    if (o->partial || v->cut.n == 0)
+    if (v->cut.n == 0)
         return;
+    if (o->partial) {
+        leave_out_of_reach(v);
+        deviation_map_sum(&roll, &v->map);
+        return;
+    }
     struct vec3s axis = part_coverage_axes(&v->program.motion->kinematics);
     const struct part_coverage_options reach = {o->radius, v->limit, &o->tool, &axis, o->threads};
     part_coverage_run(part->item, v->map.deviation, surface ? surface->under : NULL, part->n,
@@ -196,6 +223,17 @@ static bool comes_near(const struct verdict *v)
     return false;
 }
 
+/* No more points of the region cut have more than the limit than may. */
+static bool within_share(const struct verdict *v)
+{
+    size_t region = 0, left = 0;
+    for (size_t i = 0; i < v->map.points; i++) {
+        region += v->map.region[i];
+        left += v->map.region[i] && v->map.deviation[i] > v->options.left + v->noise;
+    }
+    return (double)left <= v->options.share * (double)region;
+}
+
 /* What is left beyond the limit, where the tool could have cut. */
 static void judge_left(struct verdict *v)
 {
@@ -216,7 +254,7 @@ static void judge_left(struct verdict *v)
                     worst, p.x, p.y, p.z, v->limit, left->points, left->area,
                     (size_t)(v->options.share * (double)v->program.part->n));
     else
-        add_finding(v, true, piece_at(v, at),
+        add_finding(v, !within_share(v), piece_at(v, at),
                     "%.4f mm of material is left at %.3f %.3f %.3f, at most %g", worst, p.x, p.y,
                     p.z, v->options.left);
 }

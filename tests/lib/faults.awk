@@ -78,6 +78,12 @@ function turns(i,   k, v) {
 	return ""
 }
 
+# Beside the pole another angle is hardly another axis.
+function leans(t,   a, b) {
+	a = word(t, "A"); b = word(t, "B")
+	return a > least || a < -least || b > least || b < -least
+}
+
 function fits(i,   t) {
 	t = line[i]
 	if (kind == "rapid") return at[i] == "feed" && amid(i) && at[after[i]] == "feed" && t ~ / [XYZ]/
@@ -91,7 +97,7 @@ function fits(i,   t) {
 	if (kind == "dry") return t ~ / M8( |$)/
 	if (kind == "ORICURVE") return t ~ /ORICURVE/
 	if (kind == "poly") return bent(t) > 0.0015 && bent(t) == most_bent
-	if (kind == "axis") return amid(i) && turns(i) != "" && (control != "siemens" || t ~ /C3=/)
+	if (kind == "axis") return amid(i) && turns(i) != "" && (control == "siemens" ? t ~ /C3=/ : leans(t))
 	if (kind == "sign") return amid(i) && turns(i) != ""
 	if (kind == "digit") return amid(i) && t ~ / [XYZ][-+0-9.]/
 	return 0
