@@ -245,6 +245,35 @@ START_TEST(refused_with_its_line)
 }
 END_TEST
 
+/* Words within a turn are of axes without end alone, wherever their travel lies. */
+START_TEST(words_within_a_turn)
+{
+    const struct {
+        double from, to;
+        int words;
+        bool within;
+    } c[] = {{-9999, 9999, ROTARY_WITHIN, true},  {-9999, 9999, ROTARY_SIGNED, true},
+             {-9999, 9999, ROTARY_PLAIN, false},  {-9999, 9999, ROTARY_OWN, false},
+             {-9999, 9999, ROTARY_DC, false},     {3800, 4200, ROTARY_WITHIN, false},
+             {-360, 360, ROTARY_SIGNED, false},   {-1800, 1801, ROTARY_WITHIN, true},
+             {-1800, 1800, ROTARY_WITHIN, false}, {-8000, -4000, ROTARY_SHORTEST, true}};
+    for (size_t i = 0; i < sizeof c / sizeof *c; i++) {
+        struct machine machine = machine_default();
+        struct error error;
+        bool wraps[2] = {false, false};
+        ck_assert_int_eq(machine_finish(&machine, &error), 0);
+        struct verify_kinematics kinematics = ncread_kinematics(&machine);
+        machine.rotary_words = c[i].words;
+        machine.min[MACHINE_C] = c[i].from;
+        machine.max[MACHINE_C] = c[i].to;
+        ncread_wraps(&machine, &kinematics, wraps);
+        ck_assert_int_eq(kinematics.n, 2);
+        for (int k = 0; k < 2; k++) /* A is within 200 degrees */
+            ck_assert(wraps[k] == (kinematics.axis[k].letter == 'C' && c[i].within));
+    }
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("ncread");
@@ -252,6 +281,7 @@ int main(void)
     tcase_add_loop_test(tcase, motion_is_known, 0, (int)(sizeof move_case / sizeof *move_case));
     tcase_add_loop_test(tcase, inches, 0, CONTROLS);
     tcase_add_loop_test(tcase, refused_with_its_line, 0, (int)(sizeof refused / sizeof *refused));
+    tcase_add_test(tcase, words_within_a_turn);
     suite_add_tcase(suite, tcase);
     SRunner *runner = srunner_create(suite);
     srunner_run_all(runner, CK_ENV);
