@@ -37,7 +37,7 @@ for play in 15 0; do
 	ncpost -q -c siemens arcs.cl >dome.nc
 	./leasttime dome.nc 3000 >play-$play
 done
-below "least time is no more than 1.4 times length by feed" "$(figure ratio play-15)" 1.4
+below "least time is no more than 1.25 times length by feed" "$(figure ratio play-15)" 1.25
 below "no block asks an axis for more than its largest speed" "$(figure over play-15)" 0
 below "A and C turn less than half as far as by the rule" \
 	"$(awk -v a="$(figure turn-A play-15)" -v b="$(figure turn-C play-15)" 'BEGIN { print a + b }')" \

@@ -84,6 +84,41 @@ START_TEST(no_low_link_over_a_high_wall)
 }
 END_TEST
 
+/* From a row that ends along X to one that begins back along it, 2 mm beside: half round with about
+ * the radius that the rows have room for, and no corner at the ends. */
+START_TEST(from_row_to_row_it_turns_with_a_radius)
+{
+    struct gouge_check *guard = floor_with_wall(0);
+    struct gouge_lift_options rule = {.guard = guard, .offset = R, .tolerance = 0.01};
+    struct run_point from = point_at(-6, R), to = point_at(-4, R);
+    struct run link = {.radius = R};
+    const struct holder none = {0};
+    struct link_options options = {.lift = &rule,
+                                   .holder = &none,
+                                   .radius = R,
+                                   .limit = R,
+                                   .leave = vec(1, 0, 0),
+                                   .arrive = vec(-1, 0, 0)};
+    struct vec3 before = from.ball, ahead = options.leave;
+    double far = 0;
+
+    ck_assert(link_low(&options, &from, &to, &link));
+    *array_push(&link) = to;
+    for (size_t i = 0; i < link.n; i++) {
+        struct vec3 way = vec_sub(link.item[i].ball, before);
+        ck_assert_double_lt(vec_angle(way, ahead), RADIANS(45));
+        far = fmax(far, link.item[i].ball.x - from.ball.x);
+        ahead = way;
+        before = link.item[i].ball;
+    }
+    ck_assert_double_lt(vec_angle(ahead, options.arrive), RADIANS(45));
+    ck_assert_double_gt(far, 0.8);
+    ck_assert_double_lt(far, 1.6);
+    array_free(&link);
+    gouge_free(guard);
+}
+END_TEST
+
 START_TEST(without_a_guard_it_is_straight)
 {
     struct gouge_lift_options rule = {.offset = R};
@@ -348,6 +383,7 @@ int main(void)
     tcase_add_test(tests, over_a_floor_it_is_an_arch);
     tcase_add_test(tests, over_a_low_wall_it_is_lifted);
     tcase_add_test(tests, no_low_link_over_a_high_wall);
+    tcase_add_test(tests, from_row_to_row_it_turns_with_a_radius);
     tcase_add_test(tests, without_a_guard_it_is_straight);
     tcase_add_test(tests, a_low_link_turns_as_rotary_axes_do);
     tcase_add_test(tests, a_retract_goes_up_the_axis);
