@@ -35,8 +35,8 @@ model() {
 	ok "$what: is closed" test "$open" -eq 0
 }
 
-part() { # DESC VALUE WANT: within 1e-4 of it
-	below "$1 ($2, expected $3)" "$(awk -v a="$2" -v b="$3" 'BEGIN { d = (a - b) / b; print d < 0 ? -d : d }')" 0.0001
+part() { # DESC VALUE WANT: within 1e-4 of it, or $within
+	below "$1 ($2, expected $3)" "$(awk -v a="$2" -v b="$3" 'BEGIN { d = (a - b) / b; print d < 0 ? -d : d }')" "${within:-0.0001}"
 }
 
 calc() { # EXPRESSION of p (pi)
