@@ -17,6 +17,9 @@
 /* By the longest edge of the mesh: how far beyond its trimming a surface counts. */
 static const double BESIDE = 0.002;
 
+/* mm: of points between those of a mesh of a CAD model, without -e. */
+static const double TOLERANCE = 0.01;
+
 static double step, scallop, plane[3], gap = 0.1;
 static struct cli_list surfaces;
 static double up[3] = {0, 0, 1};
@@ -211,6 +214,10 @@ int main(int argc, char **argv)
         die_error(&error);
     if (path_options_scan(&mesh, &error) != 0)
         die_error(&error);
+    /* Facets of CAD models are as long as the surface is straight: a fit through their corners
+     * alone would swing out between them. */
+    if (path_options.tolerance == 0 && !path_options.paper && mesh.origin.surface.n > 0)
+        path_options.tolerance = TOLERANCE;
     const struct mesh *region = take_region(&mesh, &part);
     check_radius(cli.file[0], region);
     set_pass_options(&t.lift.axis, region, closed, &planes);

@@ -59,12 +59,20 @@ shell CLOSED_SHELL('',({f1}))
 SOLID MANIFOLD_SOLID_BREP('',{shell})
 END2
 	awk -f "$SRC/tests/lib/step.awk" >"$TMP/ball.step"
-nurbs2mesh -e 0.002 "$TMP/ball.step" >"$TMP/box.ply" 2>/dev/null
+nurbs2mesh -e 0.002 "$TMP/ball.step" >"$TMP/ball.ply" 2>/dev/null
+cp "$TMP/box.ply" "$TMP/hole.ply"
+cp "$TMP/ball.ply" "$TMP/box.ply"
 contacts slope --steep 30:60
 every "a ball's slope of 30 to 60 degrees" slope '$6 < 0.8664 && $6 > 0.4998'
 ok "all of it" awk '$6 > 0.8650 { a++ } $6 < 0.5010 { b++ } END { exit !(a > 10 && b > 10) }' "$TMP/slope"
 planecut -v -r 1 -s 1 "$TMP/box.ply" >/dev/null 2>"$TMP/v"
 has "the largest ball that fits is told" "a ball of any radius fits" "$TMP/v"
+
+# A ball that rolls over the edges of a box and down its walls, fitted: no arc swings out between the
+# corners of facets that are as long as a wall.
+planecut -q -r 3 -s 4 --avoid "$TMP/hole.ply" 2>/dev/null | biarcfit -q -e 0.01 2>/dev/null | ncpost -q -c siemens >"$TMP/box.mpf" 2>/dev/null
+ncverify --partial -c siemens -g "$TMP/hole.ply" "$TMP/box.mpf" >"$TMP/out" 2>/dev/null
+has "a program for long facets is accepted" "^verdict *accepted" "$TMP/out"
 
 # ---- what is refused
 
