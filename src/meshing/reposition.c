@@ -266,7 +266,7 @@ void reposition_settle(struct reposition *r)
 size_t *reposition(const struct grid *grid, const struct vec3 *point, size_t n, enum reach reach)
 {
     size_t nodes = grid_nodes(grid), *chosen = mem_alloc(nodes, sizeof *chosen);
-    struct reposition r;
+    struct reposition r = {0};
     struct error error;
     for (size_t i = 0; i < nodes; i++)
         chosen[i] = NO_POINT;

@@ -116,6 +116,8 @@ void scan_border_thin(const struct ints *loop, const struct vec3 *point, double 
     size_t other = 1;
     double reach = -1, off;
 
+    if (loop->n == 0)
+        return;
     for (size_t i = 0; i < loop->n; i++) {
         double away = vec_distance(point[loop->item[i]], point[loop->item[0]]);
         keep[i] = false;
