@@ -268,16 +268,32 @@ static struct verify_program read_program(const struct settings *s, const struct
                                    .axis = head->axis};
 }
 
+/* A scan is placed as the head says of one with as many points, or else by its unit. */
+static void place_scan(const struct settings *s, const struct ncread_head *head, const char *file,
+                       struct vec3 *point, size_t n)
+{
+    struct transform place = transform_scale(cloud_unit(unit_name[s->unit]));
+    if (head->place_rows == 7 && (double)n == head->scan_points) {
+        place = head->place;
+        note("%s: placed as the program's head says", file);
+    }
+    transform_points(&place, point, n);
+}
+
 /* True if all of it are scans. */
-static bool read_part(const struct settings *s, struct vec3s *points)
+static bool read_part(const struct settings *s, const struct ncread_head *head,
+                      struct vec3s *points)
 {
     struct error error;
     double spacing;
     bool scans = true;
     for (size_t i = 0; i < s->part.n; i++) {
+        size_t from = points->n;
         if (verify_part_read(s->part.item[i], cloud_unit(unit_name[s->unit]), s->radius, points,
                              &spacing, &error) < 0)
             die_error(&error);
+        if (spacing == 0)
+            place_scan(s, head, s->part.item[i], points->item + from, points->n - from);
         if (spacing > 0)
             note("%s: points %.3f mm apart on its faces", s->part.item[i], spacing);
         scans = scans && spacing == 0;
@@ -334,7 +350,7 @@ int main(int argc, char **argv)
     find_ball(&s, &head);
     find_tool(&s, &head);
     find_limit(&s, &head);
-    if (read_part(&s, &points)) {
+    if (read_part(&s, &head, &points)) {
         find_surface(&s, cli.threads, &points, &surface);
         program.surface = &surface;
     }

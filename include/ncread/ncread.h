@@ -29,6 +29,7 @@
 #include "base/error.h"
 #include "machine/control.h"
 #include "machine/machine.h"
+#include "math/transform.h"
 #include "simulate/machine_time.h"
 #include "simulate/nc_motion.h"
 
@@ -50,6 +51,9 @@ struct ncread_head {
     char machine[NCREAD_HEAD_TEXT]; /* its name, as far as it is there; "": not said */
     char control_file[NCREAD_HEAD_NAME]; /* as -c has it, in any case; "": not said */
     char machine_file[NCREAD_HEAD_NAME]; /* the same of -m */
+    double scan_points;                  /* of the last scan that guarded it; 0: not said */
+    struct transform place;              /* from the numbers of its file to mm of the program */
+    int place_rows;                      /* bits of its rows that are said; 7: all */
     char set[NCREAD_HEAD_NAME];          /* keys of --set, as far as they are there */
 };
 

@@ -2,6 +2,7 @@
 #include "ncread_head.h"
 
 #include <ctype.h>
+#include <math.h>
 #include <string.h>
 
 #include "base/num.h"
@@ -97,6 +98,19 @@ static void read_name(char *to, size_t size, const char *s)
     to[n] = '\0';
 }
 
+/* A row of the placing: four numbers. */
+static void read_place(struct ncread_head *head, int row, const char *s)
+{
+    if (head->place_rows == 0)
+        head->place = transform_identity();
+    for (int k = 0; k < 4; k++) {
+        s += strspn(s, " ");
+        if (!num_read(&s, &head->place.m[row][k]) || !isfinite(head->place.m[row][k]))
+            return;
+    }
+    head->place_rows |= 1 << row;
+}
+
 void ncread_head_line(struct ncread_head *head, const char *line)
 {
     const char *s = line + strcspn(line, "(;");
@@ -112,6 +126,14 @@ void ncread_head_line(struct ncread_head *head, const char *line)
         read_name(head->control_file, sizeof head->control_file, s);
     } else if (has_key(&s, "MACHINE: ")) {
         read_name(head->machine_file, sizeof head->machine_file, s);
+    } else if (has_key(&s, "SCAN: ")) {
+        head->scan_points = number_at(&s);
+    } else if (has_key(&s, "PLACE1: ")) {
+        read_place(head, 0, s);
+    } else if (has_key(&s, "PLACE2: ")) {
+        read_place(head, 1, s);
+    } else if (has_key(&s, "PLACE3: ")) {
+        read_place(head, 2, s);
     } else if (has_key(&s, "SET: ")) {
         read_name(head->set, sizeof head->set, s);
     } else if (has_key(&s, "FEED: CONTACT")) {

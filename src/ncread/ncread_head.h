@@ -5,7 +5,8 @@
  *   FEED: CONTACT                           cloudmill ncpost for Siemens, Fork head C/A
  *   Tolerance ncpost 0.0011                 Tolerance sum 0.0112 mm, axis 0.0063 deg
  *   CONTROL: siemens                        MACHINE: head-ca
- *   SET: A.max=30
+ *   SET: A.max=30                           SCAN: 1681,3cad464a0113cb05,scan.xyz
+ *   PLACE1: 1 0 0 5                         and PLACE2:, PLACE3:
  *
  * and TOOL+: for more of it.  What is not understood is as if it were not there.
  */

@@ -196,6 +196,20 @@ static void head_ledger(struct nc_program *p)
                rounded_up(nc_ledger_sum(p->path, p->plan)), rounded_up(DEGREES(total->spent.axis)));
 }
 
+/* PLACE1: to PLACE3:, the rows of the matrix from the numbers of the scans to mm of the path. */
+static void place_keys(struct nc_program *p, const struct transform *place)
+{
+    for (int row = 0; row < 3; row++) {
+        char text[4 * (NUM_MAX + 1)] = "", value[NUM_MAX];
+        size_t n = 0;
+        for (int k = 0; k < 4; k++) {
+            num_write_short(value, place->m[row][k], k < 3 ? 12 : 7, false);
+            n += (size_t)snprintf(text + n, sizeof text - n, "%s%.40s", k ? " " : "", value);
+        }
+        key_line(p, (const char *const[]){"PLACE1", "PLACE2", "PLACE3"}[row], text);
+    }
+}
+
 /* SCALLOP: 0.02 TOLERANCE: 0.01, and the scans by which the path was guarded; mm. */
 static void surface_keys(struct nc_program *p)
 {
@@ -218,6 +232,8 @@ static void surface_keys(struct nc_program *p)
                  s->name);
         key_line(p, "SCAN", text);
     }
+    if (scan->n > 0 && scan->placed)
+        place_keys(p, &scan->place);
 }
 
 /* What the stages before could not keep: nobody who reads the program alone shall miss it. */

@@ -119,12 +119,7 @@ int verify_part_read(const char *file, double unit, double radius, struct vec3s 
         if (solid || surfaces)
             return error_set(error, "%s: no faces in it", file);
     }
-    size_t from = points->n;
-    if (cloud_read(file, points, &count, error) < 0)
-        return -1;
-    for (size_t i = from; i < points->n; i++)
-        points->item[i] = vec_scale(unit, points->item[i]);
-    return 0;
+    return cloud_read(file, points, &count, error);
 }
 
 /* ---- the stock */

@@ -416,6 +416,17 @@ ncplot haas.nc -o haas.svg 2>err
 empty "and the control's words" err
 status 1 "ncplot with another machine" ncplot -m table-ac -o haas.svg haas.nc
 has "says what the head says" 'head says the machine TABLE-BC, it is drawn on table-ac' err
+printf '0 -1 0 5\n1 0 0 7\n0 0 1 -3\n0 0 0 1\n' >matrix.txt
+cloud2mesh -q -u inch --matrix matrix.txt dome.xyz | meshnorm -q -r 20 --scallop 0.5 >placed.cl
+for control in siemens fanuc; do
+	ncpost -q -c $control placed.cl -o placed.nc
+	has "$control: the head says how the scan was placed" 'PLACE1: 0 -25.4 0 5' placed.nc
+	status 0 "ncverify places it" ncverify -v -g dome.xyz placed.nc
+	has "which it says" 'dome.xyz: placed as the program.s head says' err
+done
+head -n 4000 dome.xyz >fewer.xyz
+ncverify -v -g fewer.xyz placed.nc >out 2>err
+hasnt "not a scan of other points" 'placed as' err
 ncpost -q -c siemens --set x.max=900 "$SRC/tests/data/golden/shapes.cl" -o set.mpf
 has "keys of --set are in the head" '^; SET: x.max=900$' set.mpf
 ncverify -g dome.xyz set.mpf >out 2>err
