@@ -55,8 +55,8 @@ const struct cli_option path_option_table[] = {
      "status is 3)", CLI_FLAG, &path_options.avoid, 0, 0, 0, NULL},
     {0, "limit", "MM", "lift no centre by more than MM; places that need more are skipped\n"
      "(default: the radius)", CLI_NUMBER, &path_options.limit, CLI_POSITIVE, 0, 0, NULL},
-    {0, "smooth", "MM", "lift centres by up to MM more where they run smoothly then (default: half\n"
-     "the tolerance; 0: not)", CLI_NUMBER, &path_options.smooth, 0, 1, 0, NULL},
+    {0, "smooth", "MM", "lift centres by up to MM more where they run smoothly then (default: a tenth\n"
+     "of the tolerance; 0: not)", CLI_NUMBER, &path_options.smooth, 0, 1, 0, NULL},
     {0, "left-share", "PERCENT",
      "share of the scan's points that may stay uncut within reach of the\n"
      "tool (0.5); more gives exit status 3", CLI_NUMBER, &path_options.left_share, 0, 100, 0, NULL},
@@ -386,7 +386,7 @@ int path_options_rules(const struct mesh *mesh, const struct gouge_check *guard,
     t->lift.between = c->tolerance > 0;
     t->lift.sink = guard ? sink_of(mesh, t->threads) : 0;
     t->lift.step = 0.05;
-    t->lift.smooth = c->smooth >= 0 ? c->smooth : t->lift.tolerance / 2;
+    t->lift.smooth = c->smooth >= 0 ? c->smooth : t->lift.tolerance / 10;
     t->lift.uncut = 3 * t->lift.tolerance + 2 * fmax(c->noise, 0);
     return clearance_plane(mesh, guard, &t->rule.clearance, error);
 }

@@ -24,6 +24,8 @@ void toolpath_strip(struct toolpath *t, size_t pass, const struct contact *conta
     struct toolpath_strip strip = {.pass = pass, .rest = t->rest, .lift = t->lift};
 
     strip.lift.feed.along = along;
+    if (t->rest) /* cuts what others left, to the last of it */
+        strip.lift.smooth = 0;
     array_reserve(&strip.contact, n);
     for (size_t i = 0; i < n; i++)
         *array_push(&strip.contact) = contact[i];
