@@ -223,17 +223,6 @@ static bool comes_near(const struct verdict *v)
     return false;
 }
 
-/* No more points of the region cut have more than the limit than may. */
-static bool within_share(const struct verdict *v)
-{
-    size_t region = 0, left = 0;
-    for (size_t i = 0; i < v->map.points; i++) {
-        region += v->map.region[i];
-        left += v->map.region[i] && v->map.deviation[i] > v->options.left + v->noise;
-    }
-    return (double)left <= v->options.share * (double)region;
-}
-
 /* What is left beyond the limit, where the tool could have cut. */
 static void judge_left(struct verdict *v)
 {
@@ -254,7 +243,7 @@ static void judge_left(struct verdict *v)
                     worst, p.x, p.y, p.z, v->limit, left->points, left->area,
                     (size_t)(v->options.share * (double)v->program.part->n));
     else
-        add_finding(v, !within_share(v), piece_at(v, at),
+        add_finding(v, true, piece_at(v, at),
                     "%.4f mm of material is left at %.3f %.3f %.3f, at most %g", worst, p.x, p.y,
                     p.z, v->options.left);
 }

@@ -261,7 +261,7 @@ for control in fanuc siemens; do
 	ncpost -q -c $control spline.cl >spline.$control
 	status 0 "$control: a good spline" ncverify -q -g dome.xyz -r 6 -e 0.03 spline.$control
 	awk '/G0?6.2|BSPLINE/ { inside = 1 } / G1 | K[0-9.]+$/ { inside = 0 }
-		inside && ++n == 20 { for (i = 1; i <= NF; i++) if ($i ~ /^Z[0-9]/) $i = sprintf("Z%.3f", substr($i, 2) - 0.5)
+		inside && ++n >= 20 && !done && !/G0?6.2/ { done = 1; for (i = 1; i <= NF; i++) if ($i ~ /^Z[0-9]/) $i = sprintf("Z%.3f", substr($i, 2) - 0.5)
 			print $1 >"named" } { print }' spline.$control >bad.nc
 	status 3 "$control: a pole too deep" ncverify -g dome.xyz -r 6 -e 0.03 -c $control bad.nc
 	N=$(sed 's/N//' named) # or the one beside it, whose span it shapes as much
