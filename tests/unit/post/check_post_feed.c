@@ -71,7 +71,7 @@ START_TEST(as_by_small_steps)
                rotary = post_feed_axes_minutes(&planner, &planner.state.at, &to.at);
         double got = post_feed_minutes(&planner, &to, length, NULL, least);
         ck_assert_double_ge(got, 0.97 * fmax(want, least));
-        ck_assert_double_le(got, 1.001 * fmax(want, least));
+        ck_assert_double_le(got, 1.022 * fmax(want, least));
         slides += want > 1.01 * rotary && want > least;
     }
     ck_assert_int_gt(slides, 30);
@@ -213,7 +213,8 @@ START_TEST(feed_words)
         if (plan.ability.feeds == NC_FEEDS_COMBINED)
             takes = joint / feed;
         ck_assert_double_ge(takes, 0.97 * fmax(least, wished));
-        ck_assert_double_le(takes, 1.01 * fmax(least, wished));
+        /* post_feed leaves 2 % of an axis' speed */
+        ck_assert_double_le(takes, 1.025 * fmax(least, wished));
         ck_assert_double_eq_tol(1000 * feed, round(1000 * feed), 1e-6); /* its digits */
         ck_assert_double_eq_tol(minutes, takes, 0.01 * takes);
         slow += least > 1.05 * wished;
