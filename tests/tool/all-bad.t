@@ -163,13 +163,19 @@ sed 's/ =.*//' keys | sort >known
 same "every key of the manual is tried" told known
 path=$SRC/tests/data/golden/shapes.cl
 : >complaints
+
+# alike FILE FILE: the same program, whatever its head says of where the keys are from
+alike() {
+	grep -Ev '^(N[0-9]+ )?\((MACHINE|SET): ' "$1" >one.body
+	grep -Ev '^(N[0-9]+ )?\((MACHINE|SET): ' "$2" | cmp -s - one.body
+}
 while read -r line; do
 	printf 'include = table-ac\n%s\n' "$line" >one.txt
 	ncpost -q -c fanuc -m ./one.txt -o file.nc "$path" 2>err
 	file=$?
 	ncpost -q -c fanuc --set "$line" -o set.nc "$path" 2>err
 	[ $? -eq $file ] || echo "$line: another exit status"
-	[ $file -ne 0 ] || cmp -s file.nc set.nc || echo "$line: not as in a file"
+	[ $file -ne 0 ] || alike file.nc set.nc || echo "$line: not as in a file"
 	[ $file -eq 0 ] || [ $file -eq 3 ] || grep -Eq "one within its travel|no angles of" err ||
 		echo "$line: exit $file"
 	key=${line%% *}
@@ -191,7 +197,8 @@ for text in '\357\273\277retract = 60\n' 'retract = 60\r\n' 'retract = 60' '\n\t
 	# shellcheck disable=SC2059
 	printf "$text" >fine.txt
 	ncpost -q -c fanuc -m ./fine.txt -o fine.nc good.cl || echo "$text"
-	ncpost -q -c fanuc --set retract=60 good.cl | cmp -s - fine.nc || echo "$text: another program"
+	ncpost -q -c fanuc --set retract=60 -o set.nc good.cl
+	alike set.nc fine.nc || echo "$text: another program"
 done >complaints 2>&1
 empty "files of all systems" complaints
 

@@ -157,7 +157,7 @@ has "Siemens: a left-hand pitch" 'CYCLE84\(4,0,4,-12,,,4,,-1\.25,' left.mpf
 
 # ---- parts, each with its cycle said anew
 rm -f part-*
-status 0 "in parts" ncpost -q -c fanuc --split 60 -o part.nc holes.cl
+status 0 "in parts" ncpost -q -c fanuc --split 70 -o part.nc holes.cl
 for part in part-*.nc; do
 	"$READBACK" -c fanuc "$part" 2>&1
 done >parts

@@ -213,7 +213,7 @@ ncpost -q -c fanuc -m head-ca -o "$TMP/below.nc" "$TMP/below.cl"
 awk '/ G1 / { cut = 1 } cut { for (i = 1; i <= NF; i++) if ($i ~ /^X/) x = substr($i, 2) }
 	cut && / G0 / { exit } END { exit !(x + 0 >= 99.999) }' "$TMP/below.nc"
 result $? "a tool below the horizontal leaves beside the part"
-ncpost -q -c fanuc -m head-ca --split 40 -o "$TMP/low.nc" "$TMP/below.cl"
+ncpost -q -c fanuc -m head-ca --split 45 -o "$TMP/low.nc" "$TMP/below.cl"
 awk '/ G1 / { cut = 1 } cut { for (i = 1; i <= NF; i++) if ($i ~ /^X/) x = substr($i, 2) }
 	cut && / G0 / { exit } END { exit !(x + 0 >= 99.999) }' "$TMP/low-1.nc"
 result $? "so does each part"
