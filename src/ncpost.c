@@ -87,9 +87,8 @@ static void read_options(struct settings *s, struct cli *cli, int argc, char **a
          "divide into programs of at most N blocks, or bytes: 500k, 2M;\n"
          "their files are -o's with -1, -2 ... in the name",
          CLI_TEXT, &s->split, 0, 0, 0, NULL},
-        {0, "part", "K/N",
-         "only part K of N of the program's text: whole passes, to be joined by cat", CLI_TEXT,
-         &s->part, 0, 0, 0, NULL},
+        {0, "part", "K/N", "only part K of N of the program: whole passes, to be joined by cat",
+         CLI_TEXT, &s->part, 0, 0, 0, NULL},
         {0, "explain", "N", "explain the origin of block number N instead of writing a program",
          CLI_COUNT, &s->extract.explain, 0, 2e9, 0, NULL},
         {0, "self-test", NULL,

@@ -126,8 +126,8 @@ static void read_options(struct settings *s, struct cli *cli, int argc, char **a
          "the region cut (default: a quarter of the radius)",
          CLI_NUMBER, &s->band, CLI_POSITIVE, 1e4, 0, &s->band_given},
         {0, "noise", "MM",
-         "noise of the scan, one standard deviation, that is taken out of it (default:\n"
-         "measured); 0: every point is believed as it is",
+         "noise of the scan, one standard deviation, that is taken out of it\n"
+         "(default: measured); 0: every point is believed as it is",
          CLI_NUMBER, &s->noise, 0, 100, 0, NULL},
         {0, "flute", "MM",
          "length of the shaft of the ball's diameter above the ball's centre,\n"

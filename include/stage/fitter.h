@@ -34,28 +34,28 @@ struct fitter_options {
 };
 
 /* The rows of the options table that are the same in all fitters. */
-#define FITTER_OPTIONS(common)                                                             \
-    {0,        "no-guard",                                                                 \
-     NULL,     "by no scan, not even the one that the path names",                         \
-     CLI_FLAG, &(common)->gouge.scan.none,                                                 \
-     0,        0,                                                                          \
-     0,        NULL},                                                                      \
-        {0,          "noise",                                                              \
-         "MM",       "standard deviation of the scan's noise (default: measured)",         \
-         CLI_NUMBER, &(common)->gouge.noise,                                               \
-         0,          10,                                                                   \
-         0,          NULL},                                                                \
-        EFFORT_OPTION(&(common)->gouge.effort),                                            \
-        {0,        "part",                                                                 \
-         "K/N",    "only part K of N: whole passes, to be joined by cat",                  \
-         CLI_TEXT, &(common)->part_text,                                                   \
-         0,        0,                                                                      \
-         0,        NULL},                                                                  \
-    {                                                                                      \
-        0, "min-length", "MM",                                                             \
-            "no piece and no knot span shorter, unless the tolerance forbids it; 0: any\n" \
-            "(6 ms at the path's feed: 0.08 mm at 800 mm/min)",                            \
-            CLI_NUMBER, &(common)->least, 0, 100, 0, &(common)->least_given                \
+#define FITTER_OPTIONS(common)                                                         \
+    {0,        "no-guard",                                                             \
+     NULL,     "by no scan, not even the one that the path names",                     \
+     CLI_FLAG, &(common)->gouge.scan.none,                                             \
+     0,        0,                                                                      \
+     0,        NULL},                                                                  \
+        {0,          "noise",                                                          \
+         "MM",       "standard deviation of the scan's noise (default: measured)",     \
+         CLI_NUMBER, &(common)->gouge.noise,                                           \
+         0,          10,                                                               \
+         0,          NULL},                                                            \
+        EFFORT_OPTION(&(common)->gouge.effort),                                        \
+        {0,        "part",                                                             \
+         "K/N",    "only part K of N: whole passes, to be joined by cat",              \
+         CLI_TEXT, &(common)->part_text,                                               \
+         0,        0,                                                                  \
+         0,        NULL},                                                              \
+    {                                                                                  \
+        0, "min-length", "MM",                                                         \
+            "no piece or knot span shorter, unless the tolerance forbids it; 0: any\n" \
+            "(6 ms at the path's feed: 0.08 mm at 800 mm/min)",                        \
+            CLI_NUMBER, &(common)->least, 0, 100, 0, &(common)->least_given            \
     }
 
 /* As they are when none is given, with this tolerance. */

@@ -55,8 +55,8 @@ const struct cli_option path_option_table[] = {
      "status is 3)", CLI_FLAG, &path_options.avoid, 0, 0, 0, NULL},
     {0, "limit", "MM", "lift no centre by more than MM; places that need more are skipped\n"
      "(default: the radius)", CLI_NUMBER, &path_options.limit, CLI_POSITIVE, 0, 0, NULL},
-    {0, "smooth", "MM", "lift centres by up to MM more where they run smoothly then (default: a tenth\n"
-     "of the tolerance; 0: not)", CLI_NUMBER, &path_options.smooth, 0, 1, 0, NULL},
+    {0, "smooth", "MM", "lift centres by up to MM more where they run smoothly then (default:\n"
+     "a tenth of the tolerance; 0: not)", CLI_NUMBER, &path_options.smooth, 0, 1, 0, NULL},
     {0, "left-share", "PERCENT",
      "share of the scan's points that may stay uncut within reach of the\n"
      "tool (0.5); more gives exit status 3", CLI_NUMBER, &path_options.left_share, 0, 100, 0, NULL},
@@ -90,8 +90,8 @@ const struct cli_option path_option_table[] = {
      CLI_NUMBER, &path_options.lean, 0, 85, 0, NULL},
     {0, "box", "X0,Y0,Z0,X1,Y1,Z1", "cut what is inside this box",
      CLI_NUMBERS, path_options.box, 0, 0, 6, &path_options.box_given},
-    {0, "region", "FILE", "cut what is inside the polygons of FILE, seen along z: a corner `x y` a\n"
-     "line, an empty line between two polygons",
+    {0, "region", "FILE", "cut what is inside the polygons of FILE, seen along z: a corner `x y`\n"
+     "a line, an empty line between two polygons",
      CLI_TEXT, &path_options.region, 0, 0, 0, NULL},
     {0, "one-way", NULL, "cut all passes in one direction (default: zig-zag)",
      CLI_FLAG, &path_options.one_way, 0, 0, 0, NULL},
