@@ -3,8 +3,9 @@
 
 #include "math/kdtree.h"
 
-#define RISES 0.5 /* cosine between the tool axis and the way up, at least */
-#define OVER 0.9  /* the same between up and what the end of a curve stands over */
+#define RISES 0.5    /* cosine between the tool axis and the way up, at least */
+#define OVER 0.9     /* the same between up and what the end of a curve stands over */
+#define NEAR_END 0.1 /* of a piece, from its end: how it goes there */
 
 struct search {
     const struct nc_motion *motion;
@@ -76,18 +77,38 @@ static void add_excursion(struct search *s, size_t segment, double height)
     s->found.at = s->path->item[segment].b;
 }
 
-/* A curve that ends off the part counts if it ends over the part and a straight block comes down
+/* True if the path turns back where one piece ends and another begins: a sharp angle. */
+static bool turns_back(const struct search *s, const struct nc_piece *piece,
+                       const struct nc_piece *next)
+{
+    struct vec3 before = nc_motion_at(s->motion, piece, 1 - NEAR_END).p;
+    struct vec3 corner = nc_motion_at(s->motion, piece, 1).p;
+    struct vec3 after = nc_motion_at(s->motion, next, NEAR_END).p;
+    return vec_dot(vec_sub(before, corner), vec_sub(after, corner)) > 0;
+}
+
+/* True if what comes after a piece can bring the ball down from a wrong end: a straight block
+ * after a curve, or a curve that begins at a sharp angle. */
+static bool may_come_down(const struct search *s, const struct nc_piece *piece,
+                          const struct nc_piece *next)
+{
+    if (piece->shape == SHAPE_ARC || next->shape == SHAPE_ARC)
+        return false;
+    if (next->shape == SHAPE_LINE)
+        return piece->shape != SHAPE_LINE;
+    return turns_back(s, piece, next);
+}
+
+/* A piece that ends off the part counts if it ends over the part and the next one comes down
  * again. */
 static void look_at_end(struct search *s, size_t to)
 {
     size_t piece = s->path->item[to].piece, next = piece + 1;
     const struct nc_piece *all = s->motion->piece.item;
-    if (all[piece].shape == SHAPE_LINE || all[piece].shape == SHAPE_ARC)
-        return;
     while (next < s->motion->piece.n && all[next].shape == SHAPE_LINE &&
            vec_distance(all[next].p[0], all[next].p[1]) == 0)
         next++; /* the tool turns where it is */
-    if (next == s->motion->piece.n || all[next].shape != SHAPE_LINE)
+    if (next == s->motion->piece.n || !may_come_down(s, &all[piece], &all[next]))
         return;
     struct nc_motion_pose end = end_of(s, piece);
     struct vec3 up = from_part(s, end.p);
@@ -95,6 +116,18 @@ static void look_at_end(struct search *s, size_t to)
     if (fmax(vec_dot(up, end.a), up.z) >= OVER * vec_length(up) &&
         clearance(s, end_of(s, next).p) < height - s->options->band)
         add_excursion(s, to, height);
+}
+
+/* Straight blocks off the part, the last of which begins near it: a curve may follow. */
+static void look_at_last_line(struct search *s, size_t from, size_t to)
+{
+    const struct centre_segment *segment = s->path->item;
+    size_t first = to;
+    while (first > from && segment[first - 1].piece == segment[to].piece)
+        first--;
+    if (clearance(s, segment[first].a) <= s->options->band &&
+        clearance(s, segment[to].b) > s->options->band)
+        look_at_end(s, to);
 }
 
 /* From the straight line between two places to a third, at right angles. */
@@ -110,8 +143,10 @@ static void look_at_stretch(struct search *s, size_t from, size_t to)
     struct vec3 a = segment[from].a, b = segment[to].b;
     size_t top = from;
     double most = 0, band = s->options->band;
-    if (s->motion->piece.item[segment[from].piece].shape == SHAPE_LINE && !is_spike(s, from, to))
+    if (s->motion->piece.item[segment[from].piece].shape == SHAPE_LINE && !is_spike(s, from, to)) {
+        look_at_last_line(s, from, to);
         return;
+    }
     for (size_t i = from; i < to; i++) {
         double high = vec_length(rise_over_line(a, b, segment[i].b));
         top = high > most ? i : top;

@@ -91,6 +91,20 @@ START_TEST(a_curve_that_ends_high)
 }
 END_TEST
 
+/* A straight block that ends high, and a curve that comes down from there at a sharp angle or not. */
+START_TEST(a_curve_that_begins_high)
+{
+    const unsigned char l = SHAPE_LINE, p = SHAPE_POLYNOMIAL, shape[PIECES] = {l, l, l, p, p, p};
+    const double sharp[PIECES + 1] = {0, 0, 0, 8, 0, 0, 0},
+                                flat[PIECES + 1] = {0, 0, 0, 8, 8, 2, 0};
+    struct excursion leap = shaped(sharp, level, shape);
+    ck_assert_uint_eq(leap.count, 1);
+    ck_assert_double_eq_tol(leap.height, 8, 1e-6);
+    ck_assert_uint_eq(leap.piece, 2);
+    ck_assert_uint_eq(shaped(flat, level, shape).count, 0);
+}
+END_TEST
+
 START_TEST(less_than_the_band_is_none)
 {
     const double high[PIECES + 1] = {0, 0, 0.5, 1.2, 0.5, 0, 0};
@@ -133,6 +147,7 @@ int main(void)
     TCase *tcase = tcase_create("excursion");
     tcase_add_test(tcase, a_curve_that_jumps);
     tcase_add_test(tcase, a_curve_that_ends_high);
+    tcase_add_test(tcase, a_curve_that_begins_high);
     tcase_add_test(tcase, less_than_the_band_is_none);
     tcase_add_test(tcase, a_spike_of_two_blocks);
     tcase_add_test(tcase, up_across_and_down_is_a_way);
