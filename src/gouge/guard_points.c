@@ -8,7 +8,6 @@
 #include "cloud/edge_points.h"
 #include "cloud/scan_lines.h"
 #include "cloud/settle.h"
-#include "cloud/scan_lines.h"
 #include "cloud/upsample.h"
 #include "curve/edge_curve.h"
 #include "mesh/mesh_edges.h"

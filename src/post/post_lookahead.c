@@ -668,11 +668,12 @@ static double top_of(const struct path *path, const struct machine *machine)
 }
 
 /* The travel to the last digit within it, and what is rounded to that or beyond it by so little
- * that it is taken for it (post_ik.c): no angle is beyond it once it is printed, and none is
- * refused for what the digits of most controls do not show. */
+ * that it is taken for it (post_ik.c): no angle is beyond it once it is printed, not even by the
+ * rounding that ik_branch.c allows, and none is refused for what the digits of most controls do not
+ * show. */
 static void trim_travel(struct kinematic_chain *chain, int digits)
 {
-    const double slack = 1e-9, half = fmax(0.5, POST_IK_AT_END * num_ten[digits]) - 1e-6;
+    const double slack = 1e-9, half = fmax(0.5, POST_IK_AT_END * num_ten[digits]) - 1e-3;
     for (int i = 0; i < chain->n; i++) {
         struct rotary *r = &chain->rotary[i];
         double min = DEGREES(r->min) * num_ten[digits], max = DEGREES(r->max) * num_ten[digits];

@@ -4,8 +4,6 @@
 #include <check.h>
 #include <stdlib.h>
 
-#include "arcfit/arcspline.h"
-
 /* Joints on a helix, which arcs of three points can't be taken from. */
 static struct arcspline chain_of(size_t n)
 {
