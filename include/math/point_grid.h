@@ -57,4 +57,9 @@ void point_grid_remove(struct point_grid *point_grid, const unsigned char *out);
 size_t point_grid_nearest(const struct point_grid *point_grid, struct vec3 q, size_t k,
                           uint32_t *index, double *distance2);
 
+/* The same points themselves, at most POINT_GRID_NEAR of them. */
+enum { POINT_GRID_NEAR = 64 };
+size_t point_grid_near(const struct point_grid *point_grid, struct vec3 q, size_t k,
+                       struct vec3 *near);
+
 #endif

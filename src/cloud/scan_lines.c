@@ -10,14 +10,10 @@ static const double SLENDER = 0.25;
 
 static bool is_on_line(const struct point_grid *b, size_t i)
 {
-    uint32_t index[NEXT];
-    double distance2[NEXT];
     struct vec3 near[NEXT];
     struct plane_fit plane;
-    size_t n = point_grid_nearest(b, b->point[i], NEXT, index, distance2);
+    size_t n = point_grid_near(b, b->point[i], NEXT, near);
 
-    for (size_t k = 0; k < n; k++)
-        near[k] = b->point[index[k]];
     return plane_fit(near, n, &plane) < 0 || plane.width < SLENDER * plane.length;
 }
 

@@ -10,12 +10,8 @@ enum { MOST = 48, FEWEST = 12, TERMS = 6 };
 
 struct vec3 settle_point(const struct point_grid *grid, double sigma, struct vec3 p)
 {
-    uint32_t index[MOST];
-    double distance2[MOST];
     struct vec3 near[MOST];
-    size_t most = point_grid_nearest(grid, p, MOST, index, distance2);
-    for (size_t i = 0; i < most; i++)
-        near[i] = grid->point[index[i]];
+    size_t most = point_grid_near(grid, p, MOST, near);
     for (size_t n = most; n >= FEWEST; n /= 2) {
         struct quadric q;
         if (quadric_fit_free(near, n, p, &q) < 0 ||

@@ -52,13 +52,8 @@ struct guard_work {
 /* A rough normal from the points about a place. */
 static struct vec3 guess_normal(const struct point_grid *b, struct vec3 place)
 {
-    uint32_t index[GUESS];
-    double distance2[GUESS];
     struct vec3 near[GUESS];
-    size_t n = point_grid_nearest(b, place, GUESS, index, distance2);
-
-    for (size_t i = 0; i < n; i++)
-        near[i] = b->point[index[i]];
+    size_t n = point_grid_near(b, place, GUESS, near);
     struct vec3 normal = plane_normal(near, n);
     return normal.z < 0 ? vec_scale(-1, normal) : normal;
 }

@@ -490,3 +490,16 @@ size_t point_grid_nearest(const struct point_grid *point_grid, struct vec3 q, si
     sort_heap(&h);
     return h.n;
 }
+
+size_t point_grid_near(const struct point_grid *point_grid, struct vec3 q, size_t k,
+                       struct vec3 *near)
+{
+    uint32_t index[POINT_GRID_NEAR];
+    double distance2[POINT_GRID_NEAR];
+    size_t n = point_grid_nearest(point_grid, q, k < POINT_GRID_NEAR ? k : POINT_GRID_NEAR, index,
+                                  distance2);
+
+    for (size_t i = 0; i < n; i++)
+        near[i] = point_grid->point[index[i]];
+    return n;
+}

@@ -63,16 +63,12 @@ void cell_surfaces_free(struct cell_surfaces *cells)
 
 static double off_nearest(const struct point_grid *b, struct vec3 at)
 {
-    uint32_t index[NEAR];
-    double distance2[NEAR];
     struct vec3 near[NEAR], mean = vec(0, 0, 0);
     struct quadric q;
-    size_t n = point_grid_nearest(b, at, NEAR, index, distance2);
+    size_t n = point_grid_near(b, at, NEAR, near);
 
-    for (size_t k = 0; k < n; k++) {
-        near[k] = b->point[index[k]];
+    for (size_t k = 0; k < n; k++)
         mean = vec_along(mean, 1 / (double)n, near[k]);
-    }
     if (quadric_fit(near, n, at, vec(0, 0, 1), &q) == 0)
         return quadric_distance(&q);
     return fabs(vec_dot(plane_normal(near, n), vec_sub(mean, at)));

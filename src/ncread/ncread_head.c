@@ -2,7 +2,6 @@
 #include "ncread_head.h"
 
 #include <ctype.h>
-#include <math.h>
 #include <string.h>
 
 #include "base/num.h"

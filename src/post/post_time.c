@@ -161,13 +161,12 @@ static void end_run(struct timing *t)
 
 static void add_rapid(struct timing *t, const struct block_pose *from, const struct block_pose *to)
 {
-    struct axis_time_limits straight = t->limits;
     double a[AXIS_TIME_AXES], b[AXIS_TIME_AXES], way = 0;
     axes_at(t, from->p, from->q, a);
     axes_at(t, to->p, to->q, b);
     for (int k = 0; k < AXIS_TIME_AXES; k++)
-        way = fmax(way, fabs(b[k] - a[k]) / straight.speed[k]);
-    t->plan->total.minutes += fmax(0, axis_time_rapid(&straight, a, b) - way) / 60;
+        way = fmax(way, fabs(b[k] - a[k]) / t->limits.speed[k]);
+    t->plan->total.minutes += fmax(0, axis_time_rapid(&t->limits, a, b) - way) / 60;
 }
 
 void post_time(struct nc_plan *plan, const struct machine *machine)

@@ -49,25 +49,37 @@ static void roll_outliers(struct verdict *v)
     deviation_map_free(&map);
 }
 
-/* Of the region cut: points that no ball and tool reach are none of it. */
-static void leave_out_of_reach(struct verdict *v)
+/* Which points are cut, out of reach, or left by so much. */
+static void cover_points(const struct verdict *v, const double *left,
+                         struct part_coverage *coverage)
 {
     const struct verify_options *o = &v->options;
     const struct vec3s *part = v->program.part;
     const struct verify_surface *surface = v->program.surface;
-    double *left = mem_alloc(part->n, sizeof *left);
     struct vec3s axis = part_coverage_axes(&v->program.motion->kinematics);
     const struct part_coverage_options reach = {o->radius, v->limit, &o->tool, &axis, o->threads};
-    struct part_coverage coverage;
-    for (size_t i = 0; i < part->n; i++)
-        left[i] = v->map.region[i] ? v->map.deviation[i] : 0;
-    part_coverage_run(part->item, left, surface ? surface->under : NULL, part->n, &reach,
-                      &coverage);
-    for (size_t i = 0; i < part->n; i++)
-        v->map.region[i] =
-            v->map.region[i] && (coverage.of[i] == COVERAGE_CUT || coverage.of[i] == COVERAGE_LEFT);
-    part_coverage_free(&coverage);
+
+    part_coverage_run(part->item, left, surface ? surface->under : NULL, part->n, &reach, coverage);
     array_free(&axis);
+}
+
+static bool is_reached(const struct part_coverage *coverage, size_t i)
+{
+    return coverage->of[i] == COVERAGE_CUT || coverage->of[i] == COVERAGE_LEFT;
+}
+
+/* Of the region cut: points that no ball and tool reach are none of it. */
+static void leave_out_of_reach(struct verdict *v)
+{
+    size_t n = v->program.part->n;
+    double *left = mem_alloc(n, sizeof *left);
+    struct part_coverage coverage;
+    for (size_t i = 0; i < n; i++)
+        left[i] = v->map.region[i] ? v->map.deviation[i] : 0;
+    cover_points(v, left, &coverage);
+    for (size_t i = 0; i < n; i++)
+        v->map.region[i] = v->map.region[i] && is_reached(&coverage, i);
+    part_coverage_free(&coverage);
     free(left);
 }
 
@@ -76,27 +88,21 @@ static void roll_cuts(struct verdict *v)
 {
     const struct verify_options *o = &v->options;
     const struct vec3s *part = v->program.part;
-    const struct verify_surface *surface = v->program.surface;
     struct deviation_map_options roll = {o->radius, o->tolerance + v->noise, o->band, o->threads,
                                          false};
     deviation_map_run(&v->cut, part->item, part->n, &roll, &v->map);
-    if (surface)
+    if (v->program.surface)
         roll_outliers(v);
     if (v->cut.n == 0)
         return;
     if (o->partial) {
         leave_out_of_reach(v);
-        deviation_map_sum(&roll, &v->map);
-        return;
+    } else {
+        cover_points(v, v->map.deviation, &v->coverage);
+        for (size_t i = 0; i < part->n; i++)
+            v->map.region[i] = is_reached(&v->coverage, i);
     }
-    struct vec3s axis = part_coverage_axes(&v->program.motion->kinematics);
-    const struct part_coverage_options reach = {o->radius, v->limit, &o->tool, &axis, o->threads};
-    part_coverage_run(part->item, v->map.deviation, surface ? surface->under : NULL, part->n,
-                      &reach, &v->coverage);
-    for (size_t i = 0; i < part->n; i++)
-        v->map.region[i] = v->coverage.of[i] == COVERAGE_CUT || v->coverage.of[i] == COVERAGE_LEFT;
     deviation_map_sum(&roll, &v->map);
-    array_free(&axis);
 }
 
 /* The deepest that the ball goes into the part in a rapid move. */
