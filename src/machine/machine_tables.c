@@ -9,6 +9,8 @@
 #include "base/num.h"
 #include "base/reader.h"
 
+enum { MOST_NUMBER = 1000000000 /* one more than a tool's number may be */ };
+
 /* ---- tools */
 
 const struct machine_tool *machine_tool(const struct machine *machine, int number)
@@ -63,6 +65,14 @@ static int set_tool_name(struct machine_tool *tool, const char *value, const cha
 
 /* ---- a table of tools */
 
+/* A tool's number from a table: whole, and as large as one in a key may be. */
+static bool take_number(double value, int *number)
+{
+    bool good = value >= 0 && value < MOST_NUMBER && value == floor(value);
+    *number = good ? (int)value : -1;
+    return good;
+}
+
 /* A line of LinuxCNC's table: T1 P1 Z120.5 D10 */
 static int read_linuxcnc_line(const char *s, int *number, double *length)
 {
@@ -73,8 +83,8 @@ static int read_linuxcnc_line(const char *s, int *number, double *length)
         char letter = (char)toupper((unsigned char)*s++);
         if (!isalpha((unsigned char)letter) || !num_read(&s, &value))
             return -1;
-        if (letter == 'T')
-            *number = (int)value;
+        if (letter == 'T' && !take_number(value, number))
+            return -1;
         if (letter == 'Z')
             *length = value;
     }
@@ -100,10 +110,9 @@ static int read_tool_line(struct machine *m, char *text, const char *file, size_
     if (toupper((unsigned char)*text) == 'T') {
         good = read_linuxcnc_line(text, &number, &length) == 0;
     } else {
-        good = num_read(&s, &value) && value >= 0 && value == floor(value);
+        good = num_read(&s, &value) && take_number(value, &number);
         s += strspn(s, " \t");
         good = good && num_read(&s, &length);
-        number = good ? (int)value : -1;
         s += strspn(s, " \t");
         tool_name = good && *s ? s : tool_name;
     }
@@ -149,7 +158,7 @@ static bool read_count(const char **s, int *number)
 {
     long n = 0;
     const char *p = *s;
-    while (isdigit((unsigned char)*p) && n < 100000000)
+    while (isdigit((unsigned char)*p) && n < MOST_NUMBER / 10)
         n = 10 * n + (*p++ - '0');
     if (p == *s)
         return false;
