@@ -13,6 +13,10 @@
 # make portability      jobs on other platforms: same bytes?
 # make lint sanitize fuzz dist distcheck clean uninstall
 
+# A directive to the make of a BSD, which stops here with these words; to GNU make a rule that nobody
+# asks for.
+.error : GNU make is needed, type gmake in place of make
+
 PREFIX  = /usr/local
 DESTDIR =
 CC      = cc
@@ -62,7 +66,8 @@ packages = check pkg-config mandoc python3 locales
 packages_all = $(packages) chromium linuxcnc-uspace parallel rsync \
   clang clang-format clang-tidy libclang-rt-dev cppcheck shellcheck gcovr \
   musl-tools gcc-mingw-w64-x86-64-posix wine wine64 qemu-user-static gcc-aarch64-linux-gnu \
-  gcc-i686-linux-gnu lintian debhelper fakeroot zsh fish bash-completion
+  libc6-dev-arm64-cross gcc-i686-linux-gnu libc6-dev-i386-cross lintian debhelper fakeroot zsh fish \
+  bash-completion bmake
 apt_install = DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends
 
 all: $(tools)

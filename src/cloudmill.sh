@@ -9,8 +9,8 @@ usage() {
 	cat <<'END'
 usage: cloudmill SCAN -r MM -c CONTROL -o PROGRAM [options] [-- options of meshnorm or planecut]
        cloudmill doctor SCAN [-u UNIT]
-Makes a 5-axis program of a scan or a CAM model (IGES, STEP, NURBS text), checks it and draws it.
-doctor: says what there is in a scan, and which options suit it.
+Makes a 5-axis program from a scan or a CAD model (IGES, STEP, NURBS text), checks it and draws it.
+doctor: prints what is in a scan, and which options suit it.
 
   -r MM          radius of the ball
   -c CONTROL     control to write for, as of ncpost
@@ -77,7 +77,7 @@ describe() { # MESH
 	}
 	END {
 		printf "size %.4g %.4g %.4g\n", high[1] - low[1], high[2] - low[2], high[3] - low[3]
-		split("1 2 3 4 5 6 8 10 12 16 20 25", ball, " ")
+		split("0.25 0.5 1 2 3 4 5 6 8 10 12 16 20 25", ball, " ")
 		for (i = 1; (i in ball); i++) {
 			fits = 0
 			for (v = 1; v <= m; v++) fits += k[v] * ball[i] <= 1
@@ -102,13 +102,16 @@ doctor() {
 	trap 'rm -rf "$folder"' EXIT
 	cloud2mesh -v ${unit:+-u "$unit"} -o "$folder/mesh.ply" "$scan" 2>"$folder/said"
 	code=$?
-	sed 's/^cloud2mesh: //' "$folder/said"
+	# What the mesh alone is made of is for those who make one.
+	sed -e 's/^cloud2mesh: //' -e '/vert[a-z]* .*\(stand at\|moved\|are off\)/d' -e '/^moved by/d' \
+		-e '/edges.*, more than/d' -e '/^left out .*facet/d' -e '/ points in, /d' "$folder/said"
 	[ $code -eq 0 ] || [ $code -eq 3 ] || exit $code
 	describe "$folder/mesh.ply" >"$folder/found"
 	spacing=$(sed -n 's/^comment spacing //p' "$folder/mesh.ply")
-	awk -v spacing="$spacing" -v scan="$scan" -v unit="${unit:+ -u $unit}" '
+	SCAN=$(quoted "$scan") awk -v spacing="$spacing" -v unit="${unit:+ -u $unit}" '
 	$1 == "size" { for (i = 2; i <= 4; i++) longest = $i > longest ? $i : longest }
-	$1 == "ball" {
+	# Balls below 1 mm are for small parts, and none is wider than its part.
+	$1 == "ball" && ($2 >= 1 || $2 >= longest / 40) && (!n || 2 * $2 <= longest) {
 		share[++n] = $3; ball[n] = $2
 		if ($3 == 100) whole = $2
 		if ($3 >= 99) most = $2
@@ -116,8 +119,14 @@ doctor() {
 		if (!least && $2 >= spacing) least = n
 	}
 	END {
-		if (longest < 1) print "unit      the part is " longest " mm long: metres? Try -u m (or inch)"
-		else if (longest > 3000) print "unit      the part is " longest " mm long: micrometres? Try -u um"
+		scan = ENVIRON["SCAN"]
+		other = unit ? "" : longest < 1 ? "m" : longest < 10 ? "inch" : longest > 3000 ? "um" : ""
+		name["m"] = "metres"; name["inch"] = "inches"; name["um"] = "micrometres"
+		if (other) print "unit      the part is " longest " mm long: " name[other] "? Try -u " other
+		if (longest < 1 || longest > 3000) {
+			print "suggested " (other ? "cloudmill doctor " scan " -u " other : "another unit (-u)")
+			exit
+		}
 		for (i = 1; i <= n; i++) list = list sprintf("%s R %g: %g %%", i > 1 ? "," : "", ball[i], share[i])
 		print "balls     share of the surface whose hollows a ball fits:" list
 		# Hollows narrower than the mesh are not known, and a ball for the last of them takes all day:
@@ -174,11 +183,11 @@ arcs | splines | points) ;;
 esac
 [ -r "$scan" ] || die 1 "$scan: cannot open"
 
-if [ -n "$keep" ]; then
+if [ -n "$dry" ]; then
+	folder=${keep:-streams}
+elif [ -n "$keep" ]; then
 	mkdir -p "$keep" || exit 1
 	folder=$keep
-elif [ -n "$dry" ]; then
-	folder=streams
 else
 	folder=$(mktemp -d "${TMPDIR:-/tmp}/cloudmill.XXXXXX") || exit 1
 	trap 'rm -rf "$folder"' EXIT

@@ -30,7 +30,7 @@ static struct settings read_settings(struct cli *cli, int argc, char **argv)
          CLI_CHOICE, &s.colour, 0, 0, 0, NULL},
         {0, "compare", NULL,
          "a colour for each stream, one over the other, and how far each\n"
-         "is from the first: said, in the title, and a ring where it is most",
+         "is from the first: printed, in the title, and a ring at the largest",
          CLI_FLAG, &s.compare, 0, 0, 0, NULL},
         {0, "speed", NULL, "colour a program by the speed that the machine reaches, by its feed",
          CLI_FLAG, &s.speed, 0, 0, 0, NULL},

@@ -83,7 +83,7 @@ static void find_limit(struct settings *s, const struct ncread_head *head)
         note("at most %g mm may be left: a scallop of %g and a tolerance of %g", s->left, scallop,
              tolerance);
     else if (!s->partial)
-        note("the scallop is not known (--scallop, --left): what is left is told, not judged");
+        note("the scallop is not known (--scallop, --left): what is left is reported, not judged");
 }
 
 static void read_options(struct settings *s, struct cli *cli, int argc, char **argv)

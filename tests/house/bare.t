@@ -22,6 +22,15 @@ empty "nothing is linked but libm and threads" found
 grep -nE 'tests/|READBACK|check_' "$SRC/samples/demo.sh" >found
 empty "the demo itself needs nothing of it either" found
 
+if command -v bmake >/dev/null; then
+	(cd "$SRC" && bmake demo) >out 2>&1 && echo "it went on" >>out
+	head -n 1 out >first
+	has "the make of a BSD is told at once which one is needed" 'GNU make is needed, type gmake' first
+	hasnt "and goes no further" 'it went on|Bad modifier' out
+else
+	skip "the make of a BSD is told at once which one is needed" "no bmake"
+fi
+
 # ---- what was built
 
 # shellcheck disable=SC2046 # file names of our own

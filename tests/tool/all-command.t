@@ -50,6 +50,14 @@ has "no tiny ball is suggested for them" '^suggested cloudmill grooves.xyz -r ([
 awk '{ print $1 / 1000, $2 / 1000, $3 / 1000 }' "$scan" >metres.xyz
 status 0 "a scan in metres" cloudmill doctor metres.xyz
 has "is suspected" 'Try -u m' out
+has "and looked at again by what is suggested" '^suggested cloudmill doctor metres.xyz -u m$' out
+hasnt "not cut by a ball of a hundred times its size" ' -r [0-9]' out
+awk '{ print $1 / 25.4, $2 / 25.4, $3 / 25.4 }' "$scan" >inch.xyz
+status 0 "a scan in inches" cloudmill doctor inch.xyz
+has "may be one" 'mm long: inches[?] Try -u inch' out
+hasnt "no ball is wider than the part" 'R [1-9]' out
+status 0 "of a name with a blank and a quote" cloudmill doctor "$scan"
+has "a shell reads what is suggested" "^suggested cloudmill 'a b/it'\\\\''s.xyz' -r " out
 status 0 "with its unit" cloudmill doctor metres.xyz -u m
 hasnt "is none" 'Try -u' out
 

@@ -289,6 +289,7 @@ static int read_file(const char *file, struct cloud_source *s, struct error *err
         return -1;
     s->reader = &r; // cppcheck-suppress autoVariables
     int status = read_source(s, error);
+    s->reader = NULL;
     reader_close(&r);
     return status;
 }

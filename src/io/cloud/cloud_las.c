@@ -105,7 +105,7 @@ static int read_head(struct cloud_source *s, struct las *las, struct error *erro
     if (read_values(s, p, minor == 4 ? more : NULL, las, error) < 0)
         return -1;
     if (las->data < head)
-        return las_error(s, error, "points from byte", (double)las->data, "them behind its head");
+        return las_error(s, error, "points from byte", (double)las->data, "them after its head");
     while (read < las->data) {
         size_t n = las->data - read < sizeof skipped ? las->data - read : sizeof skipped;
         if (read_part(s, skipped, n, "the head of a LAS file", error) < 0)
@@ -136,7 +136,7 @@ static void take_record(struct cloud_source *s, const struct las *las, const cha
 
 int cloud_las_read(struct cloud_source *s, struct error *error)
 {
-    struct las las;
+    struct las las = {0};
     if (read_head(s, &las, error) < 0)
         return -1;
     char *record = mem_alloc(las.record, 1);
