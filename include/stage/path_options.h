@@ -26,7 +26,7 @@ struct path_options {
     int layers, tool, coolant;
     double effort; /* effort.h */
     bool paper, one_way, avoid;
-    bool lean_given, play_given, fixed_given, to_given, from_given, circle_given;
+    bool lean_given, play_given, limit_given, fixed_given, to_given, from_given, circle_given;
     const char *partno, *machine;
     double box[6];
     bool box_given;

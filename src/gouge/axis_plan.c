@@ -622,7 +622,8 @@ static bool is_without(const struct work *w, size_t n, size_t at)
 }
 
 /* Appends a point, and before it, if it is joined to the last, as many on the straight line of the
- * ball's centre that a tip that goes straight does not swing the ball off it by more than may be. */
+ * ball's centre that a tip that goes straight does not swing the ball off it by more than may be.
+ */
 static void put_point(const struct work *w, size_t after, struct run_point end, double at,
                       bool joined, struct run *to, struct doubles *along)
 {
@@ -737,6 +738,8 @@ static bool check_points(struct work *w, const struct run *run, const struct dou
             now = -1;
             continue;
         }
+        if (p->options.fixed && vec_dot(b->axis, b->normal) < -1e-6)
+            now = -1; /* below the ball's equator, where a node beside it was not */
         state[i] = now >= -slack ? AXIS_PLAN_CUT : AXIS_PLAN_SKIP;
         if (i > 0 && fmin(before, now) >= -slack && sweep.guard &&
             !holder_sweep_clear_between(&sweep, b - 1, before, b, now))

@@ -86,8 +86,9 @@ const struct cli_option path_option_table[] = {
      CLI_NUMBER, &path_options.rate, CLI_POSITIVE, 0, 0, NULL},
     TOOL_OPTIONS(&path_options.body),
     {0, "lean-limit", "DEG",
-     "largest tilt of the axis away from its rule for the tool to be clear\n(85)",
-     CLI_NUMBER, &path_options.lean, 0, 85, 0, NULL},
+     "largest tilt of the axis away from its rule for the tool to be clear\n"
+     "(85; with --fixed 0: a fixed axis does not lean)",
+     CLI_NUMBER, &path_options.lean, 0, 85, 0, &path_options.limit_given},
     {0, "box", "X0,Y0,Z0,X1,Y1,Z1", "cut what is inside this box",
      CLI_NUMBERS, path_options.box, 0, 0, 6, &path_options.box_given},
     {0, "region", "FILE", "cut what is inside the polygons of FILE, seen along z: a corner `x y`\n"
@@ -100,7 +101,8 @@ const struct cli_option path_option_table[] = {
     {0, "depth", "MM", "thickness of a layer, along the normal (0.3)",
      CLI_NUMBER, &path_options.depth, 0.0001, 1000, 0, NULL},
     {0, "clearance", "MM", "height of the tip on the clearance plane (default: top of the part\n"
-     "and its layers + radius + 10)", CLI_NUMBER, &path_options.clearance, -1000000, 1000000, 0, NULL},
+     "and its layers + radius + 10)",
+     CLI_NUMBER, &path_options.clearance, -1000000, 1000000, 0, NULL},
     {0, "approach", "MM", "distance above the part where the plunge feed begins (5)",
      CLI_NUMBER, &path_options.approach, 0.001, 10000, 0, NULL},
     {0, "feed", "MM/MIN", "cutting feed (800)",
@@ -173,6 +175,10 @@ int path_options_check(struct tool_axis_options *axis, struct error *error)
                          c->paper ? "--paper" : "another rule for the axis");
     if (c->paper)
         c->play = 0;
+    if (c->fixed_given) {
+        c->play = c->play_given ? c->play : 0;
+        c->lean = c->limit_given ? c->lean : 0;
+    }
     if (c->plunge == 0)
         c->plunge = c->feed / 2;
     if (c->tolerance == 0 && (c->guard.files.n > 0 || c->body.holder))

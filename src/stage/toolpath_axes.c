@@ -188,7 +188,8 @@ struct axis_planner *toolpath_new_planner(const struct toolpath *t)
                                                  .play = t->rule.play,
                                                  .limit = t->rule.lean};
 
-    if (!t->lift.guard || (t->rule.holder.n == 0 && t->rule.play == 0 && t->rule.rate == 0))
+    bool bare = t->rule.holder.n == 0 && t->rule.play == 0 && t->rule.rate == 0;
+    if (!t->lift.guard || (bare && !options.fixed))
         return NULL;
     return axis_planner_new(&options);
 }

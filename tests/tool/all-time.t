@@ -43,5 +43,19 @@ below "A and C turn less than half as far as by the rule" \
 	"$(awk -v a="$(figure turn-A play-15)" -v b="$(figure turn-C play-15)" 'BEGIN { print a + b }')" \
 	"$(awk -v a="$(figure turn-A play-0)" -v b="$(figure turn-C play-0)" 'BEGIN { print (a + b) / 2 }')"
 below "and that saves time" "$(figure ratio play-15)" "$(figure ratio play-0)"
-cat play-15 play-0 | sed 's/^/# /'
+
+# ---- a fixed axis: a cup of a hill, its sides as steep as the tool's, and steeper by its noise
+awk 'BEGIN { for (y = -20; y <= 20.001; y += 0.5) for (x = -25; x <= 25.001; x += 0.5) {
+	r = sqrt(x * x + y * y); printf "%.4f %.4f %.4f\n", x, y, 15 / (1 + exp((r - 10) * 3)) } }' >hill.xyz
+cloud2mesh -q -t 2 hill.xyz -o hill.ply
+meshnorm -q -r 4 --scallop 0.1 --avoid --feed 3000 --fixed 0,0,1 hill.ply 2>said >hill.cl
+ok "nothing is lost of which it would have to be told" test "$?" = 0
+has "a fixed axis is upright" '^GOTO.*,0.000000000,0.000000000,1.000000000$' hill.cl
+ok "and it is so at all points" awk '/^GOTO/ && !/,0.000000000,0.000000000,1.000000000$/ { exit 1 }' hill.cl
+biarcfit -q -e 0.01 hill.cl | ncpost -q -c siemens >hill.nc
+./leasttime hill.nc 3000 >fixed
+below "with a fixed axis least time is no more than 1.1 times length by feed" "$(figure ratio fixed)" 1.1
+meshnorm -q -r 4 --scallop 0.1 --avoid --fixed 0,0,1 --lean-limit 85 hill.ply 2>said >hill.cl
+ok "unless it may lean" awk '/^GOTO/ && !/,0.000000000,0.000000000,1.000000000$/ { n++ } END { exit !n }' hill.cl
+cat play-15 play-0 fixed | sed 's/^/# /'
 done_testing
