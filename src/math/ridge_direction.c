@@ -61,7 +61,7 @@ size_t neighbourhood_along(const struct vec3 *point, size_t n, struct vec3 at, s
     if (k < n)
         select_first(ranked, n, k);
     for (size_t i = 0; i < k; i++) {
-        found[i] = point[ranked[i].index];
+        found[i] = point[ranked[i].index]; /* NOLINT(clang-analyzer-core.*): all are ranked */
         struct vec3 off = vec_sub(found[i], at);
         double distance2 = vec_dot(off, off);
         if (distance2 >= most) {

@@ -14,8 +14,9 @@ static const double CLOSE = 0.05; /* of the spacing: what a cubic may leave of t
 /* The point of a cell that is nearest to its middle, seen from above. */
 static struct vec3 middle_point(const struct point_grid *b, size_t cell)
 {
-    double x = b->x + ((double)(cell % b->columns) + 0.5) * b->cell, least = INFINITY;
-    double y = b->y + ((double)(cell / b->columns) + 0.5) * b->cell;
+    size_t column = cell % b->columns, row = cell / b->columns;
+    double x = b->x + ((double)column + 0.5) * b->cell, least = INFINITY;
+    double y = b->y + ((double)row + 0.5) * b->cell;
     struct vec3 best = b->point[b->first[cell]];
 
     for (uint32_t i = b->first[cell]; i < b->first[cell + 1]; i++) {

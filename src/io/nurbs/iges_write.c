@@ -46,7 +46,7 @@ static void add_word(struct file *f, const char *word)
         f->entity.item[f->entity.n - 1].lines++;
         last = f->line.item[f->line.n - 1];
     }
-    strcat(last, word);
+    memcpy(last + strlen(last), word, strlen(word) + 1);
 }
 
 static void add_int(struct file *f, long i)
@@ -64,7 +64,7 @@ static void add_real(struct file *f, double x)
 
     word[1 + n] = '\0';
     if (!strchr(word, '.'))
-        strcat(word, ".");
+        memcpy(word + 1 + n, ".", 2);
     add_word(f, word);
 }
 
@@ -124,7 +124,7 @@ static size_t add_surface(struct file *f, const struct nurbs *s, bool trimmed)
 
 static struct uv corner(const struct patch_loop *loop, size_t k)
 {
-    struct nurbs_pole p = loop->item[k % loop->n].pole[0];
+    struct nurbs_pole p = loop->item[k < loop->n ? k : 0].pole[0];
 
     return (struct uv){p.wx / p.w, p.wy / p.w};
 }
