@@ -29,7 +29,12 @@ static void free_all(void)
     out = NULL;
 }
 
-/* Strays 1 to 9 mm above or below, at known indices. */
+/*
+ * Strays 1 to 9 mm above or below, at known indices.  All above are found.  One below stays where
+ * the points, which lie by chance, leave three eighths of the turn about it empty, for there the
+ * surface may end (outliers.h): of places at random one in ten at most, so of half of the strays
+ * no more than the mean and four deviations of that.
+ */
 START_TEST(strays)
 {
     const double sigma = 0.02 * _i;
@@ -39,13 +44,17 @@ START_TEST(strays)
         scan.item[i * scan.n / STRAYS].z += (i % 2 ? 1 : -1) * (1 + 8 * noisy_uniform());
     struct vec3 stray = scan.item[0];
     *array_push(&scan) = stray; /* twice */
-    size_t n = scan.n - 1, right = 0, all = 0;
+    size_t n = scan.n - 1, right = 0, right_above = 0, all = 0;
     believe(-1);
-    for (size_t i = 0; i < STRAYS; i++)
+    for (size_t i = 0; i < STRAYS; i++) {
         right += out[i * n / STRAYS];
+        right_above += i % 2 && out[i * n / STRAYS];
+    }
     for (size_t i = 0; i < n; i++)
         all += out[i];
-    ck_assert_uint_ge(right, STRAYS - 1);
+    const double mean = 0.1 * STRAYS / 2;
+    ck_assert_uint_eq(right_above, STRAYS / 2);
+    ck_assert_double_le((double)(STRAYS - right), mean + 4 * sqrt(0.9 * mean));
     ck_assert_uint_le(all - right, 1);
     ck_assert_uint_eq(out[n], out[0]);
     ck_assert_uint_eq(found.outliers, all);

@@ -70,34 +70,41 @@ static double four_sides(double x, double y)
 static double (*const cone[])(double, double) = {upright, elliptic, ogive};
 static double (*const other[])(double, double) = {sphere, ridge, four_sides};
 
+/*
+ * Over many designs of points, most tips are found (the fit may say that its points do not tell,
+ * as where they leave a sector empty), and those that are found lie where the tip is.  The upright
+ * cone is one of the fit's own; what its terms leave out of the others, and noise, moves the tip of
+ * one design by 0.05 mm rms at most, so none of all of them by more than five times that.
+ */
 START_TEST(found)
 {
+    enum { DESIGNS = 40 };
+    const double sigma = 0.01 * (_i / 3);
+    const bool exact = _i == 0;
     struct cone_tip tip;
+    double sum2 = 0;
+    int tips = 0;
 
     noisy_seed(5 + (unsigned)_i);
-    make(cone[_i % 3], 0);
-    ck_assert_int_eq(cone_tip_fit(point, N, 0.005, &tip), 0);
-    struct vec3 at = cone_tip_at(&tip, 0, 0);
-    double height = cone[_i % 3](0.1, -0.07);
-    ck_assert_double_le(vec_distance(at, vec(0.1, -0.07, height)),
-                        _i % 3 == 2 ? 0.05 : 0.01); /* bent: the axis of the fit leans */
-    ck_assert_double_ge(tip.reach, 0.45);
-    for (double t = 0; t < 6; t += 0.5) {
-        struct vec3 p = cone_tip_at(&tip, 0.6 * tip.reach, t);
-        ck_assert_double_eq_tol(p.z, cone[_i % 3](p.x, p.y), 0.015);
+    for (int design = 0; design < DESIGNS; design++) {
+        make(cone[_i % 3], sigma);
+        if (cone_tip_fit(point, N, sigma > 0 ? 0.02 : 0.005, &tip) < 0)
+            continue;
+        struct vec3 at = vec(0.1, -0.07, cone[_i % 3](0.1, -0.07));
+        double off = vec_distance(cone_tip_at(&tip, 0, 0), at);
+        tips++;
+        sum2 += off * off;
+        ck_assert_double_le(off, exact ? 0.005 : 5 * 0.05);
+        ck_assert_double_ge(tip.reach, 0.25); /* more than half the points' spacing */
+        /* across the lines noise is sigma over 1.56; of 29 values, less five deviations */
+        ck_assert_double_ge(tip.rms, sigma / 1.56 * (1 - 5 / sqrt(2 * 29.)));
+        for (double t = 0; t < 6; t += 0.5) {
+            struct vec3 p = cone_tip_at(&tip, 0.6 * tip.reach, t);
+            ck_assert_double_eq_tol(p.z, cone[_i % 3](p.x, p.y), exact ? 0.005 : 5 * 0.05);
+        }
     }
-}
-END_TEST
-
-START_TEST(found_in_noise)
-{
-    struct cone_tip tip;
-
-    noisy_seed(16 + (unsigned)_i);
-    make(cone[_i % 3], 0.01);
-    ck_assert_int_eq(cone_tip_fit(point, N, 0.02, &tip), 0);
-    ck_assert_double_le(vec_distance(cone_tip_at(&tip, 0, 0), vec(0.1, -0.07, 5)), 0.07);
-    ck_assert_double_ge(tip.rms, 0.004);
+    ck_assert_int_ge(tips, DESIGNS / 3);
+    ck_assert_double_le(sqrt(sum2 / tips), exact ? 0.005 : 0.05);
 }
 END_TEST
 
@@ -106,8 +113,10 @@ START_TEST(none)
     struct cone_tip tip;
 
     noisy_seed(25 + (unsigned)_i);
-    make(other[_i % 3], 0);
-    ck_assert_int_eq(cone_tip_fit(point, N, 0.008, &tip), -1);
+    for (int design = 0; design < 20; design++) {
+        make(other[_i % 3], 0);
+        ck_assert_int_eq(cone_tip_fit(point, N, 0.008, &tip), -1);
+    }
 }
 END_TEST
 
@@ -132,9 +141,8 @@ int main(void)
     Suite *suite = suite_create("cone_tip");
     TCase *tests = tcase_create("cone_tip");
     SRunner *runner = srunner_create(suite);
-    tcase_add_loop_test(tests, found, 0, 9);
-    tcase_add_loop_test(tests, found_in_noise, 0, 6);
-    tcase_add_loop_test(tests, none, 0, 9);
+    tcase_add_loop_test(tests, found, 0, 6);
+    tcase_add_loop_test(tests, none, 0, 3);
     tcase_add_test(tests, none_to_one_side);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);
