@@ -34,8 +34,12 @@ static inline struct vec3 quadric_local(const struct quadric *q, struct vec3 p)
 int quadric_fit(const struct vec3 *point, size_t n, struct vec3 origin, struct vec3 guess,
                 struct quadric *quadric);
 
-/* The same with the w axis along the quadric's own normal at the origin, found by iteration from a
- * guess: on a slope the frame of the guess would fit heights above a skew plane. */
+/* The same of points that are in that frame already: those of quadric_local. */
+int quadric_fit_local(const struct vec3 *local, size_t n, struct vec3 origin, struct vec3 guess,
+                      struct quadric *quadric);
+
+/* quadric_fit with the w axis along the quadric's own normal at the origin, found by iteration
+ * from a guess: on a slope the frame of the guess would fit heights above a skew plane. */
 int quadric_settle(const struct vec3 *point, size_t n, struct vec3 origin, struct vec3 guess,
                    struct quadric *quadric);
 
@@ -90,7 +94,10 @@ struct vec3 quadric_normal_at(const struct quadric *quadric, struct vec3 point);
 /* Root mean square of the distances of n points from the surface, to first order. */
 double quadric_rms(const struct quadric *quadric, const struct vec3 *point, size_t n);
 
-/* The same for the freedom that the fit leaves to them, when it has so many terms. */
+/* The same of points in its frame: those of quadric_local. */
+double quadric_rms_local(const struct quadric *quadric, const struct vec3 *local, size_t n);
+
+/* quadric_rms for the freedom that the fit leaves to them, when it has so many terms. */
 double quadric_spread(const struct quadric *quadric, const struct vec3 *point, size_t n,
                       double terms);
 

@@ -25,11 +25,32 @@ struct quadric side_fit_frame(struct vec3 origin, struct vec3 w);
 void side_fit_local(const struct quadric *q, const struct vec3 *point, size_t n,
                     struct vec3 *local);
 
-/* The plane of side_fit_plane through those of n points, as side_fit_local gives them, whose side
- * is `which` (`side` NULL: all): sets the first three coefficients of fit->q, nothing else; the
- * others and the frame are set already. */
-int side_fit_plane_of(const struct vec3 *local, const unsigned char *side, unsigned char which,
-                      size_t n, struct side_fit *fit);
+/* What a plane through points takes: their number, and sums of their coordinates in the frame and
+ * of products of these. */
+struct side_sums {
+    double n, u, v, h, uu, uv, vv, uh, vh;
+};
+
+/* One point more, in the frame; with part = -1 one less. */
+static inline void side_sums_add(struct side_sums *s, double part, struct vec3 local)
+{
+    double u = part * local.x, v = part * local.y, h = part * local.z;
+
+    s->n += part;
+    s->u += u;
+    s->v += v;
+    s->h += h;
+    s->uu += u * local.x;
+    s->uv += u * local.y;
+    s->vv += v * local.y;
+    s->uh += u * local.z;
+    s->vh += v * local.z;
+}
+
+/* The plane of side_fit_plane through the points of these sums: sets the first three coefficients
+ * of fit->q, nothing else; the others and the frame are set already.  The origin is near: about
+ * it no digits are lost. */
+int side_fit_plane_of(const struct side_sums *sum, struct side_fit *fit);
 
 /* The plane through a place with this unit normal, which is not across w. */
 struct side_fit side_fit_through(struct vec3 place, struct vec3 normal, struct vec3 origin,

@@ -134,29 +134,33 @@ static double step_at(const struct division *p, struct vec3 at)
 }
 
 /* Planes through the points as they are divided; false when one has too few. */
-static bool fit_planes(struct division *p)
+static bool fit_planes(struct division *p, const struct side_sums sum[2])
 {
-    for (unsigned char s = 0; s < 2; s++)
-        if (p->count[s] < FEWEST || side_fit_plane_of(p->local, p->side, s, p->n, &p->sheet[s]) < 0)
+    for (int s = 0; s < 2; s++)
+        if (p->count[s] < FEWEST || side_fit_plane_of(&sum[s], &p->sheet[s]) < 0)
             return false;
     return true;
 }
 
-/* Divides the points by the line where the two planes meet; a's side of it is sheet 0.  True when
- * something changed. */
-static bool divide_by_line(struct division *p, struct vec3 a)
+/* Divides the points by the line where the two planes meet; a's side of it is sheet 0; the sums of
+ * both sides, which only the points change that change sides.  True when some did. */
+static bool divide_by_line(struct division *p, struct vec3 a, struct side_sums sum[2])
 {
     const double *c = p->sheet[0].q.c, *d = p->sheet[1].q.c;
     double c0 = c[0] - d[0], c1 = c[1] - d[1], c2 = c[2] - d[2];
     bool a_above = step_at(p, a) > 0, changed = false;
 
-    p->count[0] = p->count[1] = 0;
     for (size_t i = 0; i < p->n; i++) {
         bool above = c0 + c1 * p->local[i].x + c2 * p->local[i].y > 0;
         unsigned char side = above == a_above ? 0 : 1;
-        changed = changed || side != p->side[i];
-        p->side[i] = side;
+        if (side == p->side[i])
+            continue;
+        side_sums_add(&sum[side], 1, p->local[i]);
+        side_sums_add(&sum[1 - side], -1, p->local[i]);
         p->count[side]++;
+        p->count[1 - side]--;
+        p->side[i] = side;
+        changed = true;
     }
     return changed;
 }
@@ -164,15 +168,18 @@ static bool divide_by_line(struct division *p, struct vec3 a)
 /* Fits and divides until nothing changes, or often enough. */
 static bool fit_and_divide(struct division *p, struct vec3 a)
 {
+    struct side_sums sum[2] = {{.n = 0}, {.n = 0}};
     bool moves = true;
 
     for (int s = 0; s < 2; s++)
         p->sheet[s].q = side_fit_frame(p->origin, p->w);
     side_fit_local(&p->sheet[0].q, p->point, p->n, p->local);
+    for (size_t i = 0; i < p->n; i++)
+        side_sums_add(&sum[p->side[i]], 1, p->local[i]);
     for (int i = 0; i < TURNS && moves; i++) {
-        if (!fit_planes(p))
+        if (!fit_planes(p, sum))
             return false;
-        moves = divide_by_line(p, a);
+        moves = divide_by_line(p, a, sum);
     }
     p->count[0] = p->count[1] = 0;
     for (size_t i = 0; i < p->n; i++)

@@ -93,8 +93,8 @@ static size_t cell_of(const struct point_grid *b, struct vec3 p)
     return point_grid_row(b, p.y) * b->columns + point_grid_column(b, p.x);
 }
 
-/* Counts the points of each cell, of cell c in first[c + 1].  True: they are sorted by cells, and in
- * each by x, y, z. */
+/* Counts the points of each cell, of cell c in first[c + 1].  True: they are sorted by cells, and
+ * in each by x, y, z. */
 static bool count_cells(struct point_grid *b)
 {
     size_t before = 0;
@@ -258,8 +258,9 @@ void point_grid_within(const struct point_grid *b, struct vec3 q, double radius,
  * Few points about a place are looked at all at once, and ordered by a histogram of their
  * distances: on a surface that fills it evenly.  A heap takes over where that does not serve. */
 
-/* Points looked at at once; parts of their distance; so many in one part are not distinguished. */
-enum { AT_ONCE = 1024, BINS = 64, CROWD = 48, RINGS = 4 };
+/* Points looked at at once, and wanted of them; parts of their distance; so many in one part are
+ * not distinguished. */
+enum { AT_ONCE = 2048, WANTED = 1024, BINS = 64, CROWD = 48, RINGS = 9 };
 
 static const double ROUNDING = 1e-9; /* of a cell */
 
@@ -326,8 +327,15 @@ static void gather(const struct point_grid *b, struct vec3 q, const struct aroun
 /* The analyser does not see that the first n of these lists are set. */
 /* NOLINTBEGIN(clang-analyzer-core.*) */
 
+/* The nearest of them, in order. */
+struct sorted {
+    size_t n;
+    uint32_t index[WANTED + CROWD];
+    double distance2[WANTED + CROWD];
+};
+
 /* Puts a point after those before it that are no farther. */
-static void insert(struct some *s, size_t at)
+static void insert(struct sorted *s, size_t at)
 {
     uint32_t index = s->index[at];
     double distance2 = s->distance2[at];
@@ -345,7 +353,7 @@ static bool sort_out(const struct some *some, double within2, size_t k, uint32_t
 {
     size_t begin[BINS + 1] = {0}, last = 0;
     unsigned char bin[AT_ONCE];
-    struct some sorted;
+    struct sorted sorted;
     for (size_t i = 0; i < some->n; i++) {
         size_t at = (size_t)(some->distance2[i] * (BINS / within2));
         bin[i] = (unsigned char)(at < BINS ? at : BINS - 1);
@@ -480,7 +488,7 @@ size_t point_grid_nearest(const struct point_grid *point_grid, struct vec3 q, si
                           uint32_t *index, double *distance2)
 {
     struct heap h = {0, k < point_grid->n ? k : point_grid->n, index, distance2};
-    if (h.k == 0 || (4 * k <= AT_ONCE && near_at_once(point_grid, q, k, index, distance2)))
+    if (h.k == 0 || (k <= WANTED && near_at_once(point_grid, q, k, index, distance2)))
         return h.k;
     for (size_t ring = 0;; ring++) {
         double beyond = offer_ring(point_grid, q, ring, &h);

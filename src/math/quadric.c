@@ -4,7 +4,11 @@
  */
 #include "math/quadric.h"
 
-enum { TERMS = 6 };
+#include <stdlib.h>
+
+#include "base/array.h"
+
+enum { TERMS = 6, SOME = 256 /* points that are brought into the frame on the stack */ };
 
 /* Part of a term that the terms before it must leave over. */
 static const double INDEPENDENT = 0.02;
@@ -19,17 +23,15 @@ struct span {
 };
 
 /* The middle of the neighbourhood and its size. */
-static struct span span_of(const struct quadric *q, const struct vec3 *point, const double *weight,
-                           size_t n)
+static struct span span_of(const struct vec3 *local, const double *weight, size_t n)
 {
     double count = 0, uu = 0, uv = 0, vv = 0, su = 0, sv = 0;
     if (n == 0)
         return (struct span){0, 0, 0, 0};
-    struct vec3 first = quadric_local(q, point[0]); /* near the middle: no digits are lost */
+    struct vec3 first = local[0]; /* near the middle: no digits are lost */
     for (size_t i = 0; i < n; i++) {
         double part = weight ? weight[i] : 1;
-        struct vec3 at = quadric_local(q, point[i]);
-        double u = at.x - first.x, v = at.y - first.y;
+        double u = local[i].x - first.x, v = local[i].y - first.y;
         count += part;
         su += part * u;
         sv += part * v;
@@ -50,12 +52,12 @@ static struct span span_of(const struct quadric *q, const struct vec3 *point, co
 
 /* Sums of the products of all terms with each other and, in the last column, with w: the products
  * of two terms are powers u^i v^j of which many are the same. */
-static void add_up(const struct quadric *q, struct span s, const struct vec3 *point,
-                   const double *weight, size_t n, double sum[TERMS][TERMS + 1])
+static void add_up(struct span s, const struct vec3 *local, const double *weight, size_t n,
+                   double sum[TERMS][TERMS + 1])
 {
     double m[5][5] = {{0}}, mw[TERMS] = {0}, shrink = 1 / s.size;
     for (size_t k = 0; k < n; k++) {
-        struct vec3 at = quadric_local(q, point[k]);
+        struct vec3 at = local[k];
         double part = weight ? weight[k] : 1, w = at.z;
         double u = (at.x - s.u0) * shrink, v = (at.y - s.v0) * shrink;
         double uu = part * u * u, uv = part * u * v, vv = part * v * v, u2 = u * u, v2 = v * v;
@@ -147,24 +149,28 @@ int quadric_fit(const struct vec3 *point, size_t n, struct vec3 origin, struct v
     return quadric_fit_weighted(point, NULL, n, origin, guess, quadric);
 }
 
-int quadric_fit_weighted(const struct vec3 *point, const double *weight, size_t n,
-                         struct vec3 origin, struct vec3 guess, struct quadric *quadric)
+/* Without a surface yet. */
+static void take_frame(struct quadric *q, struct vec3 origin, struct vec3 w)
 {
-    double sum[TERMS][TERMS + 1], x[TERMS], *c = quadric->c;
-    quadric->origin = origin;
-    quadric->w = guess;
-    quadric->u = vec_perpendicular(guess);
-    quadric->v = vec_cross(guess, quadric->u);
-    c[6] = c[7] = c[8] = c[9] = 0;
+    q->origin = origin;
+    q->w = w;
+    q->u = vec_perpendicular(w);
+    q->v = vec_cross(w, q->u);
+    q->c[6] = q->c[7] = q->c[8] = q->c[9] = 0;
+}
+
+static int fit_local(const struct vec3 *local, const double *weight, size_t n, struct quadric *q)
+{
+    double sum[TERMS][TERMS + 1], x[TERMS], *c = q->c;
     if (n < TERMS)
         return -1;
-    struct span s = span_of(quadric, point, weight, n);
+    struct span s = span_of(local, weight, n);
     if (!(s.width > NARROW))
         return -1;
-    add_up(quadric, s, point, weight, n, sum);
+    add_up(s, local, weight, n, sum);
     if (solve(sum, x) < 0)
         return -1;
-    find_variances(sum, s, quadric);
+    find_variances(sum, s, q);
     /* back to u and v: w = x0 + x1 (u - u0) / size + ... */
     double a = x[1] / s.size, b = x[2] / s.size, size2 = s.size * s.size;
     c[3] = x[3] / size2;
@@ -175,6 +181,27 @@ int quadric_fit_weighted(const struct vec3 *point, const double *weight, size_t 
     c[0] =
         x[0] - a * s.u0 - b * s.v0 + c[3] * s.u0 * s.u0 + c[4] * s.u0 * s.v0 + c[5] * s.v0 * s.v0;
     return 0;
+}
+
+int quadric_fit_local(const struct vec3 *local, size_t n, struct vec3 origin, struct vec3 guess,
+                      struct quadric *quadric)
+{
+    take_frame(quadric, origin, guess);
+    return fit_local(local, NULL, n, quadric);
+}
+
+int quadric_fit_weighted(const struct vec3 *point, const double *weight, size_t n,
+                         struct vec3 origin, struct vec3 guess, struct quadric *quadric)
+{
+    struct vec3 few[SOME], *local = n > SOME ? mem_alloc(n, sizeof *local) : few;
+
+    take_frame(quadric, origin, guess);
+    for (size_t i = 0; i < n; i++)
+        local[i] = quadric_local(quadric, point[i]);
+    int status = fit_local(local, weight, n, quadric);
+    if (local != few)
+        free(local);
+    return status;
 }
 
 int quadric_settle(const struct vec3 *point, size_t n, struct vec3 origin, struct vec3 guess,
@@ -286,10 +313,10 @@ double quadric_curvature(const struct quadric *q)
     return (b + sqrt(fmax(b * b - 4 * a * c, 0))) / (2 * a);
 }
 
-double quadric_off(const struct quadric *q, struct vec3 point)
+/* Of a point in the frame. */
+static double off_local(const struct quadric *q, struct vec3 at)
 {
     const double *c = q->c;
-    struct vec3 at = quadric_local(q, point);
     double u = at.x, v = at.y, w = at.z;
     double off = w - (c[0] + u * (c[1] + c[3] * u + c[4] * v) + v * (c[2] + c[5] * v));
     double wu = c[1] + 2 * c[3] * u + c[4] * v, wv = c[2] + 2 * c[5] * v + c[4] * u;
@@ -297,6 +324,21 @@ double quadric_off(const struct quadric *q, struct vec3 point)
     wu += 3 * c[6] * u * u + 2 * c[7] * u * v + c[8] * v * v;
     wv += c[7] * u * u + 2 * c[8] * u * v + 3 * c[9] * v * v;
     return off / sqrt(1 + wu * wu + wv * wv);
+}
+
+double quadric_off(const struct quadric *q, struct vec3 point)
+{
+    return off_local(q, quadric_local(q, point));
+}
+
+double quadric_rms_local(const struct quadric *q, const struct vec3 *local, size_t n)
+{
+    double sum2 = 0;
+    for (size_t i = 0; i < n; i++) {
+        double off = off_local(q, local[i]);
+        sum2 += off * off;
+    }
+    return sqrt(sum2 / (double)n);
 }
 
 double quadric_rms(const struct quadric *q, const struct vec3 *point, size_t n)

@@ -5,7 +5,7 @@
 
 #include "base/array.h"
 
-enum { TRIES = 4, SOME = 512 /* points ranked on the stack */ };
+enum { TRIES = 4, SOME = 256 /* points ranked on the stack */ };
 
 static const double STEP = PI / 36;
 
@@ -45,58 +45,105 @@ static void select_first(struct ranked *r, size_t n, size_t k)
     }
 }
 
-size_t neighbourhood_along(const struct vec3 *point, size_t n, struct vec3 at, struct vec3 way,
-                           double aspect, size_t k, struct vec3 *found)
+/* Ranks points, so far off and with these squares of their distance, by the distance along a way;
+ * the first k in front.  The farthest in space of them goes to their end. */
+static void rank_along(const struct vec3 *off, const double *all2, size_t n, struct vec3 way,
+                       double aspect, size_t k, struct ranked *ranked)
 {
-    struct ranked few[SOME], *ranked = n > SOME ? mem_alloc(n, sizeof *ranked) : few;
     double most = -1, shorter = 1 - 1 / (aspect * aspect);
     size_t farthest = 0;
 
-    k = k < n ? k : n;
     for (size_t i = 0; i < n; i++) {
-        struct vec3 off = vec_sub(point[i], at);
-        double along = vec_dot(off, way), all2 = vec_dot(off, off);
-        ranked[i] = (struct ranked){all2 - along * along * shorter, i};
+        double along = vec_dot(off[i], way);
+        ranked[i] = (struct ranked){all2[i] - along * along * shorter, i};
     }
     if (k < n)
         select_first(ranked, n, k);
     for (size_t i = 0; i < k; i++) {
-        found[i] = point[ranked[i].index]; /* NOLINT(clang-analyzer-core.*): all are ranked */
-        struct vec3 off = vec_sub(found[i], at);
-        double distance2 = vec_dot(off, off);
-        if (distance2 >= most) {
-            most = distance2;
+        if (all2[ranked[i].index] >= most) {
+            most = all2[ranked[i].index];
             farthest = i;
         }
     }
     if (k > 0) {
-        struct vec3 last = found[k - 1];
-        found[k - 1] = found[farthest];
-        found[farthest] = last;
+        struct ranked last = ranked[k - 1];
+        ranked[k - 1] = ranked[farthest];
+        ranked[farthest] = last;
     }
-    if (ranked != few)
-        free(ranked);
+}
+
+/* Points as they lie about a place. */
+struct about {
+    size_t n;
+    struct vec3 *off;
+    double *all2; /* squares of their distance */
+    struct ranked *ranked;
+    struct vec3 *local; /* in the frame of a surface */
+    struct vec3 few_off[SOME], few_local[SOME];
+    double few_all2[SOME];
+    struct ranked few_ranked[SOME];
+};
+
+static void about_begin(struct about *a, const struct vec3 *point, size_t n, struct vec3 at)
+{
+    bool few = n <= SOME;
+
+    a->n = n;
+    a->off = few ? a->few_off : mem_alloc(n, sizeof *a->off);
+    a->local = few ? a->few_local : mem_alloc(n, sizeof *a->local);
+    a->all2 = few ? a->few_all2 : mem_alloc(n, sizeof *a->all2);
+    a->ranked = few ? a->few_ranked : mem_alloc(n, sizeof *a->ranked);
+    for (size_t i = 0; i < n; i++) {
+        a->off[i] = vec_sub(point[i], at);
+        a->all2[i] = vec_dot(a->off[i], a->off[i]);
+    }
+}
+
+static void about_end(struct about *a)
+{
+    if (a->off == a->few_off)
+        return;
+    free(a->off);
+    free(a->local);
+    free(a->all2);
+    free(a->ranked);
+}
+
+size_t neighbourhood_along(const struct vec3 *point, size_t n, struct vec3 at, struct vec3 way,
+                           double aspect, size_t k, struct vec3 *found)
+{
+    struct about a;
+
+    k = k < n ? k : n;
+    about_begin(&a, point, n, at);
+    rank_along(a.off, a.all2, n, way, aspect, k, a.ranked);
+    for (size_t i = 0; i < k; i++)
+        found[i] = point[a.ranked[i].index]; /* NOLINT(clang-analyzer-core.*): all are ranked */
+    about_end(&a);
     return k;
 }
 
 /* What is looked for, and where. */
 struct finding {
-    const struct vec3 *point;
-    size_t n, some;
+    struct about about;
+    size_t some;
     struct vec3 at, up, way, side;
 };
 
 /* Along direction i: how far the points are off; infinite where they carry no surface. */
-static struct ridge_direction look_along(const struct finding *f, int i)
+static struct ridge_direction look_along(struct finding *f, int i)
 {
     struct vec3 found[RIDGE_DIRECTION_MOST];
     struct ridge_direction rib = {.rms = INFINITY};
+    struct about *a = &f->about;
+    size_t k = f->some < a->n ? f->some : a->n;
 
     rib.way = vec_along(vec_scale(cos(i * STEP), f->way), sin(i * STEP), f->side);
-    size_t k =
-        neighbourhood_along(f->point, f->n, f->at, rib.way, RIDGE_DIRECTION_LONGER, f->some, found);
-    if (quadric_fit(found, k, f->at, f->up, &rib.q) == 0)
-        rib.rms = quadric_rms(&rib.q, found, k);
+    rank_along(a->off, a->all2, a->n, rib.way, RIDGE_DIRECTION_LONGER, k, a->ranked);
+    for (size_t p = 0; p < k; p++)
+        found[p] = a->local[a->ranked[p].index];
+    if (quadric_fit_local(found, k, f->at, f->up, &rib.q) == 0)
+        rib.rms = quadric_rms_local(&rib.q, found, k);
     return rib;
 }
 
@@ -104,9 +151,19 @@ static struct ridge_direction look_along(const struct finding *f, int i)
 bool ridge_direction_find(const struct vec3 *point, size_t n, struct vec3 at, struct vec3 up,
                           struct vec3 way, size_t some, struct ridge_direction *rib)
 {
-    const struct finding f = {point, n, some, at, up, way, vec_cross(up, way)};
+    struct finding f; /* large: only what is needed is set */
+    struct vec3 u = vec_perpendicular(up), v = vec_cross(up, u);
     int best = 0;
 
+    f.some = some;
+    f.at = at;
+    f.up = up;
+    f.way = way;
+    f.side = vec_cross(up, way);
+    about_begin(&f.about, point, n, at);
+    for (size_t i = 0; i < n; i++)
+        f.about.local[i] = vec(vec_dot(f.about.off[i], u), vec_dot(f.about.off[i], v),
+                               vec_dot(f.about.off[i], up));
     rib->rms = INFINITY;
     for (int i = -TRIES; i <= TRIES; i += 2) {
         struct ridge_direction next = look_along(&f, i);
@@ -122,5 +179,6 @@ bool ridge_direction_find(const struct vec3 *point, size_t n, struct vec3 at, st
         if (next.rms < rib->rms)
             *rib = next;
     }
+    about_end(&f.about);
     return rib->rms < INFINITY;
 }

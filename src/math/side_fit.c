@@ -33,36 +33,16 @@ void side_fit_local(const struct quadric *q, const struct vec3 *point, size_t n,
         local[i] = quadric_local(q, point[i]);
 }
 
-int side_fit_plane_of(const struct vec3 *local, const unsigned char *side, unsigned char which,
-                      size_t n, struct side_fit *fit)
+int side_fit_plane_of(const struct side_sums *sum, struct side_fit *fit)
 {
-    double mu = 0, mv = 0, mh = 0, uu = 0, uv = 0, vv = 0, uh = 0, vh = 0, *c = fit->q.c;
-    size_t count = 0;
+    double count = sum->n, *c = fit->q.c;
+    double mu = sum->u / count, mv = sum->v / count, mh = sum->h / count;
 
-    /* about the origin, which is near: no digits are lost, and one look at the points is enough */
-    for (size_t i = 0; i < n; i++) {
-        double part = !side || side[i] == which ? 1 : 0;
-        double u = part * local[i].x, v = part * local[i].y, h = local[i].z;
-        count += part > 0;
-        mu += u;
-        mv += v;
-        mh += part * h;
-        uu += u * local[i].x;
-        uv += u * local[i].y;
-        vv += v * local[i].y;
-        uh += u * h;
-        vh += v * h;
-    }
     if (count <= PLANE)
         return -1;
-    mu /= (double)count;
-    mv /= (double)count;
-    mh /= (double)count;
-    uu -= (double)count * mu * mu;
-    uv -= (double)count * mu * mv;
-    vv -= (double)count * mv * mv;
-    uh -= (double)count * mu * mh;
-    vh -= (double)count * mv * mh;
+    double uu = sum->uu - count * mu * mu, uv = sum->uv - count * mu * mv;
+    double vv = sum->vv - count * mv * mv;
+    double uh = sum->uh - count * mu * mh, vh = sum->vh - count * mv * mh;
     /* the smaller eigenvalue by the larger one is the square of width by length */
     double mean = (uu + vv) / 2, skew = (uu - vv) / 2, half = sqrt(skew * skew + uv * uv);
     double det = uu * vv - uv * uv;
@@ -80,8 +60,11 @@ int side_fit_plane(const struct vec3 *point, size_t n, struct vec3 origin, struc
     struct side_fit plane = {.q = side_fit_frame(origin, w)};
     struct vec3 local[SOME], *all = n > SOME ? mem_alloc(n, sizeof *all) : local;
 
+    struct side_sums sum = {.n = 0};
     side_fit_local(&plane.q, point, n, all);
-    int status = side_fit_plane_of(all, NULL, 0, n, &plane);
+    for (size_t i = 0; i < n; i++)
+        side_sums_add(&sum, 1, all[i]);
+    int status = side_fit_plane_of(&sum, &plane);
     if (n > SOME)
         free(all);
     if (status < 0)
