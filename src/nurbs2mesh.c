@@ -158,6 +158,18 @@ static double tessellate_and_sew(const struct cli *cli, const struct settings *s
     return error + sewn->moved;
 }
 
+/* Curves and surfaces that no spline is near enough to. */
+static void check_rough(const struct patches *patches, double tolerance, struct unmets *unmet)
+{
+    double rough;
+    const struct patch *roughest = nurbs_report_roughest(patches, &rough);
+    if (rough > tolerance)
+        unmet_say(unmet,
+                  "surface %d: it or its trimming is approximated, up to %g mm off what the file "
+                  "has, expected %g mm",
+                  roughest->entity, rough, tolerance);
+}
+
 /* Everything between reading and writing; returns how far triangles are off. */
 static double make_patch_mesh(const struct cli *cli, const struct settings *s,
                               const struct patches *patches, struct sheet *sheet,
@@ -184,6 +196,7 @@ static double make_patch_mesh(const struct cli *cli, const struct settings *s,
          "edges",
          sewn.joined, sewn.inserted, sewn.moved, out.bodies, out.bodies == 1 ? "body" : "bodies",
          out.open);
+    check_rough(patches, s->tolerance > 0 ? s->tolerance : fine, unmet);
     if (patch_mesh->narrow > 0)
         say("%zu surfaces narrower than %g mm left out", patch_mesh->narrow, NARROW * size);
     if (out.unclear > 0)

@@ -26,7 +26,7 @@ struct nurbs_curve approximate_curve(approximate_curve_fn *f, const void *contex
 #define APPROXIMATE_OFFSET 1e-9
 
 /* The surface that lies `distance` mm off another one along its normals, with the same parameters
- * and range. */
-struct nurbs approximate_offset(const struct nurbs *surface, double distance);
+ * and range; `error` as above. */
+struct nurbs approximate_offset(const struct nurbs *surface, double distance, double *error);
 
 #endif

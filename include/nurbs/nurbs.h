@@ -96,6 +96,9 @@ struct uv nurbs_foot(const struct nurbs *s, struct vec3 q, struct uv at);
 
 struct vec3 nurbs_curve_point(const struct nurbs_curve *c, double t);
 
+/* Its derivative, at a knot that of the span after it. */
+struct vec3 nurbs_curve_derivative(const struct nurbs_curve *c, double t);
+
 /* The same before the division by the weight. */
 struct nurbs_pole nurbs_curve_pole(const struct nurbs_curve *c, double t);
 

@@ -15,6 +15,7 @@ struct patch_loop {
     struct nurbs_curve *item;
     bool space;
     bool directed; /* all curves run forwards, and what counts is on the left of the loop */
+    double rough;  /* mm: how far they are off those of the file, which they only approximate */
 };
 
 struct patch_loops {
@@ -30,6 +31,7 @@ struct patch {
     int entity;              /* ... and its number there: in IGES its directory entry */
     int body;                /* closed shell of the file that it is a face of, from 1; 0: none */
     bool cavity;             /* that shell bounds a void of its solid: its outside is within */
+    double rough;            /* as in a loop, of the surface */
     int ignored;             /* loops of curves that are not read ... */
     int ignored_entity;      /* ... the first of them ... */
     int ignored_type;        /* ... and the type of the curve */

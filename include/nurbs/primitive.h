@@ -42,6 +42,9 @@ int primitive_surface(const struct primitive *p, const struct vec3s *points, str
  * length along z or an angle. */
 struct vec3 primitive_point(const struct primitive *p, double u, double v);
 
+/* Those of a point on it; angles from -pi to pi. */
+void primitive_parameters(const struct primitive *p, struct vec3 point, double *u, double *v);
+
 /* Moves the surface along its normals; -1 when nothing is left of it. */
 int primitive_offset(struct primitive *p, double distance);
 

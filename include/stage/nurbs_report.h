@@ -31,6 +31,10 @@ size_t nurbs_report_refused(const struct patches *patches, struct sheet *sheet, 
  * `fine` mm off their surface. */
 void nurbs_report_trimming(const struct patches *patches, const struct sheet *sheet, double fine);
 
+/* The surface whose approximation, or that of its trimming, is farthest off what the file has, and
+ * how far, mm; NULL: none is off. */
+const struct patch *nurbs_report_roughest(const struct patches *patches, double *rough);
+
 /* Tells of each body whether it is closed, its genus, area and volume, and of open edges the loops
  * they form, with note(); what is no skin, with say(). */
 void nurbs_report_skin(const struct patches *patches, const struct skin *skin);

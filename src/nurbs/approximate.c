@@ -132,24 +132,27 @@ static double size_of(const struct nurbs *s)
     return box_diagonal(&box);
 }
 
-struct nurbs approximate_offset(const struct nurbs *s, double distance)
+struct nurbs approximate_offset(const struct nurbs *s, double distance, double *error)
 {
     double tolerance = APPROXIMATE_OFFSET * size_of(s);
     struct nurbs to = {0};
     struct doubles u = {0}, v = {0};
     bool *kink_u, *kink_v;
     double worst = HUGE_VAL;
+    bool last = false;
     knots_of(&s->u, &u, &kink_u);
     knots_of(&s->v, &v, &kink_v);
-    for (size_t parts = 2; worst > tolerance; parts *= 2) {
-        bool last = 2 * parts * (u.n - 1) > APPROXIMATE_MOST_2 ||
-                    2 * parts * (v.n - 1) > APPROXIMATE_MOST_2;
+    for (size_t parts = 2; worst > tolerance && !last; parts *= 2) {
+        last = 2 * parts * (u.n - 1) > APPROXIMATE_MOST_2 ||
+               2 * parts * (v.n - 1) > APPROXIMATE_MOST_2;
         nurbs_free(&to);
         to.u = cubic_axis(u.item, u.n - 1, parts, kink_u);
         to.v = cubic_axis(v.item, v.n - 1, parts, kink_v);
         interpolate_offset(s, distance, &to);
-        worst = last ? 0 : offset_error(s, distance, &to);
+        worst = offset_error(s, distance, &to);
     }
+    if (error)
+        *error = worst;
     array_free(&u);
     array_free(&v);
     free(kink_u);

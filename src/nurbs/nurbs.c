@@ -198,6 +198,22 @@ struct vec3 nurbs_curve_point(const struct nurbs_curve *c, double t)
     return vec_scale(1 / p.w, vec(p.wx, p.wy, p.wz));
 }
 
+struct vec3 nurbs_curve_derivative(const struct nurbs_curve *c, double t)
+{
+    struct basis b;
+    struct nurbs_pole p = {0, 0, 0, 0}, d = {0, 0, 0, 0};
+    basis_at(&c->t, t, 1, &b);
+    for (int i = 0; i <= c->t.degree; i++) {
+        const struct nurbs_pole *pole = &c->pole[b.first + (size_t)i];
+        p.wx += b.d[0][i] * pole->wx, d.wx += b.d[1][i] * pole->wx;
+        p.wy += b.d[0][i] * pole->wy, d.wy += b.d[1][i] * pole->wy;
+        p.wz += b.d[0][i] * pole->wz, d.wz += b.d[1][i] * pole->wz;
+        p.w += b.d[0][i] * pole->w, d.w += b.d[1][i] * pole->w;
+    }
+    struct vec3 point = vec_scale(1 / p.w, vec(p.wx, p.wy, p.wz));
+    return vec_scale(1 / p.w, vec_along(vec(d.wx, d.wy, d.wz), -d.w, point));
+}
+
 size_t nurbs_basis(const struct nurbs_axis *axis, double t, double *value)
 {
     struct basis b;

@@ -143,6 +143,18 @@ struct vec3 primitive_point(const struct primitive *p, double u, double v)
     return transform_point(&p->place, vec(x, y, z));
 }
 
+void primitive_parameters(const struct primitive *p, struct vec3 point, double *u, double *v)
+{
+    struct vec3 d = vec_sub(point, axis_of(&p->place, 3));
+    double x = vec_dot(d, axis_of(&p->place, 0)), y = vec_dot(d, axis_of(&p->place, 1));
+    double z = vec_dot(d, axis_of(&p->place, 2)), r = hypot(x, y);
+    *u = p->kind == PRIMITIVE_PLANE ? x : atan2(y, x);
+    *v = p->kind == PRIMITIVE_PLANE    ? y
+         : p->kind == PRIMITIVE_SPHERE ? atan2(z, r)
+         : p->kind == PRIMITIVE_TORUS  ? atan2(z, r - p->radius)
+                                       : z;
+}
+
 int primitive_offset(struct primitive *p, double distance)
 {
     switch (p->kind) {

@@ -130,6 +130,23 @@ void nurbs_report_trimming(const struct patches *patches, const struct sheet *sh
     }
 }
 
+const struct patch *nurbs_report_roughest(const struct patches *patches, double *rough)
+{
+    const struct patch *roughest = NULL;
+    *rough = 0;
+    for (size_t i = 0; i < patches->n; i++) {
+        const struct patch *p = &patches->item[i];
+        double most = p->rough;
+        for (size_t k = 0; k < p->loop.n; k++)
+            most = fmax(most, p->loop.item[k].rough);
+        if (most > *rough) {
+            *rough = most;
+            roughest = p;
+        }
+    }
+    return roughest;
+}
+
 /* Loops that are named one by one. */
 enum { NAMED = 8 };
 

@@ -40,7 +40,7 @@ END
 model "112: a parabola of two pieces moved along" "$(calc '5 * (5 * sqrt(5) + 2.5 * log(2 + sqrt(5)))')" - -e 0.0005 "$TMP/spline112.igs"
 iges offset130 <<'END'
 c 100 0 0,0,0,10,0,0,10
-o 130 0 {c},1,0,2,1,2,0,0,0,0,0,1,0,1
+o 130 0 {c},1,0,0,1,2,0,0,0,0,0,1,0,1.5707963267948966
 face 122 0 {o},8,0,15
 END
 model "130: a quarter circle moved inwards" "$(calc 'p / 2 * 8 * 15')" - -e 0.001 "$TMP/offset130.igs"

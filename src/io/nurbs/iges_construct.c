@@ -18,6 +18,7 @@ struct source {
     const struct transform *place;
     const struct patch_loops *loops;
     struct nurbs *surface;
+    double *rough; /* of the surface */
 };
 
 static double value_at(const struct source *s, size_t index)
@@ -52,6 +53,7 @@ static int curve_at(const struct source *s, size_t index, struct nurbs_curve *cu
     } else if (got == 0) {
         *curve = construct_joined(pieces.item, pieces.n);
     }
+    *s->rough = fmax(*s->rough, pieces.rough);
     patch_loop_free(&pieces);
     return got;
 }
@@ -257,11 +259,10 @@ static int read_known(const struct source *s, struct error *error)
 }
 
 int iges_construct(const struct iges *iges, const struct iges_entity *entity,
-                   const struct transform *place, const struct patch_loops *loops,
-                   struct nurbs *surface, struct error *error)
+                   const struct transform *place, struct patch *patch, struct error *error)
 {
     struct iges_values v;
-    struct source s = {iges, entity, &v, place, loops, surface};
+    struct source s = {iges, entity, &v, place, &patch->loop, &patch->surface, &patch->rough};
     if (iges_values(iges, entity, &v, error) < 0)
         return -1;
     int got = iges_numbers(iges, &v, 1, v.n, NURBS_LARGEST, error);

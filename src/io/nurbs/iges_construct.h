@@ -12,11 +12,11 @@
 
 /*
  * The surface of an entity, placed by `place` (its own transformation, what holds it, and the
- * unit). Planes, cylinders and cones have no ends: they reach as far as the loops in space that
- * trim them. 0, 1 when the entity is of another kind, or has no end and no loops, or -1.
+ * unit), to patch->surface and ->rough. Planes, cylinders and cones have no ends: they reach as far
+ * as the patch's loops in space. 0, 1 when the entity is of another kind, or has no end and no
+ * loops, or -1.
  */
 int iges_construct(const struct iges *iges, const struct iges_entity *entity,
-                   const struct transform *place, const struct patch_loops *loops,
-                   struct nurbs *surface, struct error *error);
+                   const struct transform *place, struct patch *patch, struct error *error);
 
 #endif

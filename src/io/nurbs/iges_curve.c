@@ -14,7 +14,8 @@ enum { DEPTH_MAX = 20, COUNT_MAX = 100000000 };
 struct walk {
     int depth;
     size_t left;
-    struct transform outer; /* of the curves that this one is part of */
+    struct transform outer;     /* of the curves that this one is part of */
+    struct iges_ranges *ranges; /* the file's parameters along the curves that are read, or NULL */
 };
 
 /* What a reader of one kind of curve works on. */
@@ -277,68 +278,180 @@ static int read_curve(const struct iges *iges, const struct iges_entity *entity,
                       struct patch_loop *loop, const struct iges_entity **unknown,
                       struct error *error);
 
-/* A curve moved in its plane, by a distance that may change along it. */
-struct offset_130 {
-    const struct nurbs_curve *curve;
-    struct vec3 normal;
-    double distance[2], at[2];
-    bool varies;
+/* The distance of an offset: one, or changing between two places, or as a coordinate of a curve
+ * does; over the base's parameter or over its length. */
+struct distance_130 {
+    long kind;
+    double value[2], at[2], scale;
+    bool by_length;
+    struct patch_loop curve;
+    struct iges_ranges range;
+    int coordinate;
 };
 
+/* A curve moved in its plane. */
+struct offset_130 {
+    const struct nurbs_curve *curve;
+    const struct iges_range *range;
+    const struct distance_130 *distance;
+    struct vec3 normal;
+    double before; /* length of the curves before this one */
+};
+
+/* The length up to the curve's own parameter: three points of Gauss in each of some parts. */
+static double length_to(const struct nurbs_curve *c, double to)
+{
+    static const double x[3] = {-0.7745966692414834, 0, 0.7745966692414834};
+    static const double w[3] = {5.0 / 9, 8.0 / 9, 5.0 / 9};
+    enum { PARTS = 32 };
+    double sum = 0, from = c->t.from, last = from;
+    for (size_t i = (size_t)c->t.degree; i < c->t.poles && last < to; i++)
+        for (int p = 1; p <= PARTS; p++) {
+            double end = c->t.knot[i] + (c->t.knot[i + 1] - c->t.knot[i]) * p / PARTS;
+            end = fmin(end, to);
+            for (int k = 0; k < 3 && end > last; k++)
+                sum += w[k] * (end - last) / 2 *
+                       vec_length(
+                           nurbs_curve_derivative(c, (last + end) / 2 + x[k] * (end - last) / 2));
+            last = fmax(last, end);
+        }
+    return sum;
+}
+
+static double distance_at(const struct offset_130 *o, double t, double own)
+{
+    const struct distance_130 *d = o->distance;
+    if (d->kind == 1 || (d->kind == 2 && !(d->at[1] > d->at[0])))
+        return d->value[0];
+    if (d->by_length)
+        t = (o->before + length_to(o->curve, own)) / d->scale;
+    if (d->kind == 2)
+        return d->value[0] + (d->value[1] - d->value[0]) * (t - d->at[0]) / (d->at[1] - d->at[0]);
+    size_t i = iges_range_of(&d->range, t);
+    const struct nurbs_curve *c = &d->curve.item[i];
+    struct vec3 p = nurbs_curve_point(c, iges_parameter(c, &d->range.item[i], t));
+    return d->scale * (d->coordinate == 1 ? p.x : d->coordinate == 2 ? p.y : p.z);
+}
+
+/* Over the parameters of the file. */
 static struct vec3 offset_point(const void *context, double t)
 {
     const struct offset_130 *o = context;
-    double h = 1e-6 * (o->curve->t.to - o->curve->t.from), d = o->distance[0];
-    struct vec3 a = nurbs_curve_point(o->curve, fmax(t - h, o->curve->t.from));
-    struct vec3 b = nurbs_curve_point(o->curve, fmin(t + h, o->curve->t.to));
-    if (o->varies)
-        d += (o->distance[1] - d) * (t - o->at[0]) / (o->at[1] - o->at[0]);
-    return vec_along(nurbs_curve_point(o->curve, t), d,
-                     vec_unit(vec_cross(o->normal, vec_sub(b, a))));
+    double own = iges_parameter(o->curve, o->range, t);
+    struct vec3 side = vec_cross(o->normal, nurbs_curve_derivative(o->curve, own));
+    return vec_along(nurbs_curve_point(o->curve, own), distance_at(o, t, own), vec_unit(side));
 }
 
-/* 130: a plane curve, a distance (or two that it changes between along the parameter), the normal
- * of the plane; the offset is to the side of normal x tangent. */
+/* The offset between two parameters of the file. */
+static void push_offset(struct offset_130 *o, double from, double to, struct patch_loop *loop)
+{
+    const struct nurbs_curve *c = o->curve;
+    struct doubles at = {0};
+    size_t n = nurbs_axis_breaks(&c->t, NULL, 0);
+    double *kink = mem_alloc(n + 1, sizeof *kink), off;
+    nurbs_axis_breaks(&c->t, kink, n);
+    *array_push(&at) = from;
+    for (size_t i = 0; i < n; i++) {
+        double t = iges_parameter_back(c, o->range, kink[i]);
+        if (t > at.item[at.n - 1] && t < to)
+            *array_push(&at) = t;
+    }
+    *array_push(&at) = to;
+    *array_push(loop) = approximate_curve(offset_point, o, at.item, at.n - 1, 1e-6, &off);
+    loop->rough = fmax(loop->rough, off);
+    array_free(&at);
+    free(kink);
+}
+
+/* The distance of a 130, in the lengths of what it is part of: 0, 1 when its curve is not read, or
+ * -1. */
+static int read_distance(const struct source *s, struct walk *walk, struct distance_130 *d,
+                         const struct iges_entity **unknown, struct error *error)
+{
+    const struct iges_entity *function;
+    long coordinate = 0, measure = 2;
+    if (iges_whole(s->iges, s->values, 2, 1, 3, "flag of the distance", &d->kind, error) < 0)
+        return -1;
+    d->scale = cbrt(fabs(transform_determinant(&s->matrix)));
+    for (size_t i = 0; i < 2; i++) {
+        d->value[i] = d->scale * value_at(s, 6 + 2 * i);
+        d->at[i] = value_at(s, 7 + 2 * i);
+    }
+    if (d->kind > 1 && value_at(s, 5) > 0 &&
+        iges_whole(s->iges, s->values, 5, 1, 2, "measure of the distance", &measure, error) < 0)
+        return -1;
+    d->by_length = measure == 1;
+    if (d->kind < 3)
+        return 0;
+    if (iges_whole(s->iges, s->values, 4, 1, 3, "coordinate of the distance", &coordinate, error) <
+            0 ||
+        iges_pointer(s->iges, s->values, 3, &function, error) < 0)
+        return -1;
+    d->coordinate = (int)coordinate;
+    struct walk own = *walk;
+    own.outer = transform_identity();
+    own.depth++;
+    own.ranges = &d->range;
+    int got = read_curve(s->iges, function, &own, &d->curve, unknown, error);
+    walk->left = own.left;
+    return got;
+}
+
+/* 130: a plane curve, a distance, the normal of the plane, and between which parameters of the
+ * curve; the offset is to the side of normal x tangent. */
 static int offset_130(const struct source *s, struct walk *walk, struct patch_loop *loop,
                       const struct iges_entity **unknown, struct error *error)
 {
     const struct iges_entity *base;
     struct patch_loop pieces = {0};
-    long flag;
+    struct iges_ranges range = {0};
+    struct distance_130 d = {0};
     if (s->values->n < 13)
         return too_few_values(s, 13, error);
-    if (iges_whole(s->iges, s->values, 2, 1, 3, "flag of the distance", &flag, error) < 0 ||
-        iges_pointer(s->iges, s->values, 1, &base, error) < 0)
+    if (iges_pointer(s->iges, s->values, 1, &base, error) < 0)
         return -1;
-    struct transform outer = walk->outer;
-    walk->outer = s->matrix;
-    walk->depth++;
-    int got = flag == 3 ? 1 : read_curve(s->iges, base, walk, &pieces, unknown, error);
-    walk->depth--;
-    walk->outer = outer;
+    int got = read_distance(s, walk, &d, unknown, error);
+    struct walk own = *walk;
+    own.outer = s->matrix;
+    own.depth++;
+    own.ranges = &range;
+    if (got == 0)
+        got = read_curve(s->iges, base, &own, &pieces, unknown, error);
+    walk->left = own.left < walk->left ? own.left : walk->left;
     struct vec3 zero = {0, 0, 0}, v = {value_at(s, 10), value_at(s, 11), value_at(s, 12)};
     v = vec_unit(vec_sub(transform_point(&s->matrix, v), transform_point(&s->matrix, zero)));
-    double scale = cbrt(fabs(transform_determinant(&s->matrix)));
+    double from = value_at(s, 13), to = value_at(s, 14), before = 0;
+    bool part =
+        from < to && range.n > 0 && from < range.item[range.n - 1].to && to > range.item[0].from;
     for (size_t i = 0; i < pieces.n && got == 0; i++) {
-        const struct nurbs_curve *c = &pieces.item[i];
-        struct offset_130 o = {c,
-                               v,
-                               {scale * value_at(s, 6), scale * value_at(s, 8)},
-                               {value_at(s, 7), value_at(s, 9)},
-                               false};
-        o.varies = flag == 2 && o.at[1] > o.at[0];
-        size_t n = nurbs_axis_breaks(&c->t, NULL, 0);
-        double *at = mem_alloc(n + 2, sizeof *at);
-        nurbs_axis_breaks(&c->t, at + 1, n);
-        at[0] = c->t.from;
-        at[n + 1] = c->t.to;
-        *array_push(loop) = approximate_curve(offset_point, &o, at, n + 1, 1e-6, NULL);
-        free(at);
+        const struct iges_range *r = &range.item[i];
+        double low = part ? fmax(r->from, from) : r->from, high = part ? fmin(r->to, to) : r->to;
+        struct offset_130 o = {&pieces.item[i], r, &d, v, before};
+        if (low < high) {
+            push_offset(&o, low, high, loop);
+            if (walk->ranges)
+                *array_push(walk->ranges) = (struct iges_range){low, high, false};
+        }
+        before += d.by_length ? length_to(o.curve, o.curve->t.to) : 0;
     }
-    if (flag == 3)
-        *unknown = s->entity;
+    loop->rough = fmax(loop->rough, fmax(pieces.rough, d.curve.rough));
     patch_loop_free(&pieces);
+    patch_loop_free(&d.curve);
+    array_free(&range);
+    array_free(&d.range);
     return got;
+}
+
+/* The ranges from `before` on follow those from `first` on, which begin at 0. */
+static void append_ranges(struct iges_ranges *r, size_t first, size_t before)
+{
+    if (before == r->n)
+        return;
+    double shift = (before > first ? r->item[before - 1].to : 0) - r->item[before].from;
+    for (size_t i = before; i < r->n; i++) {
+        r->item[i].from += shift;
+        r->item[i].to += shift;
+    }
 }
 
 static int composite_102(const struct source *s, struct walk *walk, struct patch_loop *loop,
@@ -353,19 +466,53 @@ static int composite_102(const struct source *s, struct walk *walk, struct patch
     int got = 0;
     walk->outer = s->matrix;
     walk->depth++;
+    size_t first = walk->ranges ? walk->ranges->n : 0;
     for (size_t i = 0; i < (size_t)count && got == 0; i++) {
         const struct iges_entity *part;
+        size_t before = walk->ranges ? walk->ranges->n : 0;
         got = iges_pointer(s->iges, s->values, 2 + i, &part, error);
         if (got == 0)
             got = read_curve(s->iges, part, walk, loop, unknown, error);
+        if (got == 0 && walk->ranges)
+            append_ranges(walk->ranges, first, before);
     }
     walk->depth--;
     walk->outer = outer;
     return got;
 }
 
-static int read_known(const struct source *s, struct walk *walk, struct patch_loop *loop,
-                      const struct iges_entity **unknown, struct error *error)
+/* The file's parameters along the curves of one entity, from `first` on: an arc's are angles from 0
+ * to one turn on, a polyline's count its points.  False: they are not understood. */
+static bool push_ranges(const struct source *s, const struct patch_loop *loop, size_t first,
+                        struct iges_ranges *ranges)
+{
+    int type = s->entity->type;
+    size_t n = loop->n - first;
+    double from = atan2(value_at(s, 5) - value_at(s, 3), value_at(s, 4) - value_at(s, 2));
+    double to = atan2(value_at(s, 7) - value_at(s, 3), value_at(s, 6) - value_at(s, 2));
+    double turn = to - from <= 1e-12 ? to - from + 2 * PI : to - from;
+    from += from < 0 ? 2 * PI : 0;
+    for (size_t i = 0; i < n; i++) {
+        const struct nurbs_curve *c = &loop->item[first + i];
+        struct iges_range r = {c->t.from, c->t.to, type == 104};
+        if (type == 110)
+            r = (struct iges_range){0, 1, false};
+        if (type == 106)
+            r = (struct iges_range){0, (double)(c->t.poles - 1), false};
+        if (type == 100)
+            r = (struct iges_range){from + turn * (double)i / (double)n,
+                                    from + turn * (double)(i + 1) / (double)n, true};
+        if (type == 104 && r.from < 0) {
+            r.from += 2 * PI;
+            r.to += 2 * PI;
+        }
+        *array_push(ranges) = r;
+    }
+    double k = value_at(s, 2);
+    return type != 104 || value_at(s, 1) * value_at(s, 3) > k * k / 4;
+}
+
+static int read_simple(const struct source *s, struct patch_loop *loop, struct error *error)
 {
     int type = s->entity->type, form = s->entity->form;
     if (type == 110 && form == 0)
@@ -380,12 +527,23 @@ static int read_known(const struct source *s, struct walk *walk, struct patch_lo
         return conic_104(s, loop, error);
     if (type == 112)
         return spline_112(s, loop, error);
-    if (type == 130)
-        return offset_130(s, walk, loop, unknown, error);
-    if (type == 102)
-        return composite_102(s, walk, loop, unknown, error);
-    *unknown = s->entity;
     return 1;
+}
+
+static int read_known(const struct source *s, struct walk *walk, struct patch_loop *loop,
+                      const struct iges_entity **unknown, struct error *error)
+{
+    size_t first = loop->n;
+    if (s->entity->type == 130)
+        return offset_130(s, walk, loop, unknown, error);
+    if (s->entity->type == 102)
+        return composite_102(s, walk, loop, unknown, error);
+    int got = read_simple(s, loop, error);
+    if (got == 0 && walk->ranges && !push_ranges(s, loop, first, walk->ranges))
+        got = 1;
+    if (got > 0)
+        *unknown = s->entity;
+    return got;
 }
 
 static int read_curve(const struct iges *iges, const struct iges_entity *entity, struct walk *walk,
@@ -414,5 +572,14 @@ int iges_curve(const struct iges *iges, const struct iges_entity *entity, struct
                const struct iges_entity **unknown, struct error *error)
 {
     struct walk walk = {.left = 2 * iges->entity.n, .outer = transform_identity()};
+    return read_curve(iges, entity, &walk, loop, unknown, error);
+}
+
+int iges_curve_ranges(const struct iges *iges, const struct iges_entity *entity,
+                      struct patch_loop *loop, struct iges_ranges *ranges,
+                      const struct iges_entity **unknown, struct error *error)
+{
+    struct walk walk = {
+        .left = 2 * iges->entity.n, .outer = transform_identity(), .ranges = ranges};
     return read_curve(iges, entity, &walk, loop, unknown, error);
 }

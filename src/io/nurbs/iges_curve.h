@@ -7,6 +7,7 @@
 #define CLOUDMILL_IGES_CURVE_H
 
 #include "iges.h"
+#include "iges_parameters.h"
 #include "nurbs/patch.h"
 #include "math/transform.h"
 
@@ -17,5 +18,10 @@ int iges_matrix(const struct iges *iges, int number, struct transform *matrix, s
  * known here: `unknown` then points to that. */
 int iges_curve(const struct iges *iges, const struct iges_entity *entity, struct patch_loop *loop,
                const struct iges_entity **unknown, struct error *error);
+
+/* The same, and the file's parameters along each of them. */
+int iges_curve_ranges(const struct iges *iges, const struct iges_entity *entity,
+                      struct patch_loop *loop, struct iges_ranges *ranges,
+                      const struct iges_entity **unknown, struct error *error);
 
 #endif

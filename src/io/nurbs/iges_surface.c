@@ -173,7 +173,9 @@ static int read_offset(const struct source *s, const struct iges_values *v,
     struct nurbs_place start = nurbs_place(&base, (struct uv){base.u.from, base.v.from});
     double scale = s->mm * cbrt(fabs(transform_determinant(matrix)));
     double distance = v->item[4].number * scale * (vec_dot(side, start.normal) < 0 ? -1 : 1);
-    patch->surface = approximate_offset(&base, distance);
+    double off;
+    patch->surface = approximate_offset(&base, distance, &off);
+    patch->rough = fmax(patch->rough, off);
     nurbs_free(&base);
     return 0;
 }
@@ -189,7 +191,7 @@ static int read_surface(const struct source *s, const struct iges_entity *e,
     matrix = transform_product(*outer, matrix);
     if (e->type != 128 && e->type != 140) {
         struct transform place = transform_product(transform_scale(s->mm), matrix);
-        return iges_construct(s->iges, e, &place, &patch->loop, &patch->surface, error);
+        return iges_construct(s->iges, e, &place, patch, error);
     }
     if (iges_values(s->iges, e, &v, error) < 0)
         return -1;
@@ -249,6 +251,8 @@ static int add_patch(const struct source *s, const struct trimmed *t, struct err
     }
     if (status == 0)
         status = read_surface(s, e, &trimming.outer, &patch, error);
+    if (status == 0)
+        status = iges_parameters(s->iges, e, &patch, error);
     if (status == 0) {
         patch.file = mem_string(s->iges->name, strlen(s->iges->name));
         *array_push(s->patches) = patch;

@@ -5,11 +5,9 @@
 #include <string.h>
 
 #include "base/array.h"
-#include "nurbs/approximate.h"
 #include "nurbs/construct.h"
 
-/* The part of a curve between its ends: one piece, or two where it goes on over its seam. */
-static void push_part(const struct step_source *s, struct nurbs_curve c)
+void step_push_part(const struct step_source *s, struct nurbs_curve c)
 {
     if (s->ends) {
         double from = c.t.from, to = c.t.to;
@@ -94,7 +92,7 @@ static int read_polyline(const struct step_source *s, struct error *error)
     if (status == 0 && point.n < 2)
         status = step_refuse(s->place->step, s->v, "a polyline of less than two points", error);
     if (status == 0)
-        push_part(s, construct_polyline(point.item, point.n));
+        step_push_part(s, construct_polyline(point.item, point.n));
     array_free(&point);
     return status;
 }
@@ -205,6 +203,22 @@ static int read_trimmed(const struct step_source *s, struct error *error)
     return got > 0 ? 1 : got;
 }
 
+/* Pieces that follow each other: the part of them between the ends, or all. */
+static void push_pieces(const struct step_source *s, struct patch_loop *pieces)
+{
+    bool whole = !s->ends || vec_distance(s->ends[0], s->ends[1]) <= STEP_NEAR;
+    if (pieces->n == 1) {
+        step_push_part(s, pieces->item[0]);
+        pieces->n = 0;
+    } else if (whole) {
+        for (size_t i = 0; i < pieces->n; i++)
+            *array_push(s->loop) = pieces->item[i];
+        pieces->n = 0;
+    } else if (pieces->n > 0) {
+        step_push_part(s, construct_joined(pieces->item, pieces->n));
+    }
+}
+
 /* COMPOSITE_CURVE: segments, each a curve that runs its own way or against it. */
 static int read_composite(const struct step_source *s, struct error *error)
 {
@@ -228,75 +242,59 @@ static int read_composite(const struct step_source *s, struct error *error)
             patch_loop_turn(&pieces, first);
         array_free(&v);
     }
-    bool whole = !s->ends || vec_distance(s->ends[0], s->ends[1]) <= STEP_NEAR;
-    if (got == 0 && pieces.n > 0 && whole) {
-        for (size_t i = 0; i < pieces.n; i++)
-            *array_push(s->loop) = pieces.item[i];
-        pieces.n = 0;
-    } else if (got == 0 && pieces.n > 0) {
-        push_part(s, construct_joined(pieces.item, pieces.n));
-    }
+    if (got == 0)
+        push_pieces(s, &pieces);
+    s->loop->rough = fmax(s->loop->rough, pieces.rough);
     patch_loop_free(&pieces);
     return got;
 }
 
-struct pcurve {
-    const struct step_parametric *on;
+struct offset {
     const struct nurbs_curve *curve;
+    struct vec3 normal;
+    double distance;
 };
 
-static struct vec3 pcurve_point(const void *context, double t)
+static struct vec3 offset_point(const void *context, double t)
 {
-    const struct pcurve *p = context;
-    struct vec3 at = nurbs_curve_point(p->curve, t);
-    return step_parametric_point(p->on, at.x, at.y);
+    const struct offset *o = context;
+    struct vec3 along = nurbs_curve_derivative(o->curve, t);
+    return vec_along(nurbs_curve_point(o->curve, t), o->distance,
+                     vec_unit(vec_cross(o->normal, along)));
 }
 
-/* A curve in the parameters of a surface, brought into space. */
-static struct nurbs_curve lift_pcurve(const struct step_parametric *on, const struct nurbs_curve *c)
+/* OFFSET_CURVE_3D: basis, distance, whether it cuts itself, a direction V: moved along V x tangent.
+ * One of a line is a line between the ends. */
+static int read_offset_curve(const struct step_source *s, struct error *error)
 {
-    struct pcurve p = {on, c};
-    size_t n = nurbs_axis_breaks(&c->t, NULL, 0);
-    double *at = mem_alloc(n + 2, sizeof *at);
-    nurbs_axis_breaks(&c->t, at + 1, n);
-    at[0] = c->t.from;
-    at[n + 1] = c->t.to;
-    struct nurbs_curve lifted = approximate_curve(pcurve_point, &p, at, n + 1, STEP_NEAR, NULL);
-    free(at);
-    return lifted;
-}
-
-/* The curve of a DEFINITIONAL_REPRESENTATION, in the plane of the parameters. */
-static int read_plane_curve(const struct step_source *s, const struct step_value *reference,
-                            struct patch_loop *loop, struct error *error)
-{
-    struct step_place plane = *s->place;
+    struct patch_loop pieces = {0};
     struct step_values v = {0};
-    plane.to = transform_identity();
-    plane.mm = 1;
-    if (step_follow(s->place->step, s->v, reference, &v, error) < 0)
-        return -1;
-    const struct step_value *r = step_item(v.item, 0);
-    int got =
-        step_curve_of(&plane, &v, step_item(step_item(r, 1), 0), NULL, s->depth + 1, loop, error);
-    array_free(&v);
-    return got;
-}
-
-/* PCURVE: a surface and a curve in its parameters. */
-static int read_pcurve(const struct step_source *s, struct error *error)
-{
-    struct step_parametric on = {0};
-    struct patch_loop plane = {0};
+    struct offset o = {0};
     if (s->depth > STEP_DEPTH_MAX)
         return step_refuse(s->place->step, s->v, "curves of curves without end", error);
-    int got = step_parametric(s->place, s->v, step_item(s->record, 1), &on, error);
-    if (got == 0)
-        got = read_plane_curve(s, step_item(s->record, 2), &plane, error);
-    for (size_t i = 0; i < plane.n && got == 0; i++)
-        push_part(s, lift_pcurve(&on, &plane.item[i]));
-    patch_loop_free(&plane);
-    nurbs_free(&on.spline);
+    if (step_number(s->place->step, s->v, step_item(s->record, 2), 1e12, &o.distance, error) < 0 ||
+        step_axis_direction(s, step_item(s->record, 4), &o.normal, error) < 0 ||
+        step_follow(s->place->step, s->v, step_item(s->record, 1), &v, error) < 0)
+        return -1;
+    o.distance *= s->place->mm;
+    bool line = step_record(&v, "LINE") != NULL;
+    array_free(&v);
+    if (line && s->ends)
+        *array_push(s->loop) = construct_line(s->ends[0], s->ends[1]);
+    if (line)
+        return s->ends ? 0 : 1;
+    int got =
+        step_curve_of(s->place, s->v, step_item(s->record, 1), NULL, s->depth + 1, &pieces, error);
+    struct patch_loop moved = {0};
+    for (size_t i = 0; i < pieces.n && got == 0; i++) {
+        o.curve = &pieces.item[i];
+        *array_push(&moved) =
+            step_approximate(&o.curve->t, offset_point, &o, STEP_NEAR, &s->loop->rough);
+    }
+    s->loop->rough = fmax(s->loop->rough, pieces.rough);
+    push_pieces(s, &moved);
+    patch_loop_free(&moved);
+    patch_loop_free(&pieces);
     return got;
 }
 
@@ -327,7 +325,9 @@ static int known_curve(const struct step_source *from, struct error *error)
         if ((s.record = step_record(s.v, composite[i])))
             return read_composite(&s, error);
     if ((s.record = step_record(s.v, "PCURVE")))
-        return read_pcurve(&s, error);
+        return step_pcurve(&s, error);
+    if ((s.record = step_record(s.v, "OFFSET_CURVE_3D")))
+        return read_offset_curve(&s, error);
     if ((s.record = step_record(s.v, "POLYLINE")))
         return read_polyline(&s, error);
     if (step_find_spline(s.v, false, &sp)) {
@@ -336,7 +336,7 @@ static int known_curve(const struct step_source *from, struct error *error)
             nurbs_curve_free(&c);
             return -1;
         }
-        push_part(&s, c);
+        step_push_part(&s, c);
         return 0;
     }
     return 1;

@@ -155,6 +155,31 @@ int step_direction(const struct step_source *s, const struct step_value *referen
     return status;
 }
 
+int step_axis_direction(const struct step_source *s, const struct step_value *reference,
+                        struct vec3 *to, struct error *error)
+{
+    const struct step *step = s->place->step;
+    if (read_coordinates(step, s->v, reference, "DIRECTION", to, error) < 0)
+        return -1;
+    struct vec3 zero = transform_point(&s->place->to, vec(0, 0, 0));
+    *to = vec_unit(vec_sub(transform_point(&s->place->to, *to), zero));
+    return vec_length(*to) > 0 ? 0 : step_refuse(step, s->v, "a direction of no length", error);
+}
+
+struct nurbs_curve step_approximate(const struct nurbs_axis *axis, approximate_curve_fn *f,
+                                    const void *context, double tolerance, double *rough)
+{
+    size_t n = nurbs_axis_breaks(axis, NULL, 0);
+    double *at = mem_alloc(n + 2, sizeof *at), off;
+    nurbs_axis_breaks(axis, at + 1, n);
+    at[0] = axis->from;
+    at[n + 1] = axis->to;
+    struct nurbs_curve c = approximate_curve(f, context, at, n + 1, tolerance, &off);
+    *rough = fmax(*rough, off);
+    free(at);
+    return c;
+}
+
 /* ---- splines */
 
 static size_t list_length(const struct step_value *list)

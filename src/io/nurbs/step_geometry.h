@@ -39,11 +39,12 @@ int step_curve(const struct step_place *place, const struct step_values *from,
 
 /*
  * The surface, with the normal that the standard gives it; one without ends reaches as far as these
- * points.  0, 1 when it is of a kind that is not read (its name then goes to `kind`), or -1.
+ * points; `rough` as in struct patch.  0, 1 when it is of a kind that is not read (its name then
+ * goes to `kind`), or -1.
  */
 int step_surface(const struct step_place *place, const struct step_values *from,
                  const struct step_value *reference, const struct vec3s *points,
-                 struct nurbs *surface, char kind[40], struct error *error);
+                 struct nurbs *surface, double *rough, char kind[40], struct error *error);
 
 /* The four sides of a RECTANGULAR_TRIMMED_SURFACE as a loop in space: 0, 1 when the parameters of
  * its basis are not understood, or -1. */

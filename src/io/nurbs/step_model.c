@@ -277,7 +277,8 @@ static int add_face(struct model *m, const struct step_place *place, const struc
     for (const struct step_value *i = step_item(list, 0); i && got == 0; i = step_next(list, i))
         got = add_bound(place, v, i, same, &patch, &points, error);
     if (got == 0)
-        got = step_surface(place, v, step_item(face, 2), &points, &patch.surface, kind, error);
+        got = step_surface(place, v, step_item(face, 2), &points, &patch.surface, &patch.rough,
+                           kind, error);
     array_free(&points);
     if (got == 0) {
         patch.file = mem_string(m->step->name, strlen(m->step->name));
@@ -333,7 +334,8 @@ static int add_free_surface(struct model *m, const struct step_place *place,
         primitive_points(&patch.loop, &points);
     }
     if (got == 0)
-        got = step_surface(place, from, reference, &points, &patch.surface, kind, error);
+        got = step_surface(place, from, reference, &points, &patch.surface, &patch.rough, kind,
+                           error);
     array_free(&points);
     if (got == 0) {
         patch.file = mem_string(m->step->name, strlen(m->step->name));

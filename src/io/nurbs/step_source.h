@@ -4,6 +4,7 @@
 #ifndef CLOUDMILL_STEP_SOURCE_H
 #define CLOUDMILL_STEP_SOURCE_H
 
+#include "nurbs/approximate.h"
 #include "nurbs/primitive.h"
 #include "step_geometry.h"
 
@@ -21,6 +22,7 @@ struct step_source {
     const struct vec3s *points;
     struct patch_loop *loop;
     struct nurbs *surface;
+    double *rough; /* of the surface, as in struct patch */
     int depth;
 };
 
@@ -53,6 +55,22 @@ int step_point(const struct step_source *s, const struct step_value *reference, 
 int step_direction(const struct step_source *s, const struct step_value *reference, struct vec3 *to,
                    double *length, struct error *error);
 
+/* The unit vector of a DIRECTION, placed. */
+int step_axis_direction(const struct step_source *s, const struct step_value *reference,
+                        struct vec3 *to, struct error *error);
+
+/* A function of the parameter of a curve, which has kinks where that curve has them, as a spline;
+ * `rough` is raised to how far that is off. */
+struct nurbs_curve step_approximate(const struct nurbs_axis *axis, approximate_curve_fn *f,
+                                    const void *context, double tolerance, double *rough);
+
+/* Appends the part of a curve between its ends: one piece, or two where it goes on over its seam;
+ * takes the curve. */
+void step_push_part(const struct step_source *s, struct nurbs_curve c);
+
+/* A PCURVE, to s->loop: 0, 1 when it is not read, or -1. */
+int step_pcurve(const struct step_source *s, struct error *error);
+
 /* False when it is no spline; `surface`: two degrees, two lists of knots. */
 bool step_find_spline(const struct step_values *v, bool surface, struct step_spline *s);
 
@@ -76,7 +94,8 @@ struct step_parametric {
     bool is_primitive;
     struct primitive primitive;
     struct nurbs spline;
-    double u, v; /* from the file's parameters to radians and mm */
+    double u, v;  /* from the file's parameters to radians and mm */
+    double rough; /* as in struct patch */
 };
 
 /* 0, 1 when its parameters are not understood, or -1.  The caller frees ->spline. */

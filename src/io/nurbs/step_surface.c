@@ -53,6 +53,7 @@ static int read_profile(const struct step_source *s, struct nurbs_curve *c, stru
     if (got == 0) {
         *c = loop.item[0];
         loop.n = 0;
+        *s->rough = fmax(*s->rough, loop.rough);
     }
     patch_loop_free(&loop);
     return got;
@@ -182,7 +183,9 @@ static int read_offset(const struct step_source *s, struct error *error)
         got = read_basis(s, error);
     if (got == 0) {
         struct nurbs base = *s->surface;
-        *s->surface = approximate_offset(&base, distance);
+        double off = 0;
+        *s->surface = approximate_offset(&base, distance, &off);
+        *s->rough = fmax(*s->rough, off);
         nurbs_free(&base);
     }
     return got;
@@ -227,7 +230,9 @@ static int offset_parametric(const struct step_source *s, struct step_parametric
         return primitive_offset(&to->primitive, distance) < 0 ? 1 : 0;
     if (got == 0) {
         struct nurbs base = to->spline;
-        to->spline = approximate_offset(&base, distance);
+        double off = 0;
+        to->spline = approximate_offset(&base, distance, &off);
+        to->rough = fmax(to->rough, off);
         nurbs_free(&base);
     }
     return got;
@@ -242,7 +247,8 @@ static int parametric_of(const struct step_place *place, const struct step_value
     *to = (struct step_parametric){.u = 1, .v = 1};
     if (step_follow(place->step, from, reference, &v, error) < 0)
         return -1;
-    struct step_source s = {.place = place, .v = &v, .surface = &to->spline, .depth = depth};
+    struct step_source s = {
+        .place = place, .v = &v, .surface = &to->spline, .rough = &to->rough, .depth = depth};
     int got = step_primitive(&s, &to->primitive, error);
     if (got == 0) {
         enum primitive_kind kind = to->primitive.kind;
@@ -300,7 +306,9 @@ int step_rectangle(const struct step_place *place, const struct step_values *v,
         static const int corner[5][2] = {{0, 2}, {1, 2}, {1, 3}, {0, 3}, {0, 2}};
         struct rectangle_side side = {&on, x[corner[i][0]], x[corner[i][1]], x[corner[i + 1][0]],
                                       x[corner[i + 1][1]]};
-        *array_push(loop) = approximate_curve(rectangle_point, &side, ends, 1, STEP_NEAR, NULL);
+        double off = 0;
+        *array_push(loop) = approximate_curve(rectangle_point, &side, ends, 1, STEP_NEAR, &off);
+        loop->rough = fmax(loop->rough, fmax(off, on.rough));
     }
     nurbs_free(&on.spline);
     loop->space = true;
@@ -309,12 +317,13 @@ int step_rectangle(const struct step_place *place, const struct step_values *v,
 
 int step_surface(const struct step_place *place, const struct step_values *from,
                  const struct step_value *reference, const struct vec3s *points,
-                 struct nurbs *surface, char kind[40], struct error *error)
+                 struct nurbs *surface, double *rough, char kind[40], struct error *error)
 {
     struct step_values v = {0};
     if (step_follow(place->step, from, reference, &v, error) < 0)
         return -1;
-    struct step_source s = {.place = place, .v = &v, .points = points, .surface = surface};
+    struct step_source s = {
+        .place = place, .v = &v, .points = points, .surface = surface, .rough = rough};
     int got = known_surface(&s, error);
     const struct step_value *name = step_item(v.item, 0);
     snprintf(kind, 40, "%.*s", name ? (int)fmin((double)name->length, 39) : 0,

@@ -127,7 +127,7 @@ START_TEST(offset_of_a_ball)
 {
     for (int inward = 0; inward < 2; inward++) {
         double distance = inward ? -3 : 2;
-        struct nurbs s = ball(10), offset = approximate_offset(&s, distance);
+        struct nurbs s = ball(10), offset = approximate_offset(&s, distance, NULL);
         struct vec3 p = nurbs_place(&s, (struct uv){1, 0}).normal,
                     at = nurbs_point(&s, (struct uv){1, 0});
         double radius = 10 + (vec_dot(p, at) > 0 ? distance : -distance);
@@ -152,7 +152,8 @@ START_TEST(offset_of_a_bent_surface)
         y[4] = 10;
         z[0] = s * s, z[1] = 2 * s, z[2] = 1, z[4] = s, z[5] = 1;
     }
-    struct nurbs s = construct_spline_surface(u, 2, v, 1, c), offset = approximate_offset(&s, 1.5);
+    struct nurbs s = construct_spline_surface(u, 2, v, 1, c),
+                 offset = approximate_offset(&s, 1.5, NULL);
     struct vec3 at = nurbs_point(&s, (struct uv){1.5, 0.5});
     ck_assert_double_le(vec_distance(at, vec(15, 5, 1.5 * 1.5 + 1.5 * 0.5)), 1e-12);
     ck_assert_double_le(offset_error(&s, &offset, 1.5), 1e-6);
