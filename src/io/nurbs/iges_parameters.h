@@ -28,8 +28,9 @@ double iges_parameter_back(const struct nurbs_curve *c, const struct iges_range 
 size_t iges_range_of(const struct iges_ranges *ranges, double t);
 
 /*
- * Brings the loops of a patch that are in the parameters of a ruled surface (118), one of revolution
- * (120), a tabulated cylinder (122) or the offset of one (140) to those of patch->surface.
+ * Brings the loops of a patch that are in the parameters of a ruled surface (118), one of
+ * revolution (120), a tabulated cylinder (122) or the offset of one (140) to those of
+ * patch->surface.
  */
 int iges_parameters(const struct iges *iges, const struct iges_entity *surface, struct patch *patch,
                     struct error *error);
