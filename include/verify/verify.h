@@ -47,8 +47,8 @@ struct verify_surface {
  * The surface of n points that were read from scans: outliers are taken out, and where the noise is
  * alike everywhere each point moves onto the quadric through as many of its neighbours as lie about
  * one within it; where even the fewest do not, at an edge, it stays.  The points are sorted.
- * `noise`: of the scan, mm; below zero: measured; 0: every point is believed as it is.  -1: more
- * points than can be sorted.
+ * `noise`: of the scan, mm; below zero: measured; 0: every point is believed as it is.  -1: no
+ * point, or more than can be sorted.
  */
 int verify_surface_find(struct vec3s *point, double noise, int threads,
                         struct verify_surface *surface, struct error *error);

@@ -57,8 +57,8 @@ int verify_surface_find(struct vec3s *point, double noise, int threads,
     if (result == 0)
         part_outliers(point, out, &surface->outliers);
     free(out);
-    if (result < 0 || point->n == 0)
-        return result;
+    if (result < 0)
+        return -1;
     struct plan_extent extent = plan_extent_of(point->item, point->n, 0);
     double spacing = plan_extent_spacing(&extent, point->item, point->n);
     if (point_grid_make(point->item, point->n, spacing > 0 ? spacing : 1, threads, &grid, error) <

@@ -30,10 +30,11 @@ static void free_all(void)
 }
 
 /*
- * Strays 1 to 9 mm above or below, at known indices.  All above are found.  One below stays where
- * the points, which lie by chance, leave three eighths of the turn about it empty, for there the
- * surface may end (outliers.h): of places at random one in ten at most, so of half of the strays
- * no more than the mean and four deviations of that.
+ * Strays 1 to 9 mm above or below, at known indices.  Those above are found, but for one in a
+ * hundred that lies where a flank continued would be: two are allowed.  One below stays where the
+ * points, which lie by chance, leave three eighths of the turn about it empty, for there the surface
+ * may end (outliers.h): of places at random one in ten at most, so of half of the strays no more
+ * than the mean and four deviations of that.
  */
 START_TEST(strays)
 {
@@ -53,7 +54,7 @@ START_TEST(strays)
     for (size_t i = 0; i < n; i++)
         all += out[i];
     const double mean = 0.1 * STRAYS / 2;
-    ck_assert_uint_eq(right_above, STRAYS / 2);
+    ck_assert_uint_ge(right_above, STRAYS / 2 - 2);
     ck_assert_double_le((double)(STRAYS - right), mean + 4 * sqrt(0.9 * mean));
     ck_assert_uint_le(all - right, 1);
     ck_assert_uint_eq(out[n], out[0]);

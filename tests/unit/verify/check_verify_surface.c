@@ -1,0 +1,163 @@
+/*
+ * verify_surface: of points about a known surface what is off it is taken out, noise too, and what
+ * lies under a roof is marked; no point, and a scan that is believed as it is.
+ */
+#include <check.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/array.h"
+#include "noisy.h"
+#include "verify/verify.h"
+
+enum { POINTS = 6000, STRAYS = 12 };
+
+static double bowl(double x, double y)
+{
+    return (x * x + y * y) / 160;
+}
+
+/* Its distance to first order. */
+static double off_bowl(struct vec3 p)
+{
+    return (p.z - bowl(p.x, p.y)) * noisy_up(bowl, p.x, p.y).z;
+}
+
+static struct vec3s point;
+static struct verify_surface surface;
+static struct error error;
+
+static void setup(void)
+{
+    point = (struct vec3s){0};
+    surface = (struct verify_surface){0};
+}
+
+static void teardown(void)
+{
+    verify_surface_free(&surface);
+    array_free(&point);
+}
+
+static int find(double noise, int threads)
+{
+    return verify_surface_find(&point, noise, threads, &surface, &error);
+}
+
+static double rms_off(void)
+{
+    double sum2 = 0;
+    for (size_t i = 0; i < point.n; i++)
+        sum2 += off_bowl(point.item[i]) * off_bowl(point.item[i]);
+    return sqrt(sum2 / (double)point.n);
+}
+
+/* Strays 5 to 9 mm above are gone, and no other point (of a hundred one may happen to lie where a
+ * flank continued would be: two are allowed); the noise is known to a tenth, and of what is left, a
+ * fit to the points about each, less than half stays. */
+START_TEST(strays_and_noise)
+{
+    const double sigma = 0.02 * (_i / 2);
+    noisy_seed(4);
+    noisy_scan(&point, bowl, POINTS, NOISY_RANDOM, sigma);
+    size_t n = point.n;
+    struct vec3s strays = {0};
+    for (int i = 0; i < STRAYS; i++) {
+        struct vec3 *p = &point.item[(2 * (size_t)i + 1) * n / (2 * STRAYS)];
+        p->z += 5 + 4 * noisy_uniform();
+        *array_push(&strays) = *p;
+    }
+    ck_assert_int_eq(find(-1, 1 + _i % 2), 0);
+    ck_assert_uint_ge(surface.outliers.n, STRAYS - 2);
+    ck_assert_uint_eq(point.n, n - surface.outliers.n);
+    for (size_t i = 0, k = 0; i < surface.outliers.n; i++, k++) { /* in the order of the points */
+        while (k < STRAYS && vec_distance(surface.outliers.item[i], strays.item[k]) > 0)
+            k++;
+        ck_assert_uint_lt(k, STRAYS);
+    }
+    ck_assert_double_le(fabs(surface.noise - sigma), 0.1 * sigma);
+    ck_assert_double_eq(surface.sheets, 0);
+    if (surface.outliers.n == STRAYS)
+        ck_assert_double_le(rms_off(), 0.5 * sigma + 1e-12);
+    for (size_t i = 0; i < point.n; i++)
+        ck_assert(!surface.under[i]);
+    array_free(&strays);
+}
+END_TEST
+
+/* Noise 0: every point is as it was, in any order; noise said: that is taken. */
+START_TEST(as_it_is_said)
+{
+    noisy_seed(5);
+    noisy_scan(&point, bowl, POINTS, NOISY_GRID, 0.02);
+    point.item[1000].z += 7;
+    size_t n = point.n;
+    double before = rms_off();
+    ck_assert_int_eq(find(0, 1), 0);
+    ck_assert_uint_eq(point.n, n);
+    ck_assert_uint_eq(surface.outliers.n, 0);
+    ck_assert_double_eq(surface.noise, 0);
+    ck_assert_double_eq_tol(rms_off(), before, 1e-12);
+    verify_surface_free(&surface);
+    ck_assert_ptr_null(surface.under);
+    ck_assert_int_eq(find(0.03, 1), 0);
+    ck_assert_double_eq(surface.noise, 0.03);
+    ck_assert_uint_eq(surface.outliers.n, 1);
+    ck_assert_uint_eq(point.n, n - 1);
+    ck_assert_double_le(rms_off(), 0.5 * before);
+}
+END_TEST
+
+START_TEST(hardly_a_point)
+{
+    ck_assert_int_eq(find(-1, 2), -1);
+    ck_assert_ptr_nonnull(strstr(error.text, "found 0 points"));
+    for (int i = 0; i < 3; i++) /* a point, twice, and two in one place seen from above */
+        *array_push(&point) = vec(1, 2, i < 2 ? 3 : 4);
+    ck_assert_int_eq(find(-1, 1), 0);
+    ck_assert_uint_eq(point.n + surface.outliers.n, 3);
+    for (size_t i = 0; i < point.n; i++)
+        ck_assert(!surface.under[i]);
+}
+END_TEST
+
+/* A floor under a roof that is wider all round: what is under it, away from its border by a cell
+ * and more, is out of reach, and all others are not. */
+START_TEST(under_a_roof)
+{
+    for (double y = -10; y <= 10; y += 0.25)
+        for (double x = -10; x <= 10; x += 0.25) {
+            *array_push(&point) = vec(x, y, 0);
+            if (fabs(x) < 4 && fabs(y) < 4)
+                *array_push(&point) = vec(x + 0.1, y + 0.1, 8);
+        }
+    ck_assert_int_eq(find(0, 2), 0);
+    size_t under = 0, inner = 0;
+    for (size_t i = 0; i < point.n; i++) {
+        struct vec3 p = point.item[i];
+        bool within = p.z < 4 && fabs(p.x) < 3 && fabs(p.y) < 3;
+        inner += within;
+        under += within && surface.under[i];
+        ck_assert(!surface.under[i] || (p.z < 4 && fabs(p.x) < 4.2 && fabs(p.y) < 4.2));
+    }
+    ck_assert_uint_gt(inner, 500);
+    ck_assert_uint_eq(under, inner);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("verify_surface");
+    TCase *tests = tcase_create("verify_surface");
+    SRunner *runner = srunner_create(suite);
+    tcase_add_checked_fixture(tests, setup, teardown);
+    tcase_add_loop_test(tests, strays_and_noise, 0, 4);
+    tcase_add_test(tests, as_it_is_said);
+    tcase_add_test(tests, hardly_a_point);
+    tcase_add_test(tests, under_a_roof);
+    suite_add_tcase(suite, tests);
+    srunner_run_all(runner, CK_ENV);
+    int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+}
