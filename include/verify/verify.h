@@ -23,11 +23,11 @@
 /* ---- the part and the stock */
 
 /*
- * Appends the points of a file, as they stand in it.  A mesh, times `unit` (a PLY with faces, STL, OFF by its name) or
- * the surfaces of a .igs, .iges or .nurbs file, trimmed and as triangles, give points on their
- * faces too, so dense that a ball of `radius` rolled over them sinks in between by less than
- * VERIFY_PART_SINK, as long as that are no more than some millions; *spacing is what was kept, 0
- * for a cloud.
+ * Appends the points of a file, as they stand in it.  A mesh, times `unit` (a PLY with faces, STL,
+ * OFF by its name) or the surfaces of a .igs, .iges or .nurbs file, trimmed and as triangles, give
+ * points on their faces too, so dense that a ball of `radius` rolled over them sinks in between by
+ * less than VERIFY_PART_SINK, as long as that are no more than some millions; *spacing is what was
+ * kept, 0 for a cloud.
  */
 int verify_part_read(const char *file, double unit, double radius, struct vec3s *points,
                      double *spacing, struct error *error);

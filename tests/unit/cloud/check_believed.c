@@ -32,9 +32,9 @@ static void free_all(void)
 /*
  * Strays 1 to 9 mm above or below, at known indices.  Those above are found, but for one in a
  * hundred that lies where a flank continued would be: two are allowed.  One below stays where the
- * points, which lie by chance, leave three eighths of the turn about it empty, for there the surface
- * may end (outliers.h): of places at random one in ten at most, so of half of the strays no more
- * than the mean and four deviations of that.
+ * points, which lie by chance, leave three eighths of the turn about it empty, for there the
+ * surface may end (outliers.h): of places at random one in ten at most, so of half of the strays
+ * no more than the mean and four deviations of that.
  */
 START_TEST(strays)
 {
