@@ -146,8 +146,8 @@ void ncread_head_line(struct ncread_head *head, const char *line)
         head->post = number_at(&s);
     } else if (has_word(&s, "Tolerance sum")) {
         s += strcspn(s, ",");
-        if (*s && has_word(&(const char *){s + 2}, "axis"))
-            head->axis = number_at(&(const char *){s + strlen(", axis")});
+        if (has_word(&s, ", axis"))
+            head->axis = number_at(&s);
     } else {
         if (has_key(&s, "SCALLOP: "))
             head->scallop = number_at(&s);

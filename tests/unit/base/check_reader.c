@@ -147,6 +147,8 @@ START_TEST(ends_before_its_length)
     ck_assert_ptr_nonnull(strstr(error.text, "ends after 3 bytes, expected 6"));
     ck_assert(error.file && error.system);
 
+    reader_close(&r);
+
     int standard = dup(0), fd = open(scratch_bytes(text, 6), O_RDONLY);
     ck_assert_int_eq(lseek(fd, 2, SEEK_SET), 2);
     dup2(fd, 0);

@@ -3,7 +3,7 @@
 #include <check.h>
 #include <stdlib.h>
 
-#include "../../../src/cloud/cone_tip.h"
+#include "cloud/cone_tip.h"
 #include "noisy.h"
 
 enum { N = 40 };

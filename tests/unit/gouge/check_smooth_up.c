@@ -2,7 +2,7 @@
 #include <check.h>
 #include <stdlib.h>
 
-#include "../../../src/gouge/smooth_up.h"
+#include "gouge/smooth_up.h"
 #include "base/array.h"
 #include "noisy.h"
 

@@ -85,6 +85,7 @@ START_TEST(passes_links_and_feeds_are_in_order)
     ck_assert_uint_eq(t.high, 2); /* to pass 1 and to pass 3 */
     ck_assert_uint_eq(rapids, 6); /* over, down, up; twice */
     ck_assert_int_eq(toolpath_conclude(&t), 0);
+    toolpath_free(&t);
     path_free(&path);
     gouge_free(guard);
 }
@@ -111,6 +112,7 @@ START_TEST(the_ball_is_clear_on_every_rapid)
     ck_assert(first->rapid && last->rapid);
     ck_assert_double_eq_tol(first->to.p.z, 20, 1e-9);
     ck_assert_double_eq_tol(last->to.p.z, 20, 1e-9);
+    toolpath_free(&t);
     path_free(&path);
     gouge_free(guard);
 }
@@ -138,6 +140,7 @@ START_TEST(a_lid_above_the_strip_is_told)
     for (size_t i = 0; i < path.item.n; i++)
         if (path.item.item[i].kind == PATH_POINT)
             ck_assert_double_ge(path.item.item[i].to.p.z, 12 - 1);
+    toolpath_free(&t);
     path_free(&path);
     gouge_free(guard);
 }
@@ -175,6 +178,7 @@ START_TEST(what_stands_in_a_gutter_is_measured)
     ck_assert_int_eq(toolpath_conclude(&t), 3);
     t.rule.avoid = true;
     ck_assert_int_eq(toolpath_conclude(&t), 0);
+    toolpath_free(&t);
     path_free(&path);
     gouge_free(guard);
 }
@@ -187,6 +191,7 @@ START_TEST(without_a_guard_the_moves_are_the_same)
     make_path(&t);
     ck_assert_uint_eq(t.low, 1);
     ck_assert_uint_eq(t.high, 2);
+    toolpath_free(&t);
     path_free(&path);
 }
 END_TEST
@@ -226,6 +231,8 @@ START_TEST(a_path_written_as_it_is_made_is_the_same)
     ck_assert_uint_eq(read_away(name, streamed, sizeof streamed), n);
     ck_assert_mem_eq(whole, streamed, n);
     ck_assert_uint_eq(piece.item.n, 0);
+    toolpath_free(&t);
+    toolpath_free(&kept);
     path_free(&path);
     path_free(&piece);
     gouge_free(guard);
