@@ -58,6 +58,8 @@ static struct guard_points surface_of(struct vec3s *points, double noise)
     noise_taken = rule.noise;
     struct guard_points surface = guard_points_of_scan(&point_grid, &rule);
     point_grid_free(&point_grid);
+    array_free(&surface.certain);
+    array_free(&surface.doubtful);
     return surface;
 }
 
