@@ -370,6 +370,13 @@ const struct step_value *step_record(const struct step_values *values, const cha
     return r;
 }
 
+const struct step_value *step_own(const struct step_values *values, const struct step_value *record,
+                                  size_t index)
+{
+    bool complex = step_item(values->item, 1) != NULL;
+    return complex && index == 0 ? NULL : step_item(record, index - complex);
+}
+
 void step_free(struct step *step)
 {
     free(step->name);

@@ -75,6 +75,11 @@ bool step_is(const struct step_value *value, const char *name);
 /* The attribute of this number, from 0, of a list or a record; NULL when there is none. */
 const struct step_value *step_item(const struct step_value *list, size_t index);
 
+/* Attribute `index` of an entity of which the first one is the name: in a complex instance the name
+ * stands in a record of its own. */
+const struct step_value *step_own(const struct step_values *values, const struct step_value *record,
+                                  size_t index);
+
 /* The one after it in the same list, or NULL: for going through a list. */
 const struct step_value *step_next(const struct step_value *list, const struct step_value *item);
 

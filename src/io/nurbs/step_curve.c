@@ -47,9 +47,10 @@ static int read_conic(const struct step_source *s, const char *kind, struct erro
     struct transform t;
     double a, b = 0, from = 0, to = 2 * PI, t0[2] = {0, 0};
     bool two = kind[0] == 'E' || kind[0] == 'H';
-    if (step_placed_axes(s, step_item(s->record, 1), &t, error) < 0 ||
-        step_number(s->place->step, s->v, step_item(s->record, 2), 1e12, &a, error) < 0 ||
-        (two && step_number(s->place->step, s->v, step_item(s->record, 3), 1e12, &b, error) < 0))
+    if (step_placed_axes(s, step_own(s->v, s->record, 1), &t, error) < 0 ||
+        step_number(s->place->step, s->v, step_own(s->v, s->record, 2), 1e12, &a, error) < 0 ||
+        (two &&
+         step_number(s->place->step, s->v, step_own(s->v, s->record, 3), 1e12, &b, error) < 0))
         return -1;
     a *= s->place->mm;
     b = two ? b * s->place->mm : a;
@@ -84,7 +85,7 @@ static int read_conic(const struct step_source *s, const char *kind, struct erro
 
 static int read_polyline(const struct step_source *s, struct error *error)
 {
-    const struct step_value *list = step_item(s->record, 1), *i = step_item(list, 0);
+    const struct step_value *list = step_own(s->v, s->record, 1), *i = step_item(list, 0);
     struct vec3s point = {0};
     int status = 0;
     for (; i && status == 0; i = step_next(list, i))
@@ -109,8 +110,8 @@ static int point_of_parameter(const struct step_source *basis, double t, struct 
     struct vec3 along;
     double a = 0, b = 0, length;
     if ((s.record = step_record(s.v, "LINE"))) {
-        if (step_point(&s, step_item(s.record, 1), point, error) < 0 ||
-            step_direction(&s, step_item(s.record, 2), &along, &length, error) < 0)
+        if (step_point(&s, step_own(s.v, s.record, 1), point, error) < 0 ||
+            step_direction(&s, step_own(s.v, s.record, 2), &along, &length, error) < 0)
             return -1;
         *point = vec_along(*point, t * length, along);
         return 0;
@@ -118,10 +119,10 @@ static int point_of_parameter(const struct step_source *basis, double t, struct 
     for (size_t i = 0; i < 4; i++) {
         if (!(s.record = step_record(s.v, conics[i])))
             continue;
-        if (step_placed_axes(&s, step_item(s.record, 1), &axes, error) < 0 ||
-            step_number(s.place->step, s.v, step_item(s.record, 2), 1e12, &a, error) < 0 ||
+        if (step_placed_axes(&s, step_own(s.v, s.record, 1), &axes, error) < 0 ||
+            step_number(s.place->step, s.v, step_own(s.v, s.record, 2), 1e12, &a, error) < 0 ||
             (i % 3 != 0 &&
-             step_number(s.place->step, s.v, step_item(s.record, 3), 1e12, &b, error) < 0))
+             step_number(s.place->step, s.v, step_own(s.v, s.record, 3), 1e12, &b, error) < 0))
             return -1;
         a *= s.place->mm;
         b = i == 0 ? a : b * s.place->mm;
@@ -162,16 +163,16 @@ static int read_trimmed(const struct step_source *s, struct error *error)
     struct step_values v = {0};
     struct vec3 own[2] = {{0, 0, 0}, {0, 0, 0}}, turned[2];
     double t[2];
-    bool same = !step_is(step_item(s->record, 4), "F");
+    bool same = !step_is(step_own(s->v, s->record, 4), "F");
     size_t first = s->loop->n;
     if (s->depth > STEP_DEPTH_MAX)
         return step_refuse(s->place->step, s->v, "curves of curves without end", error);
-    if (step_follow(s->place->step, s->v, step_item(s->record, 1), &v, error) < 0)
+    if (step_follow(s->place->step, s->v, step_own(s->v, s->record, 1), &v, error) < 0)
         return -1;
     struct step_source basis = {.place = s->place, .v = &v};
     int got = 0;
     for (size_t i = 0; i < 2 && got >= 0 && !s->ends; i++) {
-        got = trim_end(s, &basis, step_item(s->record, 2 + i), &own[i], &t[i], error);
+        got = trim_end(s, &basis, step_own(s->v, s->record, 2 + i), &own[i], &t[i], error);
         if (got == 1 && isfinite(t[i]))
             got = 2; /* a parameter of a spline */
         else if (got == 1)
@@ -194,8 +195,8 @@ static int read_trimmed(const struct step_source *s, struct error *error)
         const struct vec3 *ends = s->ends ? s->ends : own;
         turned[0] = ends[same ? 0 : 1];
         turned[1] = ends[same ? 1 : 0];
-        got = step_curve_of(s->place, s->v, step_item(s->record, 1), turned, s->depth + 1, s->loop,
-                            error);
+        got = step_curve_of(s->place, s->v, step_own(s->v, s->record, 1), turned, s->depth + 1,
+                            s->loop, error);
     }
     array_free(&v);
     if (got == 0 && !same)
@@ -222,7 +223,7 @@ static void push_pieces(const struct step_source *s, struct patch_loop *pieces)
 /* COMPOSITE_CURVE: segments, each a curve that runs its own way or against it. */
 static int read_composite(const struct step_source *s, struct error *error)
 {
-    const struct step_value *list = step_item(s->record, 1);
+    const struct step_value *list = step_own(s->v, s->record, 1);
     struct patch_loop pieces = {0};
     int got = list && list->kind == STEP_LIST ? 0 : 1;
     if (s->depth > STEP_DEPTH_MAX)
@@ -236,9 +237,10 @@ static int read_composite(const struct step_source *s, struct error *error)
         }
         const struct step_value *r = step_record(&v, "COMPOSITE_CURVE_SEGMENT");
         r = r ? r : step_record(&v, "REPARAMETRISED_COMPOSITE_CURVE_SEGMENT");
-        got = r ? step_curve_of(s->place, &v, step_item(r, 2), NULL, s->depth + 1, &pieces, error)
-                : 1;
-        if (got == 0 && step_is(step_item(r, 1), "F"))
+        got =
+            r ? step_curve_of(s->place, &v, step_own(&v, r, 2), NULL, s->depth + 1, &pieces, error)
+              : 1;
+        if (got == 0 && step_is(step_own(&v, r, 1), "F"))
             patch_loop_turn(&pieces, first);
         array_free(&v);
     }
@@ -272,9 +274,10 @@ static int read_offset_curve(const struct step_source *s, struct error *error)
     struct offset o = {0};
     if (s->depth > STEP_DEPTH_MAX)
         return step_refuse(s->place->step, s->v, "curves of curves without end", error);
-    if (step_number(s->place->step, s->v, step_item(s->record, 2), 1e12, &o.distance, error) < 0 ||
-        step_axis_direction(s, step_item(s->record, 4), &o.normal, error) < 0 ||
-        step_follow(s->place->step, s->v, step_item(s->record, 1), &v, error) < 0)
+    if (step_number(s->place->step, s->v, step_own(s->v, s->record, 2), 1e12, &o.distance, error) <
+            0 ||
+        step_axis_direction(s, step_own(s->v, s->record, 4), &o.normal, error) < 0 ||
+        step_follow(s->place->step, s->v, step_own(s->v, s->record, 1), &v, error) < 0)
         return -1;
     o.distance *= s->place->mm;
     bool line = step_record(&v, "LINE") != NULL;
@@ -283,8 +286,8 @@ static int read_offset_curve(const struct step_source *s, struct error *error)
         *array_push(s->loop) = construct_line(s->ends[0], s->ends[1]);
     if (line)
         return s->ends ? 0 : 1;
-    int got =
-        step_curve_of(s->place, s->v, step_item(s->record, 1), NULL, s->depth + 1, &pieces, error);
+    int got = step_curve_of(s->place, s->v, step_own(s->v, s->record, 1), NULL, s->depth + 1,
+                            &pieces, error);
     struct patch_loop moved = {0};
     for (size_t i = 0; i < pieces.n && got == 0; i++) {
         o.curve = &pieces.item[i];
@@ -317,8 +320,8 @@ static int known_curve(const struct step_source *from, struct error *error)
             return read_conic(&s, conics[i], error);
     for (size_t i = 0; i < 3; i++)
         if ((s.record = step_record(s.v, others[i])))
-            return step_curve_of(s.place, s.v, step_item(s.record, 1), s.ends, s.depth + 1, s.loop,
-                                 error);
+            return step_curve_of(s.place, s.v, step_own(s.v, s.record, 1), s.ends, s.depth + 1,
+                                 s.loop, error);
     if ((s.record = step_record(s.v, "TRIMMED_CURVE")))
         return read_trimmed(&s, error);
     for (size_t i = 0; i < 5; i++)

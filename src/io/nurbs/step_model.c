@@ -488,11 +488,14 @@ static struct transform inverse(const struct transform *t)
     return r;
 }
 
+/* Of a shape, not of a picture of one: MECHANICAL_DESIGN_GEOMETRIC_PRESENTATION_REPRESENTATION. */
 static bool is_representation(const struct step_value *record)
 {
-    static const char end[] = "REPRESENTATION";
-    size_t n = sizeof end - 1;
-    return record && record->length >= n && memcmp(record->text + record->length - n, end, n) == 0;
+    static const char end[] = "REPRESENTATION", picture[] = "PRESENTATION_REPRESENTATION";
+    size_t n = sizeof end - 1, k = sizeof picture - 1;
+    if (!record || record->length < n || memcmp(record->text + record->length - n, end, n) != 0)
+        return false;
+    return record->length < k || memcmp(record->text + record->length - k, picture, k) != 0;
 }
 
 /* A relation with a transformation: the first representation is a component of the second. */
@@ -700,6 +703,31 @@ static bool is_component(const struct model *m, const struct sizes *mapped, long
     return false;
 }
 
+/* The representations that items of one are mapped from. */
+static int find_mapped(const struct model *m, const struct step_values *v,
+                       const struct step_value *record, struct sizes *mapped, struct error *error)
+{
+    const struct step_value *list = step_item(record, 1);
+    for (const struct step_value *i = step_item(list, 0); i; i = step_next(list, i)) {
+        struct step_values item, map;
+        if (i->kind != STEP_REFERENCE)
+            continue;
+        if (follow_reference(m, v, i, &item, error) < 0)
+            return -1;
+        const struct step_value *r = step_record(&item, "MAPPED_ITEM");
+        int status = r ? follow_reference(m, &item, step_item(r, 1), &map, error) : 0;
+        array_free(&item);
+        if (status < 0)
+            return -1;
+        if (!r)
+            continue;
+        const struct step_value *from = step_record(&map, "REPRESENTATION_MAP");
+        *array_push(mapped) = (size_t)reference_of(step_item(from, 1));
+        array_free(&map);
+    }
+    return 0;
+}
+
 /* All groups of representations that are part of no other. */
 static int add_roots(struct model *m, struct error *error)
 {
@@ -712,9 +740,8 @@ static int add_roots(struct model *m, struct error *error)
         if (status < 0)
             break;
         const struct step_value *r = step_item(v.item, 0);
-        const struct step_value *map = step_record(&v, "REPRESENTATION_MAP");
-        if (map)
-            *array_push(&mapped) = (size_t)reference_of(step_item(map, 1));
+        if (is_representation(r))
+            status = find_mapped(m, &v, r, &mapped, error);
         long id = m->step->instance.item[i].id;
         if (is_representation(r) && leader(m, id) == id)
             *array_push(&root) = (size_t)id;
@@ -757,6 +784,53 @@ static void drop_named_faces(struct patches *patches, size_t from)
     array_free(&of_shell);
 }
 
+/* A face among all. */
+struct placed {
+    const struct patch *patch;
+    size_t index;
+};
+
+static int compare_surfaces(const struct nurbs *a, const struct nurbs *b)
+{
+    size_t n = a->u.poles * a->v.poles, k = b->u.poles * b->v.poles;
+    return n != k ? (n > k) - (n < k) : memcmp(a->pole, b->pole, n * sizeof *a->pole);
+}
+
+/* By entity, by place, then as they come. */
+static int compare_placed(const void *p, const void *q)
+{
+    const struct placed *a = p, *b = q;
+    int by = compare_entities(&a->patch->entity, &b->patch->entity);
+    if (by == 0)
+        by = compare_surfaces(&a->patch->surface, &b->patch->surface);
+    return by != 0 ? by : (a->index > b->index) - (a->index < b->index);
+}
+
+/* Drops what several representations show in the same place: it is there once. */
+static void drop_repeated(struct patches *patches, size_t from)
+{
+    size_t n = patches->n - from, kept = from;
+    struct placed *all = mem_alloc(n + 1, sizeof *all);
+    bool *again = mem_alloc(n + 1, sizeof *again);
+    for (size_t i = 0; i < n; i++)
+        all[i] = (struct placed){&patches->item[from + i], i};
+    if (n > 0)
+        qsort(all, n, sizeof *all, compare_placed);
+    for (size_t i = 1; i < n; i++)
+        again[all[i].index] =
+            all[i].patch->entity == all[i - 1].patch->entity &&
+            compare_surfaces(&all[i].patch->surface, &all[i - 1].patch->surface) == 0;
+    for (size_t i = 0; i < n; i++) {
+        if (again[i])
+            patch_free(&patches->item[from + i]);
+        else
+            patches->item[kept++] = patches->item[from + i];
+    }
+    patches->n = kept;
+    free(all);
+    free(again);
+}
+
 int step_surfaces(const struct step *step, double mm, struct patches *patches, struct error *error)
 {
     struct model m = {.step = step, .patches = patches, .mm = mm};
@@ -769,9 +843,10 @@ int step_surfaces(const struct step *step, double mm, struct patches *patches, s
     array_free(&m.component);
     array_free(&m.alias);
     drop_named_faces(patches, before);
-    if (status == 0 && patches->n == before && patches->left.n == left)
+    drop_repeated(patches, before);
+    if (status == 0 && patches->n == before)
         return error_at(error, step->name, 0,
-                        "no face of a solid or a shell among %zu instances, expected one",
-                        step->instance.n);
+                        "no face of a solid or a shell %samong %zu instances, expected one",
+                        patches->left.n > left ? "that is read " : "", step->instance.n);
     return status;
 }

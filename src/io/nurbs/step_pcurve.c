@@ -105,8 +105,8 @@ static int bounded_line(const struct step_source *s, const struct step_source *l
     double from, to;
     if (!s->ends)
         return 1;
-    if (step_point(line, step_item(line->record, 1), &l.at, error) < 0 ||
-        step_direction(line, step_item(line->record, 2), &l.along, NULL, error) < 0)
+    if (step_point(line, step_own(line->v, line->record, 1), &l.at, error) < 0 ||
+        step_direction(line, step_own(line->v, line->record, 2), &l.along, NULL, error) < 0)
         return -1;
     if (on->is_primitive) {
         from = primitive_place(&l, s->ends[0], NAN);
@@ -131,9 +131,10 @@ static int plane_curve(const struct step_source *s, const struct step_parametric
     struct step_values v = {0}, line = {0};
     plane.to = transform_identity();
     plane.mm = 1;
-    if (step_follow(s->place->step, s->v, step_item(s->record, 2), &v, error) < 0)
+    if (step_follow(s->place->step, s->v, step_own(s->v, s->record, 2), &v, error) < 0)
         return -1;
-    const struct step_value *item = step_item(step_item(step_item(v.item, 0), 1), 0);
+    const struct step_value *r = step_record(&v, "REPRESENTATION");
+    const struct step_value *item = step_item(step_item(r ? r : step_item(v.item, 0), 1), 0);
     int got = step_follow(s->place->step, &v, item, &line, error);
     struct step_source of = {.place = &plane, .v = &line};
     of.record = got == 0 ? step_record(&line, "LINE") : NULL;
@@ -153,7 +154,7 @@ int step_pcurve(const struct step_source *s, struct error *error)
     bool bounded = false;
     if (s->depth > STEP_DEPTH_MAX)
         return step_refuse(s->place->step, s->v, "curves of curves without end", error);
-    int got = step_parametric(s->place, s->v, step_item(s->record, 1), &on, error);
+    int got = step_parametric(s->place, s->v, step_own(s->v, s->record, 1), &on, error);
     if (got == 0)
         got = plane_curve(s, &on, &plane, &bounded, error);
     for (size_t i = 0; i < plane.n && got == 0; i++) {

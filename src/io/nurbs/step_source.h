@@ -17,7 +17,7 @@ enum { STEP_DEPTH_MAX = 20 }; /* curves of curves */
 struct step_source {
     const struct step_place *place;
     const struct step_values *v;
-    const struct step_value *record; /* of the kind; its attributes from `first` on are its own */
+    const struct step_value *record; /* of the kind: step_own() has its attributes */
     const struct vec3 *ends;
     const struct vec3s *points;
     struct patch_loop *loop;

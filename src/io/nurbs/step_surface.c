@@ -25,14 +25,14 @@ int step_primitive(const struct step_source *from, struct primitive *p, struct e
         return 1;
     *p = (struct primitive){.kind = (enum primitive_kind)(i < 5 ? i : PRIMITIVE_TORUS)};
     bool one = i > 0, two = p->kind == PRIMITIVE_CONE || p->kind == PRIMITIVE_TORUS;
-    if (step_placed_axes(&s, step_item(s.record, 1), &p->place, error) < 0 ||
-        (one && step_number(step, s.v, step_item(s.record, 2), 1e12, &p->radius, error) < 0) ||
-        (two && step_number(step, s.v, step_item(s.record, 3), 1e12, &p->other, error) < 0))
+    if (step_placed_axes(&s, step_own(s.v, s.record, 1), &p->place, error) < 0 ||
+        (one && step_number(step, s.v, step_own(s.v, s.record, 2), 1e12, &p->radius, error) < 0) ||
+        (two && step_number(step, s.v, step_own(s.v, s.record, 3), 1e12, &p->other, error) < 0))
         return -1;
     p->radius *= s.place->mm;
     p->other *= p->kind == PRIMITIVE_CONE ? s.place->angle : s.place->mm;
     if (i == 5)
-        p->part = step_is(step_item(s.record, 4), "F") ? PRIMITIVE_INNER : PRIMITIVE_OUTER;
+        p->part = step_is(step_own(s.v, s.record, 4), "F") ? PRIMITIVE_INNER : PRIMITIVE_OUTER;
     return 0;
 }
 
@@ -49,7 +49,7 @@ static int make_primitive(const struct step_source *s, const struct primitive *p
 static int read_profile(const struct step_source *s, struct nurbs_curve *c, struct error *error)
 {
     struct patch_loop loop = {0};
-    int got = step_curve_of(s->place, s->v, step_item(s->record, 1), NULL, 0, &loop, error);
+    int got = step_curve_of(s->place, s->v, step_own(s->v, s->record, 1), NULL, 0, &loop, error);
     if (got == 0) {
         *c = loop.item[0];
         loop.n = 0;
@@ -64,11 +64,12 @@ static bool line_profile(const struct step_source *s, struct vec3 *at, struct ve
 {
     struct step_values v = {0};
     struct error ignored;
-    if (step_follow(s->place->step, s->v, step_item(s->record, 1), &v, &ignored) < 0)
+    if (step_follow(s->place->step, s->v, step_own(s->v, s->record, 1), &v, &ignored) < 0)
         return false;
     struct step_source line = {.place = s->place, .v = &v, .record = step_record(&v, "LINE")};
-    bool got = line.record && step_point(&line, step_item(line.record, 1), at, &ignored) == 0 &&
-               step_direction(&line, step_item(line.record, 2), along, NULL, &ignored) == 0;
+    bool got = line.record &&
+               step_point(&line, step_own(line.v, line.record, 1), at, &ignored) == 0 &&
+               step_direction(&line, step_own(line.v, line.record, 2), along, NULL, &ignored) == 0;
     array_free(&v);
     return got;
 }
@@ -90,7 +91,7 @@ static int read_extrusion(const struct step_source *s, struct error *error)
     struct vec3 along, at, line;
     struct nurbs_curve c = {{0}, NULL};
     double low, high, first, last;
-    if (step_direction(s, step_item(s->record, 2), &along, NULL, error) < 0)
+    if (step_direction(s, step_own(s->v, s->record, 2), &along, NULL, error) < 0)
         return -1;
     if (line_profile(s, &at, &line)) {
         struct primitive p = {.kind = PRIMITIVE_PLANE};
@@ -124,7 +125,7 @@ static int read_revolution(const struct step_source *s, struct error *error)
     struct transform axes;
     struct vec3 at, line;
     struct nurbs_curve c = {{0}, NULL};
-    if (step_placed_axes(s, step_item(s->record, 2), &axes, error) < 0)
+    if (step_placed_axes(s, step_own(s->v, s->record, 2), &axes, error) < 0)
         return -1;
     struct vec3 axis = step_axis(&axes, 2), middle = step_axis(&axes, 3);
     int got = 0;
@@ -153,7 +154,7 @@ static int read_basis(const struct step_source *s, struct error *error)
     struct step_values v = {0};
     if (s->depth > STEP_DEPTH_MAX)
         return step_refuse(s->place->step, s->v, "surfaces of surfaces without end", error);
-    if (step_follow(s->place->step, s->v, step_item(s->record, 1), &v, error) < 0)
+    if (step_follow(s->place->step, s->v, step_own(s->v, s->record, 1), &v, error) < 0)
         return -1;
     struct step_source basis = *s;
     basis.v = &v;
@@ -169,8 +170,9 @@ static int read_offset(const struct step_source *s, struct error *error)
     struct primitive p;
     struct step_values v = {0};
     double distance;
-    if (step_number(s->place->step, s->v, step_item(s->record, 2), 1e12, &distance, error) < 0 ||
-        step_follow(s->place->step, s->v, step_item(s->record, 1), &v, error) < 0)
+    if (step_number(s->place->step, s->v, step_own(s->v, s->record, 2), 1e12, &distance, error) <
+            0 ||
+        step_follow(s->place->step, s->v, step_own(s->v, s->record, 1), &v, error) < 0)
         return -1;
     distance *= s->place->mm;
     struct step_source basis = *s;
@@ -222,9 +224,9 @@ static int offset_parametric(const struct step_source *s, struct step_parametric
     double distance;
     if (s->depth > STEP_DEPTH_MAX)
         return step_refuse(s->place->step, s->v, "surfaces of surfaces without end", error);
-    if (step_number(s->place->step, s->v, step_item(s->record, 2), 1e12, &distance, error) < 0)
+    if (step_number(s->place->step, s->v, step_own(s->v, s->record, 2), 1e12, &distance, error) < 0)
         return -1;
-    int got = parametric_of(s->place, s->v, step_item(s->record, 1), s->depth + 1, to, error);
+    int got = parametric_of(s->place, s->v, step_own(s->v, s->record, 1), s->depth + 1, to, error);
     distance *= s->place->mm;
     if (got == 0 && to->is_primitive)
         return primitive_offset(&to->primitive, distance) < 0 ? 1 : 0;

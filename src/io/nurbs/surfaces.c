@@ -62,7 +62,7 @@ static int read_any(struct reader *r, double mm, struct patches *patches,
     bool iges = n > LETTER && strchr("SCB", line[LETTER]) && line[LETTER] != '\0';
     const char *word = line + strspn(line, " \t");
     bool text = *word == '#' || (strncmp(word, "nurbs", 5) == 0 && strspn(word + 5, " \t") > 0);
-    bool step = strncmp(word, "ISO-10303-21", 12) == 0;
+    bool step = strncmp(word, "ISO-10303-21", 12) == 0 || strncmp(word, "/*", 2) == 0;
     reader_unread(r);
     if (step)
         return read_step(r, mm, patches, error);
