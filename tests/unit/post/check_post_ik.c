@@ -147,6 +147,51 @@ START_TEST(followed_past_pole)
 }
 END_TEST
 
+/* The axes at s of a motion to this axis, which the look ahead has aimed. */
+static void aimed_at(struct bench *b, struct nc_aim aim, double s, struct vec3 axis, double c,
+                     double a)
+{
+    struct machine_pose got;
+    b->planner.aim = aim;
+    ck_assert_int_eq(post_ik_reach(&b->planner, (struct pose){vec(4, 5, 6), axis}, s, &got), 0);
+    ck_assert_double_eq_tol(got.at.q[0], c, 1e-7);
+    ck_assert_double_eq_tol(got.at.q[1], a, 1e-7);
+    ck_assert_double_lt(vec_distance(got.at.p, vec(4, 5, 6)), 1e-9);
+}
+
+/* As the look ahead found: past the singular direction evenly from before it to behind it, whatever
+ * the axis; elsewhere the solution nearest to what was found between two places, or where the tool
+ * turns, to what is found behind the turn. */
+START_TEST(aimed)
+{
+    static const double from[2] = {0.2, 0.4}, s[] = {7, 0.2, 0.3, 0.6, 1}, at_once[] = {7, 0};
+    const struct ik_plan_place past[] = {{.q = {0.2, 0.4}},
+                                         {.q = {9, 9}, .passed = true},
+                                         {.q = {9, 9}, .passed = true},
+                                         {.q = {0.8, -0.6}},
+                                         {.q = {1, 1}}};
+    const struct ik_plan_place turn[] = {{.q = {0.2, 0.4}, .turn = true}, {.q = {0.2 + PI, -0.4}}};
+    const struct ik_plan_place no_turn[] = {turn[1], {.q = {0.2 + 2 * PI, 0.4}}};
+    static const double places[] = {0.1, 0.2, 0.25, 0.3, 0.45, 0.59};
+    struct bench b;
+    bench_begin(&b, KIND_TABLE_AC, INTERPOLATE_ROTARY, vec(1, 2, 3), from);
+    struct vec3 up = vec(0, 0, 1), was = bench_axis(&b, from);
+    for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
+        double t = places[i] / 0.6;
+        aimed_at(&b, (struct nc_aim){5, past, s}, places[i], up, 0.2 + 0.6 * t, 0.4 - t);
+    }
+    struct vec3 then = bench_axis(&b, (const double[]){0.9, 0.2});
+    aimed_at(&b, (struct nc_aim){5, past, s}, 0.8, then, 0.9, 0.2);
+    aimed_at(&b, (struct nc_aim){5, past, s}, 1, bench_axis(&b, past[4].q), 1, 1);
+    /* both solutions have this axis, and so has a whole turn */
+    aimed_at(&b, (struct nc_aim){2, turn, s}, 0.01, was, 0.2 + PI, -0.4);
+    aimed_at(&b, (struct nc_aim){2, no_turn, s}, 0.01, was, 0.2 + PI, -0.4);
+    aimed_at(&b, (struct nc_aim){2, no_turn, s}, 0.19, was, 0.2 + 2 * PI, 0.4);
+    aimed_at(&b, (struct nc_aim){2, no_turn, at_once}, 0, was, 0.2 + 2 * PI, 0.4);
+    bench_free(&b);
+}
+END_TEST
+
 /* Out of the travel, of a rotary axis or a slide: the axis and where are named. */
 START_TEST(out_of_travel)
 {
@@ -227,6 +272,7 @@ int main(void)
     tcase_add_loop_test(tests, read_back, 0, KINDS * MODES);
     tcase_add_loop_test(tests, rounding, 0, KINDS * MODES);
     tcase_add_test(tests, followed_past_pole);
+    tcase_add_test(tests, aimed);
     tcase_add_test(tests, out_of_travel);
     tcase_add_loop_test(tests, slides_within, 0, KINDS);
     suite_add_tcase(suite, tests);
