@@ -8,9 +8,8 @@
 
 enum {
     PIECES = 12,
-    PIECES_LEAST = 6,
     PIECES_MOST = 256,
-    SPAN_PIECES = 8,
+    SPAN_PIECES = 24,
     MORE_DIGITS = 3,
     DIGITS_MAX = 9
 };
@@ -18,6 +17,7 @@ enum {
 static const double NOTHING = 1e-6;  /* mm and degrees */
 static const double KEPT = 0.98;     /* of an axis' largest speed: for who looks at other places */
 static const double SHORTEST = 0.02; /* mm: of a block that is made to be slow alone */
+static const double AT_ONCE = 0.014; /* mm: and of a way that is looked at as one; 0.02 is asked */
 
 static inline double larger(double a, double b)
 {
@@ -80,8 +80,10 @@ static struct sample sample_at(const struct nc_planner *planner, const struct bl
     int over;
     if (along && along->spline && along->spline->form == NC_NURBS && along->spline->turns)
         return sample_of_spline(chain, along->spline, s);
-    struct pose at = along ? motion_at(along->motion, along->s0 + s * (along->s1 - along->s0))
-                           : interpolation_pose(&planner->follow, from, to, s);
+    struct pose at = along && along->spline && along->spline->turns
+                         ? nc_spline_at(along->spline, from->p, s)
+                     : along ? motion_at(along->motion, along->s0 + s * (along->s1 - along->s0))
+                             : interpolation_pose(&planner->follow, from, to, s);
     if (planner->follow.mode == INTERPOLATE_VECTOR && along && !along->motion->curve)
         at.a = interpolation_pose(&planner->follow, from, to, s).a; /* as it is said */
     struct sample sample = {.tip = at.p};
@@ -134,12 +136,60 @@ static bool axes_keep_up(const struct nc_planner *planner, const struct block_po
 }
 
 /* In how many pieces a block with vectors is looked at: beside the singular direction a peak is
- * narrow, but one narrower than SHORTEST is none to a control that slows down by itself. */
+ * narrow. */
 static int pieces_of_vector(const struct nc_planner *planner, double length)
 {
-    double n = ceil(length * planner->options.unit / SHORTEST);
-    double least = planner->machine->slows ? 2 : PIECES_LEAST;
-    return (int)fmin(fmax(n, least), PIECES_MOST);
+    double n = 2 * ceil(length * planner->options.unit / SHORTEST);
+    return (int)fmin(fmax(n, 2 * PIECES), PIECES_MOST);
+}
+
+/* Where the span of a curve that begins at s ends, by the knots that are printed. */
+static double next_knot(const struct nc_along *along, double s)
+{
+    return along->spline ? nc_spline_next(along->spline, s) : motion_next_knot(along->motion, s);
+}
+
+/* A piece of a block: how long it is, and what it takes at least, minutes. */
+struct feed_piece {
+    double way, minutes;
+};
+
+struct feed_pieces {
+    size_t n, cap;
+    bool still; /* the tip stands: ways are degrees */
+    struct feed_piece *item;
+};
+
+/* A block from s to `end` in n even pieces; *a: the sample at s, then that at `end`. */
+static void add_pieces(const struct nc_planner *planner, const struct block_pose *to,
+                       const struct nc_along *along, double s, double end, int n, struct sample *a,
+                       struct feed_pieces *pieces)
+{
+    for (int i = 1; i <= n; i++) {
+        struct sample b = sample_at(planner, to, along, i < n ? s + (end - s) * i / n : end, a->q);
+        double way = pieces->still ? degrees(a->q, b.q) : vec_distance(a->tip, b.tip);
+        *array_push(pieces) = (struct feed_piece){way, piece_minutes(planner->machine, a, &b)};
+        *a = b;
+    }
+}
+
+/* What a mm, or a degree, takes at an even speed where it takes longest: over no less than AT_ONCE
+ * for a control that slows down by itself, to whom it is none that an axis is fast over less. */
+static double slowest_of(const struct nc_planner *planner, const struct feed_pieces *pieces)
+{
+    bool slows = planner->machine->slows && !pieces->still;
+    double least = slows ? AT_ONCE / planner->options.unit : 0, way = 0, minutes = 0, most = 0;
+    for (size_t i = 0, first = 0; i < pieces->n; i++) {
+        way += pieces->item[i].way;
+        minutes += pieces->item[i].minutes;
+        for (; first < i && way - pieces->item[first].way >= least; first++) {
+            way -= pieces->item[first].way;
+            minutes -= pieces->item[first].minutes;
+        }
+        if ((way >= least || i + 1 == pieces->n) && way > 0)
+            most = larger(most, minutes / way);
+    }
+    return most / KEPT;
 }
 
 double post_feed_minutes(const struct nc_planner *planner, const struct machine_pose *to,
@@ -147,30 +197,28 @@ double post_feed_minutes(const struct nc_planner *planner, const struct machine_
 {
     const struct block_pose *from = &planner->state.at;
     const struct machine *m = planner->machine;
+    struct feed_pieces pieces = {.still = !(length > 0)};
     double minutes = larger(least, post_feed_axes_minutes(planner, from, &to->at)), turn = 0;
+    bool curve = along && along->motion->curve;
     for (int i = 0; i < m->chain.n; i++)
         turn += fabs(to->at.q[i] - from->q[i]);
     if (planner->follow.mode == INTERPOLATE_JOINT || m->chain.n == 0)
         return minutes;
-    bool curve = along && along->motion->curve;
     if (!curve && axes_keep_up(planner, &to->at, minutes) &&
         slides_keep_up(planner, &to->at, length, turn, minutes))
         return minutes;
-    size_t poles = !curve ? 0 : along->spline ? along->spline->curve.poles : 0;
-    if (curve && along->motion->curve->poles > poles)
-        poles = along->motion->curve->poles;
-    int n = curve ? (int)poles * SPAN_PIECES : PIECES * (1 + (int)(3 * turn));
-    if (!curve && planner->follow.mode == INTERPOLATE_VECTOR)
+    int n = PIECES * (1 + (int)(3 * turn));
+    if (planner->follow.mode == INTERPOLATE_VECTOR)
         n = pieces_of_vector(planner, length);
     struct sample a = sample_at(planner, &to->at, along, 0, from->q);
-    for (int i = 1; i <= n; i++) {
-        struct sample b = sample_at(planner, &to->at, along, (double)i / n, a.q);
-        double share = length > 0 ? vec_distance(a.tip, b.tip) / length
-                                  : degrees(a.q, b.q) / degrees(from->q, to->at.q);
-        if (share > 0 && share < HUGE_VAL)
-            minutes = larger(minutes, piece_minutes(m, &a, &b) / (KEPT * share));
-        a = b;
+    for (double s = 0; s < 1;) {
+        double end = curve ? next_knot(along, s) : 1;
+        add_pieces(planner, &to->at, along, s, end, curve ? SPAN_PIECES : n, &a, &pieces);
+        s = end;
     }
+    double way = length > 0 ? length : degrees(from->q, to->at.q);
+    minutes = larger(minutes, way * slowest_of(planner, &pieces));
+    array_free(&pieces);
     return minutes;
 }
 
@@ -190,7 +238,7 @@ static int looks_at_span(const struct motion *motion)
     size_t spans = 0, poles = motion->curve ? motion->curve->poles : 0;
     for (double s = 0; s < 1; s = motion_next_knot(motion, s))
         spans++;
-    return SPAN_PIECES * (int)((poles + spans) / spans);
+    return SPAN_PIECES / 3 * (int)((poles + spans) / spans);
 }
 
 /* A curve in spans of which none is shorter than a block may be, but at its end: parts of those
@@ -203,7 +251,8 @@ static struct span_speeds span_speeds(const struct nc_planner *planner, const st
     const double least = SHORTEST / planner->options.unit;
     const double wished = 1 / (planner->state.feed * planner->state.faster);
     struct span_speeds spans = {0};
-    struct span_speed span = {.rate = wished};
+    struct span_speed span = {0};
+    double minutes = 0;
     struct sample a = sample_at(planner, at, &along, 0, at->q);
     const int looks = looks_at_span(motion);
     for (double s = 0; s < 1;) {
@@ -214,13 +263,14 @@ static struct span_speeds span_speeds(const struct nc_planner *planner, const st
             double length = vec_distance(a.tip, b.tip);
             span.s = s;
             span.length += length;
-            if (length > 0)
-                span.rate = larger(span.rate, piece_minutes(planner->machine, &a, &b) / length);
+            minutes += piece_minutes(planner->machine, &a, &b);
             a = b;
             if (span.length < least && s < 1)
                 continue;
+            span.rate = span.length > 0 ? larger(wished, minutes / span.length) : wished;
             *array_push(&spans) = span;
-            span = (struct span_speed){.rate = wished};
+            span = (struct span_speed){0};
+            minutes = 0;
         }
     }
     return spans;

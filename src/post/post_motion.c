@@ -409,7 +409,7 @@ static int straight_blocks(struct nc_planner *planner, const struct motion *moti
 
 /* ---- arcs, B-splines, rapids */
 
-enum { ARC_DEPTH_MAX = 5 };
+enum { ARC_DEPTH_MAX = 5, LEAST_CURVE = 10 /* last digits: the poles of less are no curve */ };
 static const double rapid_chord = 1; /* mm, where a rapid has to be split at all */
 
 int post_motion_rapid(struct nc_planner *planner, struct pose to)
@@ -487,8 +487,9 @@ static int one_curve(struct nc_planner *planner, const struct motion *motion)
     struct nc_spline words;
     struct machine_pose to, checked;
     struct pose_deviation d;
-    if (nc_spline_words(&words, ability->splines, digits, &planner->follow, &planner->state.at,
-                        motion, planner->allowed, &to.at, &d)) {
+    bool still = motion_length(motion) < LEAST_CURVE / num_ten[digits.linear];
+    if (!still && nc_spline_words(&words, ability->splines, digits, &planner->follow,
+                                  &planner->state.at, motion, planner->allowed, &to.at, &d)) {
         *array_push(&planner->plan->spline) = words;
         if (planner->follow.mode == INTERPOLATE_VECTOR &&
             post_ik_reach(planner, motion->to, 1, &checked) == 0)

@@ -412,3 +412,35 @@ bool nc_spline_words(struct nc_spline *spline, enum nc_splines kind, struct nc_s
     *to = end_pose(spline, motion);
     return true;
 }
+
+/* ---- the curve as it will be read */
+
+static struct pose poly_at(const struct nc_spline *spline, struct vec3 start, double s)
+{
+    size_t n = spline->span.n, i = (size_t)fmin(fmax(0, s * (double)n + 1e-9), (double)(n - 1));
+    const struct nc_span *span = &spline->span.item[i];
+    double p = span->h * fmax(0, s * (double)n - (double)i);
+    struct vec3 head = i > 0 ? span[-1].head_end : spline->head_start;
+    struct vec3 tip = span_at(i > 0 ? span[-1].end : start, span->end, span->factor, span->h, p);
+    head = span_at(head, span->head_end, span->head_factor, span->h, p);
+    return (struct pose){tip, vec_unit(vec_sub(head, tip))};
+}
+
+struct pose nc_spline_at(const struct nc_spline *spline, struct vec3 start, double s)
+{
+    const struct bspline *b = &spline->curve;
+    if (spline->form == NC_POLY)
+        return poly_at(spline, start, s);
+    double from = b->knot[b->degree], u = from + s * (b->knot[b->poles] - from);
+    struct vec3 tip = bspline_at(b, b->pole, u);
+    return (struct pose){tip, vec_unit(vec_sub(bspline_at(b, b->head, u), tip))};
+}
+
+double nc_spline_next(const struct nc_spline *spline, double s)
+{
+    double n = (double)spline->span.n;
+    if (spline->form == NC_POLY)
+        return fmin(1, (floor(s * n + 1e-6) + 1) / n);
+    const struct motion printed = motion_spline((struct pose){0}, (struct pose){0}, &spline->curve);
+    return motion_next_knot(&printed, s);
+}

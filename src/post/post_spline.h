@@ -87,4 +87,11 @@ bool nc_spline_words(struct nc_spline *spline, enum nc_splines kind, struct nc_s
 
 void nc_spline_free(struct nc_spline *spline);
 
+/* The tool at s in [0, 1] of a curve as printed that begins at the tip `start`, where its tool axis
+ * turns with a head. */
+struct pose nc_spline_at(const struct nc_spline *spline, struct vec3 start, double s);
+
+/* Where the span that begins at s ends; those of polynomials count the same. */
+double nc_spline_next(const struct nc_spline *spline, double s);
+
 #endif

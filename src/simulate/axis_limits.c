@@ -2,11 +2,12 @@
 #include "simulate/axis_limits.h"
 
 /* Pieces whose tool axis turns are looked at in so many steps, what stands still in one. */
-enum { STEPS = 6 };
+enum { STEPS = 6, CURVE_STEPS = 24 };
 
 #define ARC_STEP 0.35 /* radians, and no longer on an arc: its chords add up to 0.995 of it */
 #define REACH 0.01    /* degrees that a tool axis may be off what the machine reaches */
 #define SHORT 0.001   /* mm: a turn rate is measured over longer moves */
+#define NARROW 0.02   /* mm: what an axis does over less is none of a control that slows down */
 #define OVER 1.01     /* times as fast as it can: speeds and lengths are printed rounded */
 
 struct state {
@@ -15,11 +16,17 @@ struct state {
     struct vec3 tip;
 };
 
+/* A part of the way, the time that it is given and what the slowest axes need, minutes. */
+struct stretch {
+    double way, time, least;
+};
+
 struct axis_check {
     const struct nc_motion *motion;
     const struct axis_limits *limits;
     struct axis_use *use;
     double turn[VERIFY_KINEMATICS_AXES]; /* where the rotary axes stand */
+    struct stretch stretch, before;      /* not yet looked at; looked at last */
 };
 
 /* Where all axes stand at s of a piece. */
@@ -124,7 +131,44 @@ static int steps_of(const struct nc_motion *motion, const struct nc_piece *piece
                  vec_distance(piece->q[0], piece->q[1]) == 0;
     if (piece->shape == SHAPE_ARC)
         return (int)fmax(STEPS, ceil(motion->arc.item[piece->index].angle / ARC_STEP));
-    return still ? 1 : STEPS;
+    bool curve = piece->shape == SHAPE_POLYNOMIAL || piece->shape == SHAPE_SPLINE;
+    return still ? 1 : curve ? CURVE_STEPS : STEPS;
+}
+
+/* A next piece of the same curve, at the same feed. */
+static bool goes_on(const struct nc_motion *motion, size_t index)
+{
+    const struct nc_piece *a = &motion->piece.item[index], *b = a + 1;
+    return index + 1 < motion->piece.n && a->shape == b->shape && a->feed == b->feed &&
+           ((a->shape == SHAPE_SPLINE && a->index == b->index) || a->shape == SHAPE_POLYNOMIAL);
+}
+
+static struct stretch stretch_add(struct stretch a, struct stretch b)
+{
+    return (struct stretch){a.way + b.way, a.time + b.time, a.least + b.least};
+}
+
+/*
+ * Takes a step at feed; true where an axis is too fast.  A control that slows down by itself is
+ * asked for too much by no less than NARROW of the way, or by all of a curve that is shorter: what
+ * is left at its end goes with the stretch before.
+ */
+static bool take_step(struct axis_check *check, struct stretch step, int axis, bool last,
+                      size_t index)
+{
+    double narrow = check->limits->strict ? 0 : NARROW;
+    struct stretch s = stretch_add(check->stretch, step);
+    check->stretch = s;
+    if (s.way < narrow && !last)
+        return false;
+    if (s.way < narrow)
+        s = stretch_add(s, check->before);
+    check->before = last ? (struct stretch){0} : s;
+    check->stretch = (struct stretch){0};
+    bool fast = s.time > 0 && s.least > OVER * s.time;
+    if (fast)
+        note_peak(&check->use->speed, s.least / s.time, axis, index);
+    return fast;
 }
 
 static void check_piece(struct axis_check *check, size_t index)
@@ -142,9 +186,10 @@ static void check_piece(struct axis_check *check, size_t index)
         double least = least_time(check, &a, &b, &axis);
         beyond = note_travel(check, &b, index) || beyond;
         way += vec_distance(a.tip, b.tip);
-        if (!piece->rapid && time > 0 && least > OVER * time) {
-            fast = true;
-            note_peak(&use->speed, least / time, axis, index);
+        if (!piece->rapid) {
+            struct stretch step = {vec_distance(a.tip, b.tip), time, least};
+            bool last = i == steps && !goes_on(check->motion, index);
+            fast = take_step(check, step, axis, last, index) || fast;
         }
         *(piece->rapid ? &use->rapid_time : &use->cut_time) += fmax(time, least);
         a = b;
@@ -160,7 +205,8 @@ static void check_piece(struct axis_check *check, size_t index)
 struct axis_place axis_limits_place(struct axis_follow *follow, size_t piece, double s)
 {
     struct axis_use use = {0};
-    struct axis_check check = {follow->motion, NULL, &use, {follow->turn[0], follow->turn[1]}};
+    struct axis_check check = {
+        .motion = follow->motion, .use = &use, .turn = {follow->turn[0], follow->turn[1]}};
     struct state state = state_at(&check, piece, s);
     struct axis_place place = {.tip = state.tip};
     for (int k = 0; k < NC_AXES; k++)
@@ -173,7 +219,7 @@ struct axis_place axis_limits_place(struct axis_follow *follow, size_t piece, do
 struct axis_use axis_limits_check(const struct nc_motion *motion, const struct axis_limits *limits)
 {
     struct axis_use use = {0};
-    struct axis_check check = {motion, limits, &use, {0, 0}};
+    struct axis_check check = {.motion = motion, .limits = limits, .use = &use};
     for (int k = 0; k < NC_AXES; k++) {
         use.low[k] = HUGE_VAL;
         use.high[k] = -HUGE_VAL;

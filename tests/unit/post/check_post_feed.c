@@ -60,6 +60,7 @@ START_TEST(as_by_small_steps)
     for (int i = 0; i < 300; i++) {
         struct machine m = any_machine(_i);
         struct nc_planner planner = {.machine = &m,
+                                     .options = {.unit = 1},
                                      .follow = {.mode = INTERPOLATE_ROTARY, .chain = &m.chain}};
         planner.state.at = any_end(&m.chain, 900);
         struct machine_pose to = {.at = any_end(&m.chain, 900)};
@@ -160,6 +161,47 @@ START_TEST(beside_the_singular_direction)
 }
 END_TEST
 
+/* A curve of 0.01 mm past the singular direction by 0.001 degrees, where C turns by nearly half a
+ * turn in a tenth of it: a control that slows down by itself needs the time of that turn, another
+ * as much for every tenth. */
+START_TEST(short_past_the_singular_direction)
+{
+    struct machine m = machine_default();
+    struct error error;
+    double minutes[2];
+    ck_assert_int_eq(machine_finish(&m, &error), 0);
+    for (int slows = 0; slows < 2; slows++) {
+        struct nc_planner planner = {.machine = &m,
+                                     .options = {.unit = 1},
+                                     .follow = {.mode = INTERPOLATE_VECTOR, .chain = &m.chain}};
+        struct bspline b = bspline_new(3, 4, true);
+        int over;
+        m.slows = slows;
+        b.length = 100;
+        for (size_t i = 0; i < 4; i++) {
+            double s = (double)i / 3;
+            b.knot[i] = 0, b.knot[i + 4] = 1;
+            b.pole[i] = vec(0.01 * s, 0, 0);
+            b.head[i] = vec_add(b.pole[i], vec(0.1 * (s - 0.5), 0.00175, 100));
+        }
+        struct pose from = {b.pole[0], vec_unit(vec_sub(b.head[0], b.pole[0]))};
+        struct pose to = {b.pole[3], vec_unit(vec_sub(b.head[3], b.pole[3]))};
+        struct motion motion = motion_spline(from, to, &b);
+        struct machine_pose end = {.at = {.p = to.p, .a = to.a}};
+        const struct nc_along along = {&motion, 0, 1, NULL, 0};
+        double *q = planner.state.at.q;
+        planner.state.at = (struct block_pose){.p = from.p, .a = from.a};
+        ck_assert_int_eq(ik_choose(&m.chain, from.a, (double[]){0, 0}, false, -1, q, &over), 0);
+        ck_assert_int_eq(ik_choose(&m.chain, to.a, q, false, -1, end.at.q, &over), 0);
+        minutes[slows] = post_feed_minutes(&planner, &end, 0.01, &along, 0);
+        bspline_free(&b);
+    }
+    double turn = 180 / m.rapid[MACHINE_C];
+    ck_assert_double_lt(minutes[1], 1.2 * turn);
+    ck_assert_double_gt(minutes[0], 3 * minutes[1]);
+}
+END_TEST
+
 /* Below 1 there are more digits, but not of inverse time. */
 START_TEST(digits_of_feeds)
 {
@@ -232,6 +274,7 @@ int main(void)
     tcase_add_loop_test(tests, as_by_small_steps, 0, KINDS);
     tcase_add_test(tests, slow_part_of_a_curve);
     tcase_add_test(tests, beside_the_singular_direction);
+    tcase_add_test(tests, short_past_the_singular_direction);
     tcase_add_test(tests, digits_of_feeds);
     tcase_add_loop_test(tests, feed_words, 0, KINDS);
     suite_add_tcase(suite, tests);
