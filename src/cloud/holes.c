@@ -128,12 +128,40 @@ static double distance2(struct vec3 a, struct vec3 b)
     return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y);
 }
 
+/* Has a box of places no unmarked cell?  One wider than a word is not looked at. */
+static bool all_marked(const struct holes *h, double x0, double x1, double y0, double y1)
+{
+    double a_cell = 1 / h->cell;
+    size_t left = cells_from(h->x, x0, a_cell), right = cells_from(h->x, x1, a_cell);
+    size_t low = cells_from(h->y, y0, a_cell), high = cells_from(h->y, y1, a_cell);
+    size_t word = left / WORD, shift = left % WORD, wide = right - left + 1;
+    if (wide >= WORD)
+        return false;
+    uint64_t mask = ((uint64_t)1 << wide) - 1, lower = mask << shift;
+    uint64_t upper = shift > 0 ? mask >> (WORD - shift) : 0;
+    for (size_t row = low; row <= high; row++) {
+        const uint64_t *near = h->near + row * h->words + word;
+        if ((near[0] & lower) != lower || (upper && (near[1] & upper) != upper))
+            return false;
+    }
+    return true;
+}
+
+static double least_of(double a, double b, double c)
+{
+    double d = a < b ? a : b;
+    return d < c ? d : c;
+}
+
 bool holes_bridged(const struct holes *holes, struct vec3 a, struct vec3 b, struct vec3 c)
 {
     double longest2 = fmax(distance2(a, b), fmax(distance2(b, c), distance2(c, a)));
     if (longest2 <= 3 * holes->rim * holes->rim) /* no place in it is so far from a corner */
         return false;
-    double a_cell = 1 / holes->cell;
+    double a_cell = 1 / holes->cell, digits = 1e-6 * holes->cell; /* more than places round by */
+    if (all_marked(holes, least_of(a.x, b.x, c.x) - digits, -least_of(-a.x, -b.x, -c.x) + digits,
+                   least_of(a.y, b.y, c.y) - digits, -least_of(-a.y, -b.y, -c.y) + digits))
+        return false;
     int steps = (int)ceil(sqrt(longest2) * a_cell);
     for (int i = 0; i <= steps; i++)
         for (int j = 0; i + j <= steps; j++) {

@@ -57,11 +57,16 @@ const struct node_choice *reposition_node(const struct reposition *r, int column
     return at == NO_POINT || r->choice[at].point == NO_CHOICE ? NULL : &r->choice[at];
 }
 
+static uint32_t nearness_of(double distance2)
+{
+    return (uint32_t)(distance2 * STEPS + 0.5);
+}
+
 static void compete_for_node(struct reposition *r, struct vec3 p, size_t index, int column, int row,
                              double distance2)
 {
     struct node_choice *c = &r->choice[index_of(r, column, row)];
-    struct node_choice this = {(uint32_t)(distance2 * STEPS + 0.5), (uint32_t)index, p};
+    struct node_choice this = {nearness_of(distance2), (uint32_t)index, p};
     if (this.nearness > c->nearness)
         return;
     if (this.nearness == c->nearness && !comes_first(&r->grid, column, row, &this, c))
@@ -102,17 +107,15 @@ static double nearest_node(const struct grid *g, struct vec3 p, int *column, int
     static const double further = 1e-9;
     struct place at = place_of(g, p);
     double least = oblique_length2(at.right, at.up);
-    *column = at.column;
-    *row = at.row;
-    for (int corner = 1; corner < 4; corner++) {
-        int right = corner & 1, up = corner >> 1;
-        double d2 = oblique_length2(at.right - right, at.up - up);
-        if (d2 < least - further) {
-            least = d2;
-            *column = at.column + right;
-            *row = at.row + up;
-        }
+    int best = 0;
+    for (int corner = 1; corner < 4; corner++) { /* no jumps: no one can tell where they go */
+        double d2 = oblique_length2(at.right - (corner & 1), at.up - (corner >> 1));
+        bool nearer = d2 < least - further;
+        best = nearer ? corner : best;
+        least = nearer ? d2 : least;
     }
+    *column = at.column + (best & 1);
+    *row = at.row + (best >> 1);
     return least;
 }
 
@@ -167,18 +170,39 @@ void reposition_free(struct reposition *r)
     r->empty = NULL;
 }
 
+enum { SOME = 256 };
+
+/* Points that each compete for their nearest node, at most SOME: first the nodes of all of them,
+ * then what these have, which is anywhere in memory, looked up at once; most points are farther. */
+static void compete_some(struct reposition *r, const struct vec3 *point, size_t n)
+{
+    struct {
+        int column, row;
+        double distance2;
+        size_t at;
+    } nearest[SOME];
+    uint32_t taken[SOME];
+    for (size_t i = 0; i < n; i++) {
+        nearest[i].distance2 =
+            nearest_node(&r->grid, point[i], &nearest[i].column, &nearest[i].row);
+        nearest[i].at = index_of(r, nearest[i].column, nearest[i].row);
+    }
+    for (size_t i = 0; i < n; i++)
+        taken[i] = r->choice[nearest[i].at].nearness;
+    for (size_t i = 0; i < n; i++)
+        if (nearness_of(nearest[i].distance2) <= taken[i])
+            compete_for_node(r, point[i], r->n + i, nearest[i].column, nearest[i].row,
+                             nearest[i].distance2);
+    r->n += n;
+}
+
 void reposition_add(struct reposition *r, const struct vec3 *point, size_t n)
 {
     static const double inside = 1 - 1e-9;
-    int column, row;
-    for (size_t i = 0; i < n; i++) {
-        if (r->reach == REACH_CIRCLE) {
-            compete_circle(r, point[i], r->n++, inside, NULL);
-            continue;
-        }
-        double d2 = nearest_node(&r->grid, point[i], &column, &row);
-        compete_for_node(r, point[i], r->n++, column, row, d2);
-    }
+    for (size_t i = 0; i < n && r->reach == REACH_CIRCLE; i++)
+        compete_circle(r, point[i], r->n++, inside, NULL);
+    for (size_t i = 0; i < n && r->reach != REACH_CIRCLE; i += SOME)
+        compete_some(r, point + i, n - i < SOME ? n - i : SOME);
 }
 
 /* The nodes around one, where they are kept; how many there are, and how many have a point. */
