@@ -242,6 +242,26 @@ static inline const char *one_row(const char *p, char delimiter, struct vec3 *ro
     return after_row(p, delimiter);
 }
 
+enum { SHORTEST_ROW = 6 }; /* `0 0 0` and its line end */
+
+/* Rows from both places in turn, as long as they are plain and before `middle` and `end`: where a
+ * number ends, which the next one waits for, is found for two of them at once. */
+static inline size_t rows_in_turn(const char *at[2], const char *middle, const char *end,
+                                  char delimiter, struct vec3 *first, struct vec3 *second)
+{
+    size_t rows = 0;
+    while (at[0] != middle && at[1] != end) {
+        const char *p = one_row(at[0], delimiter, &first[rows]);
+        const char *q = one_row(at[1], delimiter, &second[rows]);
+        if (!p || !q)
+            break;
+        at[0] = p;
+        at[1] = q;
+        rows++;
+    }
+    return rows;
+}
+
 /* One copy for each delimiter, so that it is a constant to the compiler. */
 static inline const char *rows_of(const char *p, const char *end, char delimiter,
                                   struct vec3 *point, size_t most, size_t *rows)
@@ -255,6 +275,29 @@ static inline const char *rows_of(const char *p, const char *end, char delimiter
     return p;
 }
 
+/* The same, of much text by halves: the rows of the second come to stand behind as many as the
+ * first may have, until it is known how many it has. */
+static inline const char *halves_of(const char *p, const char *end, char delimiter,
+                                    struct vec3 *point, size_t most, size_t *rows)
+{
+    enum { MANY = 4096 }; /* bytes that are worth it */
+    if (end - p < MANY || (size_t)(end - p) / SHORTEST_ROW > most)
+        return rows_of(p, end, delimiter, point, most, rows);
+    const char *half = p + (end - p) / 2, *feed = memchr(half, '\n', (size_t)(end - half));
+    const char *middle = feed ? feed + 1 : end;
+    struct vec3 *second = point + (middle - p) / SHORTEST_ROW;
+    const char *at[2] = {p, middle};
+    size_t both = rows_in_turn(at, middle, end, delimiter, point, second), left, right;
+    p = rows_of(at[0], middle, delimiter, point + both, most, &left);
+    *rows = both + left;
+    if (p != middle)
+        return p;
+    p = rows_of(at[1], end, delimiter, second + both, most, &right);
+    memmove(point + *rows, second, (both + right) * sizeof *point);
+    *rows += both + right;
+    return p;
+}
+
 /*
  * Reads whole lines from [text, end), where the last byte is a LF, as long as they are three
  * numbers of this style in the first three columns, and any columns after them.  Appends up
@@ -264,7 +307,6 @@ static inline const char *rows_of(const char *p, const char *end, char delimiter
 static size_t parse_plain_rows(const struct cloud_options *style, const char *text, const char *end,
                                size_t most, struct vec3s *points, size_t *rows)
 {
-    enum { SHORTEST_ROW = 6 }; /* `0 0 0` and its line end */
     const size_t *column = style->column;
     *rows = 0;
     if (style->point == ',' || column[0] != 0 || column[1] != 1 || column[2] != 2)
@@ -276,9 +318,9 @@ static size_t parse_plain_rows(const struct cloud_options *style, const char *te
         return 0;
     array_reserve(points, points->n + most);
     struct vec3 *point = points->item + points->n;
-    const char *after = style->delimiter == ','   ? rows_of(text, end, ',', point, most, rows)
-                        : style->delimiter == ';' ? rows_of(text, end, ';', point, most, rows)
-                                                  : rows_of(text, end, ' ', point, most, rows);
+    const char *after = style->delimiter == ','   ? halves_of(text, end, ',', point, most, rows)
+                        : style->delimiter == ';' ? halves_of(text, end, ';', point, most, rows)
+                                                  : halves_of(text, end, ' ', point, most, rows);
     points->n += *rows;
     return (size_t)(after - text);
 }
