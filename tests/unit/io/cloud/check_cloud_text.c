@@ -278,6 +278,39 @@ START_TEST(fast_is_as_careful)
 }
 END_TEST
 
+/* Much text is read at two places at once: rows keep their order, and a line that is no plain row
+ * is found wherever it stands. */
+START_TEST(much_text)
+{
+    enum { ROWS = 6000, SPECIAL = 97 };
+    static const char *const odd[] = {"# no row\n", "\n", "1e0 2 3 4\n", "1 2 x\n"};
+    char *text = malloc(ROWS * 40 + 100), part[80];
+    for (int at = 0; at < ROWS; at += SPECIAL) {
+        const char *line = odd[at / SPECIAL % 4];
+        bool bad = strchr(line, 'x') != NULL && at > 0;
+        size_t n = 0, extra = line[0] == '1' && at > 0;
+        for (int i = 0; i < ROWS; i++) {
+            if (i == at && at > 0)
+                n += (size_t)sprintf(text + n, "%s", line);
+            n += (size_t)sprintf(text + n, "%d %d.%d %d\n", i, i * 7 % 1013, i % 10, -i);
+        }
+        if (bad) {
+            sprintf(part, ":%d: ", at + 1);
+            clouds_refused(text, part);
+            continue;
+        }
+        ck_assert_int_eq(clouds_bytes(text, n), 0);
+        ck_assert_uint_eq(clouds.points.n, ROWS + extra);
+        for (int i = 0; i < ROWS; i++) {
+            struct vec3 p = clouds.points.item[i + (i >= at ? (int)extra : 0)];
+            ck_assert_double_eq(p.x, i);
+            ck_assert_double_eq(p.z, -i);
+        }
+    }
+    free(text);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("cloud_text");
@@ -300,6 +333,7 @@ int main(void)
     tcase_add_test(tests, long_lines);
     tcase_add_test(tests, random_rows_are_exact);
     tcase_add_test(tests, fast_is_as_careful);
+    tcase_add_test(tests, much_text);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);
     int failed = srunner_ntests_failed(runner);
