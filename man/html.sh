@@ -2,6 +2,7 @@
 # html.sh FOLDER - the manuals as pages for a browser, with an index; by mandoc.  `make html` calls it.
 set -eu
 man=$(cd "$(dirname "$0")" && pwd)
+command -v mandoc >/dev/null || { echo "html.sh: found no mandoc, expected it on PATH (make deps)" >&2 && exit 1; }
 mkdir -p "$1"
 cd "$1"
 

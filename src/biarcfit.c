@@ -107,9 +107,10 @@ static void report_totals(const struct arcrun_report *r, const struct path *in, 
     if (r->loops > 0)
         say("in %zu intervals the paper's biarc is a loop: equal legs taken", r->loops);
     if (r->shorter > 0)
-        say("%zu pieces are shorter than asked for (--min-length), the shortest %.4f mm: the "
-            "tolerance or a corner leaves them no room",
-            r->shorter, r->shortest);
+        say("%zu %s shorter than asked for (--min-length), the shortest %.4f mm: the tolerance or "
+            "a "
+            "corner leaves no room",
+            r->shorter, r->shorter == 1 ? "piece is" : "pieces are", r->shortest);
     message("largest jumps from piece to piece: curvature %.4f 1/mm, turn of the axis %.3f degrees "
             "a millimetre; the shortest piece is %.3f mm long",
             r->bend, DEGREES(r->turn), r->shortest);

@@ -183,11 +183,9 @@ arcs | splines | points) ;;
 esac
 [ -r "$scan" ] || die 1 "$scan: cannot open"
 
-if [ -n "$dry" ]; then
+if [ -n "$dry$keep" ]; then
 	folder=${keep:-streams}
-elif [ -n "$keep" ]; then
-	mkdir -p "$keep" || exit 1
-	folder=$keep
+	run mkdir -p "$folder"
 else
 	folder=$(mktemp -d "${TMPDIR:-/tmp}/cloudmill.XXXXXX") || exit 1
 	trap 'rm -rf "$folder"' EXIT

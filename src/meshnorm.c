@@ -310,8 +310,9 @@ int main(int argc, char **argv)
     if (path_options_rules(&mesh, guard, distance, &t, &error) != 0)
         die_given(&error);
 
-    struct path_coverage coverage =
-        planes.region ? (struct path_coverage){.scallop = 0} : path_coverage_new(&mesh, &t);
+    struct path_coverage coverage = {.scallop = 0};
+    if (!planes.region)
+        coverage = path_coverage_new(&mesh, &t);
     path_options_begin(&mesh, "meshnorm", cli.output, &t);
     if (scallop > 0 && mesh.origin.part.n < 2)
         plane_passes_run_out(&planes.passes[0], &mesh);

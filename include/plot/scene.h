@@ -46,9 +46,10 @@ struct layer {
     } stroke;
     struct vec3s joint; /* where motions end */
     struct ticks normal, axis;
-    size_t passes, motions[STROKES]; /* of each kind as programmed; of POLES: how many poles */
-    double cut, rapid;               /* length, mm */
-    bool speeds;                     /* its strokes have speeds */
+    size_t passes, cuts;     /* of a path; of a program, from rapid to rapid */
+    size_t motions[STROKES]; /* of each kind as programmed; of POLES: how many poles */
+    double cut, rapid;       /* length, mm */
+    bool speeds;             /* its strokes have speeds */
 };
 
 struct scene {

@@ -345,7 +345,7 @@ static const struct library controls = {"control", "controls", "CLOUDMILL_CONTRO
 bool machine_control_exists(const char *name, struct error *error)
 {
     char file[FILE_MAX];
-    struct error inner;
+    struct error inner = {0};
     if (control_find(name) != CONTROLS ||
         library_file_find(&controls, name, NULL, file, &inner) == 0)
         return true;

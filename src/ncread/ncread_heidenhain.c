@@ -196,7 +196,7 @@ static int run_circle(struct ncread *c, struct klartext *k, struct error *error)
 
 static int set_centre(struct ncread *c, struct klartext *k, struct error *error)
 {
-    double at[2];
+    double at[2] = {0};
     for (int i = 0; i < 2; i++) {
         const char *w = k->n == 3 ? k->word[i + 1] : "";
         bool by = *w == 'I';

@@ -139,7 +139,7 @@ static struct nurbs_pole sum_poles(const struct nurbs *s, const struct basis *u,
             r.wz += c * row[i].wz;
             r.w += c * row[i].w;
         }
-        double c = v->d[l][j];
+        double c = v->d[l][j]; /* NOLINT(clang-analyzer-core.*): up to the degree all are set */
         sum.wx += c * r.wx;
         sum.wy += c * r.wy;
         sum.wz += c * r.wz;

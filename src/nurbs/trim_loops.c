@@ -396,6 +396,7 @@ static void follow_loop(const struct patch *patch, const struct patch_loop *loop
     for (size_t i = 0; i < all.n; i++)
         if (to->n == 0 || square(to->item[to->n - 1], all.item[i], &patch->surface) > 1e-18)
             *array_push(to) = all.item[i];
+    f->to = NULL;
     array_free(&all);
 }
 

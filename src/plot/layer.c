@@ -317,7 +317,7 @@ static void add_program(const struct nc_motion *motion, const struct layer_optio
                              .chord = program_chord(options, motion)};
     for (size_t i = 0; i < motion->piece.n; i++)
         add_piece(&w, i ? &motion->piece.item[i - 1] : NULL, &motion->piece.item[i]);
-    layer->passes = w.run > 1 ? w.run : 0;
+    layer->cuts = w.run > 1 ? w.run : 0;
     layer->motions[STROKE_SPLINE] = motion->curves;
     layer->motions[STROKE_POLES] = motion->poles;
     if (options->poles)
@@ -457,6 +457,8 @@ static void note_motions(struct layer *layer)
 {
     if (layer->passes)
         note_count(layer, layer->passes, "pass", "passes");
+    if (layer->cuts)
+        note_count(layer, layer->cuts, "cut", "cuts");
     if (layer->motions[STROKE_LINE])
         note_count(layer, layer->motions[STROKE_LINE], "line", "lines");
     if (layer->motions[STROKE_ARC])

@@ -235,8 +235,8 @@ struct span_speeds {
 /* Looks at a span as close as post_feed_minutes takes them: what it misses cannot be divided. */
 static int looks_at_span(const struct motion *motion)
 {
-    size_t spans = 0, poles = motion->curve ? motion->curve->poles : 0;
-    for (double s = 0; s < 1; s = motion_next_knot(motion, s))
+    size_t spans = 1, poles = motion->curve ? motion->curve->poles : 0;
+    for (double s = motion_next_knot(motion, 0); s < 1; s = motion_next_knot(motion, s))
         spans++;
     return SPAN_PIECES / 3 * (int)((poles + spans) / spans);
 }

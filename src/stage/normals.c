@@ -1,6 +1,7 @@
 /* normals - see normals.h. */
 #include "stage/normals.h"
 
+#include <stdio.h>
 #include <string.h>
 
 #include "base/cli.h"
@@ -121,11 +122,13 @@ const char *normals_words(bool of_scan)
 {
     static char words[2][20 * ESTIMATORS];
     char *to = words[of_scan];
+    int n = 0;
 
     to[0] = '\0';
     for (int i = 0; i < ESTIMATORS; i++)
         if (tool_has(&estimators[i], of_scan))
-            strcat(strcat(to, to[0] ? "|" : ""), estimators[i].name);
+            n += snprintf(to + n, sizeof *words - (size_t)n, "%s%s", n > 0 ? "|" : "",
+                          estimators[i].name);
     return to;
 }
 

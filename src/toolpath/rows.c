@@ -83,7 +83,8 @@ static struct places find_places(const struct mesh *mesh)
             used[v] = true;
         }
     }
-    qsort(places.item, places.n, sizeof *places.item, compare_places);
+    if (places.n > 0)
+        qsort(places.item, places.n, sizeof *places.item, compare_places);
     free(used);
     return places;
 }

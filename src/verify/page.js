@@ -123,7 +123,7 @@ function choose(row, point) {
       if (bad > worst) { worst = bad; spot = i; }
     }
   }
-  info.textContent = name(row) + ', pass ' + D.rows[5 * row + 2] + ': gouge ' +
+  info.textContent = name(row) + ', cut ' + D.rows[5 * row + 2] + ': gouge ' +
     mm(D.rows[5 * row + 3]) + ', left ' + mm(D.rows[5 * row + 4]) +
     (D.speed[row] < 99 ? ', ' + D.speed[row] + ' % of the feed' : '') +
     (spot >= 0 ? '; here ' + mm(D.points[6 * spot + 3]) + ' at ' + [0, 1, 2].map(k =>

@@ -189,7 +189,7 @@ static void print_figures(struct out *o, const struct verdict *v)
                 "<th>99%</th><th>points beyond</th></tr>\n");
     print_row(o, "gouge", r->gouge, r->gouge_part, r->gouged);
     print_row(o, "left", r->over, r->over_part, r->left);
-    out_printf(o, "</table>\n<p>%zu points, %zu of them judged. %.1f mm in %u passes, ", r->points,
+    out_printf(o, "</table>\n<p>%zu points, %zu of them judged. %.1f mm in %u cuts, ", r->points,
                r->cut, v->axes.cut_length, v->passes);
     out_printf(o, "%.2f min at feed; %.1f mm rapid, %.2f min.</p>\n<table>", v->axes.cut_time,
                v->axes.rapid_length, v->axes.rapid_time);
@@ -274,7 +274,7 @@ static void print_blocks(struct out *o, const struct verdict *v, struct page_row
         bool gouge = (double)at->gouge > v->options.tolerance || at->over <= 0;
         char where[60];
         ncread_place(&v->program.motion->piece.item[worst[i]], where, sizeof where);
-        out_printf(o, "<button type=\"button\" data-row=\"%ld\">%s, pass %u: %s %.4f</button>\n",
+        out_printf(o, "<button type=\"button\" data-row=\"%ld\">%s, cut %u: %s %.4f</button>\n",
                    row_of(rows, worst[i]), where, at->pass, gouge ? "gouge" : "left",
                    (double)(gouge ? at->gouge : at->over));
     }
@@ -312,7 +312,7 @@ static void print_passes(struct out *o, const struct verdict *v)
         p->first = p->first ? p->first : piece;
         p->last = piece;
     }
-    out_text(o, "<h2>Passes</h2>\n<div id=\"passes\">\n");
+    out_text(o, "<h2>Cuts, from rapid to rapid</h2>\n<div id=\"passes\">\n");
     for (unsigned i = 0; i <= v->passes; i++) {
         char from[60], to[60];
         if (!pass[i].first)
@@ -321,7 +321,7 @@ static void print_passes(struct out *o, const struct verdict *v)
         ncread_place(pass[i].last, to, sizeof to);
         out_printf(o,
                    "<button type=\"button\" data-pass=\"%u\" aria-pressed=\"false\" "
-                   "title=\"%s to %s\">pass %u: gouge %.4f, left %.4f, %.1f mm</button>\n",
+                   "title=\"%s to %s\">cut %u: gouge %.4f, left %.4f, %.1f mm</button>\n",
                    i, from, to, i, pass[i].gouge, pass[i].over, pass[i].length);
     }
     out_text(o, "</div>\n");

@@ -40,8 +40,8 @@ static void print_program(const struct verdict *v, struct out *o)
     out_printf(o, "program      %s: %s, %zu lines; %zu straight, %zu arcs, %zu curves\n",
                v->program.file, v->program.control, c->blocks, c->lines, c->arcs, c->curves);
     out_printf(o, "machine      %s\n", v->program.machine);
-    out_printf(o, "way          %.1f mm cut in %u passes, %.1f mm rapid\n", use->cut_length,
-               v->passes, use->rapid_length);
+    out_printf(o, "way          %.1f mm in %u cuts from rapid to rapid, %.1f mm rapid\n",
+               use->cut_length, v->passes, use->rapid_length);
     out_printf(o, "time         %.2f min at feed, %.2f min rapid", use->cut_time, use->rapid_time);
     if (c->dwell > 0)
         out_printf(o, ", %.2f min dwell", c->dwell);
@@ -106,7 +106,7 @@ static void print_deviation(const struct verdict *v, struct out *o, bool gouge)
         char place[60];
         const struct verdict_piece *at = &v->piece[piece[i]];
         ncread_place(&v->program.motion->piece.item[piece[i]], place, sizeof place);
-        out_printf(o, "%s        %.4f mm in %s, pass %u\n", name,
+        out_printf(o, "%s        %.4f mm in %s, cut %u\n", name,
                    (double)(gouge ? at->gouge : at->over), place, at->pass);
     }
 }
@@ -125,8 +125,7 @@ static void print_pass(const struct verdict *v, struct out *o, size_t k)
     ncread_place(&piece[pass->first], first, sizeof first);
     ncread_place(&piece[pass->last], last, sizeof last);
     ncread_place(&piece[pass->bite_piece], bite, sizeof bite);
-    out_printf(o, "stock        pass %zu, %s to %s: %.1f mm3 off", k + 1, first, last,
-               pass->volume);
+    out_printf(o, "stock        cut %zu, %s to %s: %.1f mm3 off", k + 1, first, last, pass->volume);
     if (pass->bite > 0)
         out_printf(o, ", bite %.4f mm at %.3f %.3f %.3f in %s", pass->bite, pass->bite_at.x,
                    pass->bite_at.y, pass->bite_at.z, bite);

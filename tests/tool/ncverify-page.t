@@ -115,7 +115,7 @@ for key in ArrowLeft ArrowUp ArrowRight '\+' t f; do
 done
 has "n goes to another block" '^n: N[0-9]+ .*left' said
 has "p goes back" "^p: $bad " said
-has "] goes to the next pass" '^pass: pass [0-9]+: gouge 0\.[0-9]+, left 0\.[0-9]+, [0-9.]+ mm, N' said
+has "] goes to the next cut" '^pass: cut [0-9]+: gouge 0\.[0-9]+, left 0\.[0-9]+, [0-9.]+ mm, N' said
 has "its button is down" '^pressed: 1$' said
 has "Esc takes it back" '^escape: Nothing is chosen.$' said
 has "a block is found by its number" "^find: $bad .*gouge 0\.[3-5]" said

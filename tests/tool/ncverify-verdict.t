@@ -496,8 +496,8 @@ groove() { # Y...: passes along x; depth 1 and then 2.5 at each
 groove 0. >groove.nc
 ncverify -q -g flat.xyz -r 5 --stock box:-20,-10,-8,20,10,0 --cell 0.1 groove.nc >out
 # 40 (R^2 acos((R - d) / R) - (R - d) sqrt(2 R d - d^2)): 163.50 and 614.18
-has "the first groove takes off what it must" 'pass 1, N8 .*: 163\.[45][0-9]* mm3 off, bite (0\.999|1\.000)' out
-has "the second the rest of it" 'pass 2, N12 .*: 450\.[67][0-9]* mm3 off, bite 1\.[45][0-9]* mm' out
+has "the first groove takes off what it must" 'cut 1, N8 .*: 163\.[45][0-9]* mm3 off, bite (0\.999|1\.000)' out
+has "the second the rest of it" 'cut 2, N12 .*: 450\.[67][0-9]* mm3 off, bite 1\.[45][0-9]* mm' out
 has "the way down is air" 'air in 1 of 2 blocks' out
 has "what is left beside them" '^stock        left 3\.0000 mm \(50% 3\.0000' out
 has "volumes add up" '^stock        6400\.0 mm3, 5785\.8 left' out
@@ -519,7 +519,7 @@ for control in fanuc siemens heidenhain linuxcnc; do
 	below "$control: and no less" 1 "$left"
 done
 ncverify -q -g dome.xyz -r 6 --stock offset,0.5 dome.fanuc >out
-bite=$(sed -n 's/^stock *pass 1,.*bite \([0-9.]*\).*/\1/p' out)
+bite=$(sed -n 's/^stock *cut 1,.*bite \([0-9.]*\).*/\1/p' out)
 below "a pass takes the layer off" "$bite" 0.53
 below "all of it" 0.47 "$bite"
 status 3 "a rapid move through the stock" ncverify -g dome.xyz -r 6 --stock box,20 dome.fanuc
@@ -552,7 +552,7 @@ worst=$(awk 'on && $7 < least { least = $7; block = $8 } /^end_header/ { on = 1 
 	END { print block }' map.ply)
 ok "and the deepest names its block" test "$worst" -ge 12020 -a "$worst" -le 12040
 ok "the map is a PLY that is read" ncverify -q -g map.ply -r 6 -e 0.005 dome.fanuc
-has "the page names the block" '<button .*N120[2-4]0 \(line [0-9]*\), pass 10: gouge 0\.0' page.html
+has "the page names the block" '<button .*N120[2-4]0 \(line [0-9]*\), cut 10: gouge 0\.0' page.html
 hasnt "and loads nothing" '(src|href)=|https?:|import|fetch\(|url\(' page.html
 has "it is whole" '^</body></html>$' page.html
 ncverify -q -j1 -g dome.xyz -r 6 -e 0.005 --report one.html bad.nc >one 2>/dev/null

@@ -110,7 +110,7 @@ END_TEST
 START_TEST(twice)
 {
     struct keys keys = table();
-    struct error error;
+    struct error error = {0};
     char first[] = "number = 1", again[] = "number = 2", by_hand[] = "number = 3";
     ck_assert_int_eq(keys_set(&keys, first, "m.txt", 3, &error), 0);
     ck_assert_int_eq(keys_set(&keys, again, "m.txt", 9, &error), -1);
