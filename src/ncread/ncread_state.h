@@ -127,7 +127,7 @@ bool ncread_axis(const struct ncread *c, const char *name, double value, struct 
 bool ncread_axis_by(const struct ncread *c, const char *name, double value,
                     struct ncread_place *to);
 
-/* A rotary word within 0 to 360 that is gone to by the shortest way: true when there is that axis. */
+/* A rotary word within 0 to 360 that is gone to by the shortest way: true if there is that axis. */
 bool ncread_nearest(const struct ncread *c, char name, double value, struct ncread_place *to);
 
 /* After rotary words the axis follows from them; after a vector they are not known. */

@@ -1,6 +1,7 @@
 /* ncread_tool - see ncread_tool.h. */
 #include "ncread_tool.h"
 
+#include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -99,10 +100,15 @@ void ncread_tool_words(struct ncread *c)
         read_word(c, &c->words.item[i]);
 }
 
+bool ncread_tool_called(int n, const char *const word[])
+{
+    return n > 2 && strcmp(word[0], "TOOL") == 0 && strcmp(word[1], "CALL") == 0 &&
+           (*word[2] == '"' || isdigit((unsigned char)*word[2]));
+}
+
 void ncread_tool_text(struct ncread *c, int n, const char *const word[])
 {
-    if (n < 3 || strcmp(word[0], "TOOL") != 0 || strcmp(word[1], "CALL") != 0 ||
-        strcmp(word[2], "Z") == 0)
+    if (!ncread_tool_called(n, word))
         return;
     c->tool.held = *word[2] == '"' ? tool_quoted(c, c->text) : (int)strtol(word[2], NULL, 10);
     switch_on(c, c->tool.held);

@@ -25,6 +25,9 @@ struct ncread_tool {
 void ncread_tool_words(struct ncread *c);
 void ncread_tool_text(struct ncread *c, int n, const char *const word[]);
 
+/* The words of a TOOL CALL that names a tool; TOOL CALL S900 says but another speed. */
+bool ncread_tool_called(int n, const char *const word[]);
+
 /* The lengths into a piece.  -1: it cuts with a tool of a head whose length is not known. */
 int ncread_tool_piece(struct ncread *c, struct nc_piece *piece, struct error *error);
 

@@ -1,4 +1,5 @@
 /* ncread_watch - see ncread_watch.h. */
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -19,6 +20,16 @@ static void set_value(struct ncread *c, enum watched what, double value)
     w->now[what] = value;
     w->line[what] = c->line;
     w->block[what] = c->block;
+}
+
+/* The first name in quotes as a number below zero, others as others (FNV-1a). */
+static double named(const char *text)
+{
+    uint32_t hash = 2166136261u;
+    const char *s = strchr(text, '"');
+    for (s = s ? s + 1 : ""; *s && *s != '"'; s++)
+        hash = (hash ^ (unsigned char)*s) * 16777619u;
+    return -1.0 - hash;
 }
 
 static void watch_g(struct ncread *c, const struct ncread_word *g)
@@ -60,6 +71,8 @@ void ncread_watch_words(struct ncread *c)
 {
     for (size_t i = 0; i < c->words.n; i++) {
         const struct ncread_word *w = &c->words.item[i];
+        if (w->values == 0 && strcmp(w->name, "T") == 0)
+            set_value(c, TOOL, named(c->text));
         if (w->values != 1 || w->name[1])
             continue;
         switch (w->name[0]) {
@@ -87,8 +100,8 @@ void ncread_watch_words(struct ncread *c)
 
 void ncread_watch_text(struct ncread *c, int n, const char *const word[])
 {
-    if (n > 2 && strcmp(word[0], "TOOL") == 0 && strcmp(word[1], "CALL") == 0)
-        set_value(c, TOOL, strtod(word[2], NULL));
+    if (ncread_tool_called(n, word))
+        set_value(c, TOOL, *word[2] == '"' ? named(c->text) : strtod(word[2], NULL));
     if (n > 2 && strcmp(word[0], "CYCL") == 0 &&
         (strncmp(word[2], "7.", 2) == 0 || strcmp(word[2], "247") == 0))
         set_value(c, WORK_OFFSET, (double)c->line);
@@ -118,6 +131,8 @@ static void tell_change(struct ncread *c, enum watched what)
         snprintf(text, sizeof text, "the coolant goes off, and cuts follow");
     else if (what == WORK_OFFSET && w->now[what] > 1000)
         snprintf(text, sizeof text, "the work offset changes amid the program, and cuts follow");
+    else if (what == TOOL && (w->now[what] < 0 || (w->known[what] && w->value[what] < 0)))
+        snprintf(text, sizeof text, "the tool changes amid the program, and cuts follow");
     else if (w->known[what])
         snprintf(text, sizeof text, "%s changes from %g to %g amid the program, and cuts follow",
                  name[what], w->value[what], w->now[what]);
