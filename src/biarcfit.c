@@ -37,8 +37,8 @@ struct run_fit {
     struct arcrun_options options;
     struct path *fitted;
     struct arcrun_report *report;
-    struct arcrun_memo memo;  /* of the fit before */
-    struct gouge_track track; /* of all fits */
+    struct arcrun_memo memo; /* of the fit before */
+    struct gouge_memo found; /* of all fits */
 };
 
 /* Fits the run anew, and appends to `gouges` where the ball then goes too deep. */
@@ -58,7 +58,7 @@ static void fit_and_check(void *context, const struct run *run, struct gouges *g
         if (item->kind != PATH_POINT && item->kind != PATH_ARC)
             continue;
         struct motion motion = path_item_motion(fitted, item, at);
-        gouge_refit_motion(f->gouge, &motion, &f->track, gouges);
+        gouge_refit_once(f->gouge, &motion, &f->found, gouges);
         at = item->to;
     }
 }
@@ -83,7 +83,7 @@ static void fit_run(const void *settings, const struct fit_request *request, str
     run->gouge = gouge_refit_fit(gouge, points, fit_and_check, &f);
     run->swept = gouge->guard != NULL;
     arcrun_memo_free(&f.memo);
-    gouge_track_free(&f.track);
+    gouge_memo_free(&f.found);
 }
 
 static void report_run(const struct arcrun_report *r, size_t number)

@@ -66,6 +66,10 @@ struct motion motion_spline(struct pose from, struct pose to, const struct bspli
  * B-spline. */
 struct pose motion_at(const struct motion *motion, double s);
 
+/* The same, for those who ask at several places: `turn` is the great circle from its axis at the
+ * start to that at the end. */
+struct pose motion_on(const struct motion *motion, const struct great_circle *turn, double s);
+
 /* Length of the tracked point's path, mm (a B-spline's within about 1e-4 of it). */
 double motion_length(const struct motion *motion);
 

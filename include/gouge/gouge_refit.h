@@ -75,6 +75,29 @@ void gouge_refit_motion(const struct gouge_refit_options *options, const struct 
                         struct gouge_track *track, struct gouges *gouges);
 
 /*
+ * What was found of the motions of the fits before: a line or an arc that a refit leaves as it was
+ * is not looked at again.  Starts as all zero; one is for one thread and one guard.
+ */
+struct gouge_memo {
+    struct gouge_track track;
+    struct gouge_seens {
+        size_t n, cap;
+        struct gouge_seen {
+            struct motion motion;
+            size_t first, n; /* of `found` */
+        } * item;
+    } seen;    /* in the order of the way */
+    size_t at; /* of `seen`: the next one */
+    struct gouges found;
+};
+
+void gouge_memo_free(struct gouge_memo *memo);
+
+/* gouge_refit_motion of it, or what that found of the same motion. */
+void gouge_refit_once(const struct gouge_refit_options *options, const struct motion *motion,
+                      struct gouge_memo *memo, struct gouges *gouges);
+
+/*
  * Lifts the points of the run around those places where the ball is too deep along their normals
  * (without one, along the axis): by the depth less GOUGE_LIFTED next to the place and evenly less
  * over three times that reach.  Both ends stay, for what comes before and after joins them.

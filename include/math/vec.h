@@ -154,7 +154,18 @@ static inline struct vec3 vec_turn_by(struct vec3 a, struct vec3 axis, double co
 /* The same through an angle in radians. */
 struct vec3 vec_turn(struct vec3 a, struct vec3 axis, double angle);
 
-/* On the great circle from the unit vector a (s = 0) to b (s = 1), in proportion to the angle. */
+/* A great circle from the unit vector a to b, to be asked at several places. */
+struct great_circle {
+    struct vec3 a, b;
+    double angle, sine; /* between them, radians; its sine */
+};
+
+struct great_circle great_circle_of(struct vec3 a, struct vec3 b);
+
+/* The unit vector at s, from a (0) to b (1) in proportion to the angle. */
+struct vec3 great_circle_at(const struct great_circle *circle, double s);
+
+/* The same, asked once. */
 struct vec3 vec_slerp(struct vec3 a, struct vec3 b, double s);
 
 /* Any unit vector perpendicular to the unit vector a. */

@@ -27,19 +27,21 @@ static struct arc_window open_window(struct vec3 u, struct vec3 t)
     return w;
 }
 
-/* Cuts the window to a disc; false when nothing is left. */
+static inline bool cut_bounds(struct arc_window *w, int i, double along, double radius)
+{
+    double lo = along - radius, hi = along + radius;
+    w->lo[i] = lo > w->lo[i] ? lo : w->lo[i];
+    w->hi[i] = hi < w->hi[i] ? hi : w->hi[i];
+    return w->lo[i] <= w->hi[i];
+}
+
+/* Cuts the window to a disc; false when nothing is left.  All four bounds in a row, for none of
+ * them has to wait for another. */
 static bool cut_to_disc(struct arc_window *w, struct vec3 k, double radius)
 {
     double u = vec_dot(k, w->u), v = vec_dot(k, w->v), half = sqrt(0.5);
-    double along[4] = {u, v, half * (u + v), half * (u - v)};
-    for (int i = 0; i < 4; i++) {
-        double lo = along[i] - radius, hi = along[i] + radius;
-        w->lo[i] = lo > w->lo[i] ? lo : w->lo[i];
-        w->hi[i] = hi < w->hi[i] ? hi : w->hi[i];
-        if (w->lo[i] > w->hi[i])
-            return false;
-    }
-    return true;
+    return cut_bounds(w, 0, u, radius) & cut_bounds(w, 1, v, radius) &
+           cut_bounds(w, 2, half * (u + v), radius) & cut_bounds(w, 3, half * (u - v), radius);
 }
 
 size_t arc_look_ahead(const struct reference *reference, size_t at, struct vec3 p, struct vec3 t,
@@ -184,8 +186,9 @@ struct beam {
     const struct deviation *within;
     int digits;
     const struct beam_effort *effort;
-    size_t width;      /* chains kept */
-    struct nodes done; /* all that are part of chains */
+    size_t width;                 /* chains kept */
+    double most_turned, straight; /* cosine of half of TURN_MAX, sine of ARCFIT_KINK */
+    struct nodes done;            /* all that are part of chains */
     struct proposals next;
     struct arc_windows windows; /* for use within propose_next */
     size_t stepped;             /* pieces that are no single arcs, where these would not do */
@@ -202,12 +205,12 @@ static void propose_arc(struct beam *b, size_t before, size_t j, struct vec3 to)
     const struct chain_end *from = &b->done.item[before].end;
     struct vec3 e = vec_sub(to, from->p);
     double chord = vec_length(e), ahead = vec_dot(e, from->tangent);
-    if (chord <= 0 || ahead < cos(TURN_MAX / 2) * chord)
+    if (chord <= 0 || ahead < b->most_turned * chord)
         return;
     e = vec_scale(1 / chord, e);
     struct proposal next = {.before = before, .at = j, .p = to, .order = b->next.n};
     /* half its turn is between the tangent and the chord */
-    next.straight = ahead > 0 && vec_length(vec_reject(e, from->tangent)) < sin(ARCFIT_KINK);
+    next.straight = ahead > 0 && vec_length(vec_reject(e, from->tangent)) < b->straight;
     next.t = next.straight ? e : vec_along(vec_scale(-1, from->tangent), 2 * ahead / chord, e);
     next.reach = reach_from(b, j, to, next.t);
     *array_push(&b->next) = next;
@@ -424,7 +427,11 @@ void arcfit_beam(const struct reference *reference, const struct deviation *with
 {
     if (reference->n < 2)
         return;
-    struct beam b = {.reference = reference, .within = within, .digits = digits};
+    struct beam b = {.reference = reference,
+                     .within = within,
+                     .digits = digits,
+                     .most_turned = cos(TURN_MAX / 2),
+                     .straight = sin(ARCFIT_KINK)};
     struct pieces biarcs = {0}, arcs = {0};
     b.effort = &EFFORT[effort];
     b.width =

@@ -143,19 +143,29 @@ static void set_foot(const struct arc *arc, struct vec3 end, struct arc_foot *q)
     q->conic = a / (a + b);
 }
 
+/* How the axis turns on arc k; where there is no other point nothing. */
+static struct great_circle turn_of(const struct arcspline *spline, size_t k, double offset)
+{
+    return offset == 0 ? (struct great_circle){.angle = 0}
+                       : great_circle_of(spline->joint[k].axis, spline->joint[k + 1].axis);
+}
+
 void arcspline_residual(const struct arcspline *spline, double offset, struct arc_feet *feet,
                         double *off)
 {
     size_t k = 0;
     struct arc arc = arcspline_arc(spline, k);
+    struct great_circle turn = turn_of(spline, k, offset);
     double *other = off + 2 * feet->n;
     for (size_t i = 0; i < feet->n; i++) {
         struct arc_foot *q = &feet->item[i];
         size_t before = k;
         while (k + 1 < spline->n && is_after(&spline->joint[k + 1], q->p))
             k++;
-        if (k > before)
+        if (k > before) {
             arc = arcspline_arc(spline, k);
+            turn = turn_of(spline, k, offset);
+        }
         q->arc = k;
         if (offset == 0 && arc.angle > 0 && arc.angle < TURN_SIMPLE)
             set_foot(&arc, spline->joint[k + 1].tangent, q);
@@ -167,7 +177,7 @@ void arcspline_residual(const struct arcspline *spline, double offset, struct ar
         if (offset == 0)
             continue;
         q->axis = axis_between(&spline->joint[k], &spline->joint[k + 1], q->part);
-        struct vec3 axis = vec_slerp(spline->joint[k].axis, spline->joint[k + 1].axis, q->part);
+        struct vec3 axis = great_circle_at(&turn, q->part);
         d = vec_sub(q->other, vec_along(q->at, offset, axis));
         other[2 * i] = vec_dot(d, q->s);
         other[2 * i + 1] = vec_dot(d, q->w);

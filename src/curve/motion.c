@@ -45,28 +45,37 @@ static double knot_range(const struct bspline *b)
     return b->knot[b->poles] - from_knot(b);
 }
 
-static struct pose spline_at(const struct motion *m, double s)
+static struct pose spline_at(const struct motion *m, const struct great_circle *turn, double s)
 {
     const struct bspline *b = m->curve;
     double u = from_knot(b) + s * knot_range(b);
     struct pose at = {.p = bspline_at(b, b->pole, u)};
-    at.a = b->head ? vec_unit(vec_sub(bspline_at(b, b->head, u), at.p))
-                   : vec_slerp(m->from.a, m->to.a, s);
+    at.a = b->head ? vec_unit(vec_sub(bspline_at(b, b->head, u), at.p)) : great_circle_at(turn, s);
+    return at;
+}
+
+struct pose motion_on(const struct motion *motion, const struct great_circle *turn, double s)
+{
+    if (motion->kind == MOTION_SPLINE)
+        return spline_at(motion, turn, s);
+    if (s <= 0)
+        return motion->from;
+    if (s >= 1)
+        return motion->to;
+    struct pose at = {.a = great_circle_at(turn, s)};
+    at.p =
+        motion->kind == MOTION_ARC ? arc_at(motion, s) : vec_mix(motion->from.p, motion->to.p, s);
     return at;
 }
 
 struct pose motion_at(const struct motion *motion, double s)
 {
-    if (motion->kind == MOTION_SPLINE)
-        return spline_at(motion, s);
-    if (s <= 0)
-        return motion->from;
-    if (s >= 1)
-        return motion->to;
-    struct pose at = {.a = vec_slerp(motion->from.a, motion->to.a, s)};
-    at.p =
-        motion->kind == MOTION_ARC ? arc_at(motion, s) : vec_mix(motion->from.p, motion->to.p, s);
-    return at;
+    bool asked = motion->kind == MOTION_SPLINE ? !motion->curve->head : s > 0 && s < 1;
+    struct great_circle turn = {.angle = 0};
+
+    if (asked)
+        turn = great_circle_of(motion->from.a, motion->to.a);
+    return motion_on(motion, &turn, s);
 }
 
 /* Five-point Gauss quadrature of the speed over one knot span. */

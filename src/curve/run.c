@@ -190,13 +190,21 @@ static struct vec3 hermite(struct vec3 p, struct vec3 v, struct vec3 q, struct v
     return vec_along(vec_along(r, t * s * s, v), -t * t * s, w);
 }
 
-/* At t in [0, 1]; with normal and contact where both ends have them.  `radius` of the ball, mm. */
-static struct run_point run_curve_at(const struct run_curve *c, double t, double radius)
+/* Centre, axis and tip at t in [0, 1].  `radius` of the ball, mm. */
+static struct run_point run_curve_pose(const struct run_curve *c, double t, double radius)
 {
     struct run_point p = {.ball = hermite(c->a->ball, c->va, c->b->ball, c->vb, t)};
     p.axis = c->great_circle ? vec_slerp(c->a->axis, c->b->axis, t)
                              : vec_unit(hermite(c->a->axis, c->wa, c->b->axis, c->wb, t));
     p.tip = vec_along(p.ball, -radius, p.axis);
+    return p;
+}
+
+/* The same with normal and contact, where both ends have them. */
+static struct run_point run_curve_at(const struct run_curve *c, double t, double radius)
+{
+    struct run_point p = run_curve_pose(c, t, radius);
+
     if (run_point_touches(c->a) && run_point_touches(c->b)) {
         p.normal = vec_slerp(c->a->normal, c->b->normal, t);
         double h = (1 - t) * run_point_height(c->a) + t * run_point_height(c->b);
@@ -212,9 +220,10 @@ static double chord_error(const struct run_curve *c, size_t parts, double radius
     double worst = 0, n = (double)parts;
     struct run_point from = *c->a;
     for (size_t k = 0; k < parts; k++) {
-        struct run_point to = k + 1 < parts ? run_curve_at(c, (double)(k + 1) / n, radius) : *c->b;
+        struct run_point to =
+            k + 1 < parts ? run_curve_pose(c, (double)(k + 1) / n, radius) : *c->b;
         for (int i = 1; i < SAMPLES; i++) {
-            struct run_point p = run_curve_at(c, ((double)k + (double)i / SAMPLES) / n, radius);
+            struct run_point p = run_curve_pose(c, ((double)k + (double)i / SAMPLES) / n, radius);
             worst = fmax(worst, vec_segment_distance(from.ball, to.ball, p.ball));
             worst = fmax(worst, vec_segment_distance(from.tip, to.tip, p.tip));
         }

@@ -2,8 +2,10 @@
 #include "gouge/gouge_refit.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 enum { HALVINGS = 16, SWEPT_HALVINGS = 24, ROUNDS = 8 };
+enum { MOTIONS_AHEAD = 24 }; /* looked at for one that was found before */
 
 static const double PIECE = 1;          /* mm: of a motion, looked at as one place */
 static const double FINER = 1.0 / 8;    /* of the chord error, where that decides */
@@ -15,6 +17,7 @@ static const double NEAR = 0.5;         /* mm: points this near to a place are l
 struct walk {
     const struct gouge_refit_options *options;
     const struct motion *motion;
+    struct great_circle turn; /* of the motion's axis */
     struct gouge_track *track;
     double chord_error;
     struct gouges *gouges;
@@ -22,7 +25,7 @@ struct walk {
 
 static struct vec3 ball_at(const struct walk *w, double s)
 {
-    struct pose pose = motion_at(w->motion, s);
+    struct pose pose = motion_on(w->motion, &w->turn, s);
 
     return w->options->centre ? pose.p : vec_along(pose.p, w->options->radius, pose.a);
 }
@@ -69,7 +72,12 @@ static void check_halves(const struct walk *w, double s0, struct vec3 a, double 
 static void check_ball(const struct gouge_refit_options *options, const struct motion *motion,
                        struct gouge_track *track, struct gouges *gouges)
 {
-    struct walk w = {options, motion, track, options->tolerance * GOUGE_CHORD, gouges};
+    struct walk w = {.options = options,
+                     .motion = motion,
+                     .turn = great_circle_of(motion->from.a, motion->to.a),
+                     .track = track,
+                     .chord_error = options->tolerance * GOUGE_CHORD,
+                     .gouges = gouges};
     double s0 = 0;
 
     while (s0 < 1) {
@@ -209,6 +217,67 @@ void gouge_refit_motion(const struct gouge_refit_options *options, const struct 
     check_ball(options, motion, track, gouges);
     if (options->holder.n > 0)
         check_holder(options, motion, track, gouges);
+}
+
+/* ---- what was found before */
+
+void gouge_memo_free(struct gouge_memo *memo)
+{
+    gouge_track_free(&memo->track);
+    array_free(&memo->seen);
+    array_free(&memo->found);
+    *memo = (struct gouge_memo){0};
+}
+
+static bool is_same(const struct motion *a, const struct motion *b)
+{
+    return a->kind == b->kind && a->sweep == b->sweep && vec_compare(&a->from.p, &b->from.p) == 0 &&
+           vec_compare(&a->to.p, &b->to.p) == 0 && vec_compare(&a->from.a, &b->from.a) == 0 &&
+           vec_compare(&a->to.a, &b->to.a) == 0 && vec_compare(&a->centre, &b->centre) == 0 &&
+           vec_compare(&a->axis, &b->axis) == 0;
+}
+
+/* The same motion among the next ones, from the start again behind the last; NULL: not there. */
+static const struct gouge_seen *find_seen(struct gouge_memo *memo, const struct motion *motion)
+{
+    for (size_t i = 0; i < MOTIONS_AHEAD && i < memo->seen.n; i++) {
+        size_t k = (memo->at + i) % memo->seen.n;
+        if (!is_same(&memo->seen.item[k].motion, motion))
+            continue;
+        memo->at = k + 1;
+        return &memo->seen.item[k];
+    }
+    return NULL;
+}
+
+/* Before the next one: so they stay in the order of the way. */
+static void insert_seen(struct gouge_memo *memo, struct gouge_seen seen)
+{
+    size_t at = memo->at, after = memo->seen.n - at;
+
+    array_push(&memo->seen);
+    struct gouge_seen *here = &memo->seen.item[at];
+    memmove(here + 1, here, after * sizeof *here);
+    *here = seen;
+    memo->at = at + 1;
+}
+
+void gouge_refit_once(const struct gouge_refit_options *options, const struct motion *motion,
+                      struct gouge_memo *memo, struct gouges *gouges)
+{
+    const struct gouge_seen *seen = motion->kind == MOTION_SPLINE ? NULL : find_seen(memo, motion);
+
+    for (size_t i = 0; seen && i < seen->n; i++)
+        *array_push(gouges) = memo->found.item[seen->first + i];
+    if (seen)
+        return;
+    size_t before = gouges->n;
+    gouge_refit_motion(options, motion, &memo->track, gouges);
+    if (motion->kind == MOTION_SPLINE)
+        return;
+    insert_seen(memo, (struct gouge_seen){*motion, memo->found.n, gouges->n - before});
+    for (size_t i = before; i < gouges->n; i++)
+        *array_push(&memo->found) = gouges->item[i];
 }
 
 /* So far from a place there are points on both sides of it. */

@@ -100,9 +100,11 @@ static struct reduced reduce_big(double x)
     return (struct reduced){quarter & 3, r};
 }
 
+#define EIGHTH 0x1.921fb54442d18p-1 /* of a turn: pi/4 */
+
 static struct reduced reduce(double x)
 {
-    if (fabs(x) <= 0x1.921fb54442d18p-1)
+    if (fabs(x) <= EIGHTH)
         return (struct reduced){0, {x, 0}};
     return fabs(x) < BIG ? reduce_small(x) : reduce_big(x);
 }
@@ -155,6 +157,8 @@ double elementary_sin(double x)
         return x - x;
     if (fabs(x) < 0x1p-27)
         return x;
+    if (fabs(x) <= EIGHTH)
+        return sin_kernel((struct pair){x, 0});
     struct reduced a = reduce(x);
     double value = a.quarter & 1 ? cos_kernel(a.rest) : sin_kernel(a.rest);
     return a.quarter & 2 ? -value : value;
@@ -205,11 +209,23 @@ static const struct pair ARC[17] = {{0, 0},
                                     {0x1.819d0b7158a4dp-1, -0x1.bf76229d3b917p-56},
                                     {0x1.921fb54442d18p-1, 0x1.1a62633145c07p-55}};
 
+/* The angle of the ratio q + low, which is small: q^3 (1/3 - ...) less. */
+static double arc_rest(double q)
+{
+    double y = q * q;
+    return q * y * (-1.0 / 3 + y * (1.0 / 5 + y * (-1.0 / 7 + y * (1.0 / 9 + y * (-1.0 / 11)))));
+}
+
 /* The angle of (most, least) in [0, pi/4], of lengths that neither overflow nor underflow: that of
- * k/16, and of z = (least - most k/16) / (most + least k/16). */
+ * k/16, and of z = (least - most k/16) / (most + least k/16).  Where k is 0 much of it is, too. */
 static struct pair arc_of_ratio(double least, double most)
 {
     int k = (int)(16 * ((float)least / (float)most) + 0.5F);
+    if (k == 0) {
+        double q = least / most;
+        struct pair p = two_product(q, most);
+        return quick_sum(q, ((least - p.high) - p.low) * (1 / most) + arc_rest(q));
+    }
     double c = k / 16.0, product = c * most;
     struct pair m = halves(most), d = two_sum(most, c * least);
     struct pair n = two_sum(least, -product);
@@ -218,11 +234,8 @@ static struct pair arc_of_ratio(double least, double most)
 
     n.low -= (c * m.high - product) + c * m.low;
     double low = (((n.high - p.high) - p.low) + (n.low - q * d.low)) * inverse;
-    double y = q * q;
-    double rest =
-        q * y * (-1.0 / 3 + y * (1.0 / 5 + y * (-1.0 / 7 + y * (1.0 / 9 + y * (-1.0 / 11)))));
     struct pair a = quick_sum(ARC[k].high, q);
-    return quick_sum(a.high, a.low + (low + (ARC[k].low + rest)));
+    return quick_sum(a.high, a.low + (low + (ARC[k].low + arc_rest(q))));
 }
 
 /* The angle of (x, |y|), from the axis that is nearest; lengths as above. */

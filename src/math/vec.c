@@ -6,15 +6,28 @@ struct vec3 vec_turn(struct vec3 a, struct vec3 axis, double angle)
     return vec_turn_by(a, axis, cos(angle), sin(angle));
 }
 
+struct great_circle great_circle_of(struct vec3 a, struct vec3 b)
+{
+    double angle = vec_angle(a, b);
+
+    return (struct great_circle){a, b, angle, sin(angle)};
+}
+
+struct vec3 great_circle_at(const struct great_circle *c, double s)
+{
+    if (c->angle < 1e-6) /* the chord: off the circle by less than 1e-13 */
+        return vec_unit(vec_mix(c->a, c->b, s));
+    if (c->sine < 1e-9) /* opposite: any great circle will do, but the same one always */
+        return vec_turn(c->a, vec_perpendicular(c->a), s * c->angle);
+    double wa = sin((1 - s) * c->angle) / c->sine, wb = sin(s * c->angle) / c->sine;
+    return vec_along(vec_scale(wa, c->a), wb, c->b);
+}
+
 struct vec3 vec_slerp(struct vec3 a, struct vec3 b, double s)
 {
-    double angle = vec_angle(a, b), sine = sin(angle);
-    if (angle < 1e-6) /* the chord: off the circle by less than 1e-13 */
-        return vec_unit(vec_mix(a, b, s));
-    if (sine < 1e-9) /* opposite: any great circle will do, but the same one always */
-        return vec_turn(a, vec_perpendicular(a), s * angle);
-    double wa = sin((1 - s) * angle) / sine, wb = sin(s * angle) / sine;
-    return vec_along(vec_scale(wa, a), wb, b);
+    struct great_circle circle = great_circle_of(a, b);
+
+    return great_circle_at(&circle, s);
 }
 
 struct vec3 vec_perpendicular(struct vec3 a)

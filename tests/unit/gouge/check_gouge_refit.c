@@ -74,6 +74,39 @@ START_TEST(a_chord_is_as_deep_as_its_sagitta)
 }
 END_TEST
 
+/* Motions asked again, in another order too, and others between: what gouge_refit_motion finds. */
+START_TEST(what_was_found_is_not_looked_for_again)
+{
+    struct gouge_check *guard = make_sphere();
+    struct gouge_refit_options rule = {.guard = guard, .radius = BALL, .tolerance = 0.01};
+    struct gouge_memo memo = {0};
+    size_t deep = 0;
+
+    for (int i = 0; i < 120; i++) {
+        int round = i / 40, k = round == 1 ? 39 - i % 40 : i % 40;
+        double from = -0.3 + 0.014 * k, off = k % 7 == round ? 0.01 : 0;
+        struct run_point a = on_arc(from, SPHERE + BALL + off),
+                         b = on_arc(from + 0.06, SPHERE + BALL);
+        struct motion line = motion_line(tip_of(&a), tip_of(&b));
+        struct gouges once = {0}, anew = {0};
+        gouge_refit_once(&rule, &line, &memo, &once);
+        check_motion(&rule, &line, &anew);
+        ck_assert_uint_eq(once.n, anew.n);
+        for (size_t j = 0; j < once.n; j++) {
+            ck_assert_double_eq(once.item[j].depth, anew.item[j].depth);
+            ck_assert(vec_compare(&once.item[j].ball, &anew.item[j].ball) == 0);
+        }
+        deep += once.n;
+        array_free(&once);
+        array_free(&anew);
+    }
+    ck_assert_uint_gt(deep, 40);
+    ck_assert_uint_lt(memo.seen.n, 120); /* the others were found again */
+    gouge_memo_free(&memo);
+    gouge_free(guard);
+}
+END_TEST
+
 /* A wall at x = 0 that reaches from z = 0 up to 40, points 0.25 mm apart. */
 static struct gouge_check *make_wall(void)
 {
@@ -223,6 +256,7 @@ int main(void)
     Suite *suite = suite_create("gouge_refit");
     TCase *tcase = tcase_create("gouge_refit");
     tcase_add_test(tcase, a_chord_is_as_deep_as_its_sagitta);
+    tcase_add_test(tcase, what_was_found_is_not_looked_for_again);
     tcase_add_test(tcase, a_shaft_that_leans_into_a_wall_is_found);
     tcase_add_test(tcase, a_holder_that_swings_through_is_found_between_its_ends);
     tcase_add_test(tcase, an_arc_is_followed_round);
