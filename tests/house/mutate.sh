@@ -13,6 +13,9 @@ SRC=$(cd "$(dirname "$0")/../.." && pwd)
 BUILD=${BUILD:-$SRC/build}
 CC=${CC:-cc}
 FLAGS='-std=c11 -D_XOPEN_SOURCE=700 -iquote include -ffp-contract=off -pthread -O1 -w'
+# a place beyond an array is seen, as make sanitize sees it
+SANITIZE=${SANITIZE--fsanitize=address,undefined -fno-sanitize-recover=all}
+export ASAN_OPTIONS=detect_leaks=0
 TMP=$(mktemp -d "${TMPDIR:-/tmp}/cloudmill.XXXXXX") || exit 1
 trap 'rm -rf "$TMP"' EXIT
 trap 'exit 130' INT TERM
@@ -75,7 +78,7 @@ sound() {
 caught() { # FILE, whose changed object is changed.o: a test fails
 	for test in $(tests_of "$1" | awk '!seen[$0]++'); do
 		[ -f "$BUILD/${test%.c}.o" ] && sound "$test" || continue
-		$CC -o "$TMP/unit" "$BUILD/${test%.c}.o" "$TMP/changed.o" "$BUILD"/tests/lib/*.o \
+		$CC $SANITIZE -o "$TMP/unit" "$BUILD/${test%.c}.o" "$TMP/changed.o" "$BUILD"/tests/lib/*.o \
 			"$BUILD/libcloudmill.a" $libs 2>"$TMP/link" || return 0
 		limited 60 "$TMP/unit" || return 0
 	done
@@ -83,7 +86,7 @@ caught() { # FILE, whose changed object is changed.o: a test fails
 	mkdir -p "$TMP/bin"
 	for tool in src/*.c; do
 		tool=$(basename "$tool" .c)
-		$CC -o "$TMP/bin/$tool" "$BUILD/src/$tool.o" "$TMP/changed.o" "$BUILD/libcloudmill.a" $libs \
+		$CC $SANITIZE -o "$TMP/bin/$tool" "$BUILD/src/$tool.o" "$TMP/changed.o" "$BUILD/libcloudmill.a" $libs \
 			2>"$TMP/link" || return 0
 	done
 	for test in $TOOL_TESTS; do
@@ -99,7 +102,7 @@ while IFS=: read -r file line change <&3; do
 	# shellcheck disable=SC2086
 	if cmp -s "$file" "$changed"; then
 		verdict='no change'
-	elif ! $CC $FLAGS -iquote "$(dirname "$file")" -c -o "$TMP/changed.o" "$changed" 2>"$TMP/link"; then
+	elif ! $CC $FLAGS $SANITIZE -iquote "$(dirname "$file")" -c -o "$TMP/changed.o" "$changed" 2>"$TMP/link"; then
 		verdict='no program'
 	elif caught "$file"; then
 		verdict=caught

@@ -44,6 +44,7 @@ static const struct {
 } text_case[] = {
     {TEMPLATE_IN_KEY, "", ""},
     {TEMPLATE_IN_KEY, "T{tool} M6|G43 H{offset:2}", ""},
+    {TEMPLATE_IN_KEY, "T{tool:1} H{offset:20}", ""},
     {TEMPLATE_IN_KEY, "{?rotary}G43.4|{?!rotary}G43.5", ""},
     {TEMPLATE_IN_KEY, "} and more }", ""}, /* a closing brace alone is text */
     {TEMPLATE_IN_KEY, "T{tool", "`{tool`, expected } after it"},
