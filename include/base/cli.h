@@ -7,9 +7,9 @@
  * not met.
  *
  * Beside it: array.h memory and growing arrays, error.h failures as values, num.h numbers as text,
- * reader.h input by lines, out.h output that is complete or absent, parallel.h threads, effort.h
- * bounds of the work on a large scan, unmet.h what a stage could not keep, library_file.h files
- * installed with the program.
+ * reader.h input by lines, out.h output that is complete or absent, parallel.h and aside.h threads,
+ * effort.h bounds of the work on a large scan, unmet.h what a stage could not keep, library_file.h
+ * files installed with the program.
  */
 #ifndef CLOUDMILL_CLI_H
 #define CLOUDMILL_CLI_H

@@ -24,6 +24,7 @@
 struct cloud_stream {
     const char *file;
     struct transform place;           /* from its units to mm */
+    int threads;                      /* one reads, the other works on what was read */
     struct cloud_count count;         /* what was read, and what was skipped */
     size_t n;                         /* points */
     uint64_t hash;                    /* scan_source.h */
@@ -36,14 +37,15 @@ struct cloud_stream {
     struct grid_facets facets;
 };
 
-/* May a mesh be made so: a grid of one spacing, one projection, nodes on points, facets' normals? */
+/* May a mesh be made so: a grid of one spacing, one projection, nodes on points, normals of facets?
+ */
 bool cloud_stream_serves(const struct cloudmesh_options *options);
 
 /* The first two looks, at a file whose points `place` puts into mm.  1: it is no regular file, or
  * its points carry no surface; -1: an error. */
 int cloud_stream_begin(const char *file, const struct transform *place,
-                       const struct cloudmesh_options *options, struct cloud_stream *stream,
-                       struct error *error);
+                       const struct cloudmesh_options *options, int threads,
+                       struct cloud_stream *stream, struct error *error);
 
 /* The others.  -1: as cloudmesh_make. */
 int cloud_stream_nodes(struct cloud_stream *stream, struct error *error);

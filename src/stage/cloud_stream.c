@@ -53,7 +53,7 @@ static int look_again(struct look *l,
     struct cloud_count count;
 
     l->see = see;
-    if (cloud_read_blocks(file, take_block, l, &count, error) < 0)
+    if (cloud_read_blocks(file, take_block, l, l->stream->threads, &count, error) < 0)
         return -1;
     if (count.points != l->stream->n)
         return error_at(error, file, 0,
@@ -209,7 +209,7 @@ static int begin(struct look *l, struct error *error)
     struct cloud_stream *s = l->stream;
 
     l->see = see_extent;
-    if (cloud_read_blocks(s->file, take_first, l, &s->count, error) < 0)
+    if (cloud_read_blocks(s->file, take_first, l, s->threads, &s->count, error) < 0)
         return -1;
     if (s->n < 3 || distance2_xy(l->from, l->far) == 0)
         return 1;
@@ -222,14 +222,15 @@ static int begin(struct look *l, struct error *error)
 }
 
 int cloud_stream_begin(const char *file, const struct transform *place,
-                       const struct cloudmesh_options *options, struct cloud_stream *stream,
-                       struct error *error)
+                       const struct cloudmesh_options *options, int threads,
+                       struct cloud_stream *stream, struct error *error)
 {
     struct look look = {.stream = stream, .clumps = true, .line = true};
 
     *stream = (struct cloud_stream){.options = *options,
                                     .file = file,
                                     .place = *place,
+                                    .threads = threads,
                                     .flat = plan_extent_begin(0),
                                     .turned = plan_extent_begin(options->direction)};
     if (!is_regular(file))

@@ -23,7 +23,7 @@ int main(int argc, char **argv)
     struct error error;
     struct vec3 sum = {0, 0, 0};
 
-    if (cloud_read_blocks(argc > 1 ? argv[1] : "-", add_up, &sum, &count, &error) < 0) {
+    if (cloud_read_blocks(argc > 1 ? argv[1] : "-", add_up, &sum, 1, &count, &error) < 0) {
         fprintf(stderr, "%s\n", error.text);
         return 1;
     }

@@ -45,10 +45,11 @@ int cloud_read(const char *file, struct vec3s *points, struct cloud_count *count
                struct error *error);
 
 /* The same, with the points handed to `take` block by block, in their order, as they are read: text
- * is nowhere whole.  Those before an error were handed on too. */
+ * is nowhere whole.  Those before an error were handed on too.  With more than one thread (0: as
+ * parallel.h) `take` is called by another, while the next block is read; all is done on return. */
 int cloud_read_blocks(const char *file,
                       void (*take)(void *context, const struct vec3 *point, size_t n),
-                      void *context, struct cloud_count *count, struct error *error);
+                      void *context, int threads, struct cloud_count *count, struct error *error);
 
 /* Millimetres in a unit: "mm" 1, "cm" 10, "m" 1000, "um" 0.001, "inch" and "in" 25.4; else 0. */
 double cloud_unit(const char *name);

@@ -273,12 +273,27 @@ static int read_source(struct cloud_source *s, struct error *error)
     return 0;
 }
 
+static void take_aside(void *context)
+{
+    const struct cloud_source *s = context;
+    s->take(s->context, s->taken->item, s->taken->n);
+}
+
+static void hand_on_all(struct cloud_source *s)
+{
+    aside_wait(s->aside);
+    struct vec3s swap = *s->taken;
+    *s->taken = *s->points;
+    *s->points = swap;
+    s->points->n = 0;
+    aside_do(s->aside, take_aside, s);
+}
+
 void cloud_hand_on(struct cloud_source *s)
 {
-    if (!s->take)
-        return;
-    s->take(s->context, s->points->item, s->points->n);
-    s->points->n = 0;
+    enum { MANY = 8192 }; /* points that are worth it, and that stay in a processor's own memory */
+    if (s->take && s->points->n >= MANY)
+        hand_on_all(s);
 }
 
 static int read_file(const char *file, struct cloud_source *s, struct error *error)
@@ -303,14 +318,20 @@ int cloud_read(const char *file, struct vec3s *points, struct cloud_count *count
 
 int cloud_read_blocks(const char *file,
                       void (*take)(void *context, const struct vec3 *point, size_t n),
-                      void *context, struct cloud_count *count, struct error *error)
+                      void *context, int threads, struct cloud_count *count, struct error *error)
 {
-    struct vec3s points = {0};
-    struct cloud_source source = {
-        .points = &points, .count = count, .take = take, .context = context};
+    struct vec3s points = {0}, taken = {0};
+    struct cloud_source source = {.points = &points,
+                                  .count = count,
+                                  .take = take,
+                                  .context = context,
+                                  .aside = aside_begin(threads),
+                                  .taken = &taken};
     int status = read_file(file, &source, error);
-    cloud_hand_on(&source);
+    hand_on_all(&source);
+    aside_end(source.aside);
     array_free(&points);
+    array_free(&taken);
     return status;
 }
 

@@ -5,6 +5,7 @@
 #ifndef CLOUDMILL_CLOUD_SOURCE_H
 #define CLOUDMILL_CLOUD_SOURCE_H
 
+#include "base/aside.h"
 #include "base/reader.h"
 #include "cloud_text.h"
 #include "io/cloud/cloud.h"
@@ -15,6 +16,8 @@ struct cloud_source {
     struct cloud_count *count;
     void (*take)(void *context, const struct vec3 *point, size_t n); /* NULL: `points` keeps all */
     void *context;
+    struct aside *aside; /* takes them while others are read, NULL: `take` is */
+    struct vec3s *taken; /* what is being taken; it and `points` change places */
 };
 
 /* Hands on the points so far, where they are taken; a reader may do so when it will not come back

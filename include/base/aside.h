@@ -1,0 +1,23 @@
+/*
+ * aside - work done by another thread, one piece after the other, while the one that asks for it
+ * goes on: a file's next block is read while the last one is worked on.
+ */
+#ifndef CLOUDMILL_ASIDE_H
+#define CLOUDMILL_ASIDE_H
+
+struct aside;
+
+/* `threads` as in parallel.h: with one, or where no other can be had, work is done when it is asked
+ * for. */
+struct aside *aside_begin(int threads);
+
+/* Waits for the work asked for before, and has work(context) done. */
+void aside_do(struct aside *aside, void (*work)(void *context), void *context);
+
+/* Returns when what was asked for is done. */
+void aside_wait(struct aside *aside);
+
+/* The same, and the end of it. */
+void aside_end(struct aside *aside);
+
+#endif

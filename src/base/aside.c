@@ -1,0 +1,85 @@
+/* aside - one thread that waits for work; see aside.h. */
+#include "base/aside.h"
+
+#include <pthread.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdlib.h>
+
+#include "base/array.h"
+#include "system.h"
+
+struct aside {
+    void (*work)(void *context); /* to be done, or in hand; NULL: none */
+    void *context;
+    bool has_thread, ends;
+    pthread_t thread;
+    pthread_mutex_t lock; /* on work, context and ends */
+    pthread_cond_t changed;
+};
+
+static void *run_aside(void *argument)
+{
+    struct aside *a = argument;
+    pthread_mutex_lock(&a->lock);
+    while (a->work || !a->ends) {
+        if (!a->work) {
+            pthread_cond_wait(&a->changed, &a->lock);
+            continue;
+        }
+        pthread_mutex_unlock(&a->lock);
+        a->work(a->context);
+        pthread_mutex_lock(&a->lock);
+        a->work = NULL;
+        pthread_cond_signal(&a->changed);
+    }
+    pthread_mutex_unlock(&a->lock);
+    return NULL;
+}
+
+struct aside *aside_begin(int threads)
+{
+    struct aside *a = mem_alloc(1, sizeof *a);
+    long wanted = threads > 0 ? threads : sysconf(_SC_NPROCESSORS_ONLN);
+    pthread_mutex_init(&a->lock, NULL);
+    pthread_cond_init(&a->changed, NULL);
+    a->has_thread = wanted > 1 && pthread_create(&a->thread, NULL, run_aside, a) == 0;
+    return a;
+}
+
+void aside_wait(struct aside *a)
+{
+    pthread_mutex_lock(&a->lock);
+    while (a->work)
+        pthread_cond_wait(&a->changed, &a->lock);
+    pthread_mutex_unlock(&a->lock);
+}
+
+void aside_do(struct aside *a, void (*work)(void *context), void *context)
+{
+    if (!a->has_thread) {
+        work(context);
+        return;
+    }
+    aside_wait(a);
+    pthread_mutex_lock(&a->lock);
+    a->work = work;
+    a->context = context;
+    pthread_cond_signal(&a->changed);
+    pthread_mutex_unlock(&a->lock);
+}
+
+void aside_end(struct aside *a)
+{
+    aside_wait(a);
+    if (a->has_thread) {
+        pthread_mutex_lock(&a->lock);
+        a->ends = true;
+        pthread_cond_signal(&a->changed);
+        pthread_mutex_unlock(&a->lock);
+        pthread_join(a->thread, NULL);
+    }
+    pthread_cond_destroy(&a->changed);
+    pthread_mutex_destroy(&a->lock);
+    free(a);
+}
