@@ -91,6 +91,13 @@ END
 } | on offset "$sides"
 model "140: in the parameters of what it is an offset of" "$(calc '8 * p / 4 * 7.5')" - -e 0.0005 "$TMP/offset.igs"
 
+# A B-spline's own parameters are taken as they are.
+{
+	rectangle 0.25 0.2 0.75 0.7
+	echo 's 128 0 2,1,1,1,0,0,1,0,0,0,0,0.5,1,1,0,0,1,1,1,1,1,1,1,1,0,0,0,5,0,0,10,0,0,0,8,0,5,8,0,10,8,0,0,1,0,1'
+} | on spline "$sides"
+model "128: trimmed in its parameters" 20 - -e 0.001 "$TMP/spline.igs"
+
 # ---- IGES: offset curves
 
 moved() { # NAME OFFSET-PARAMETERS: the offset of the quarter circle {c}, moved along z

@@ -211,15 +211,15 @@ static int read_map(const struct iges *iges, const struct iges_entity *e, struct
 {
     const struct iges_entity *base, *unknown;
     struct iges_values v;
+    m->type = e->type;
+    if (e->type != 118 && e->type != 120 && e->type != 122 && e->type != 140)
+        return 1; /* a spline's parameters are its own */
     if (iges_values(iges, e, &v, error) < 0)
         return -1;
-    m->type = e->type;
     int status = iges_pointer(iges, &v, e->type == 140 ? 5 : e->type == 120 ? 2 : 1, &base, error);
     array_free(&v);
     if (status < 0 || e->type == 140)
-        return status < 0 || base->type == 140 ? -1 : read_map(iges, base, m, error);
-    if (e->type != 118 && e->type != 120 && e->type != 122)
-        return 1; /* a spline's parameters are its own */
+        return status < 0 ? -1 : base->type == 140 ? 1 : read_map(iges, base, m, error);
     return iges_curve_ranges(iges, base, &m->base, &m->range, &unknown, error);
 }
 
