@@ -10,6 +10,9 @@
 /* Grids that are tried, and of them those that hardly help before it is given up. */
 enum { ROUNDS = 8, IDLE = 2 };
 
+/* So many times the cells of the first grid: the bound asks for more than the surface does. */
+static const double CROWDED = 32;
+
 /* Chords of the trimming, each time so much finer, till it does not cross itself. */
 enum { TRIM_ROUNDS = 4, TRIM_FINER = 6 };
 static const double POLE = 1e-9; /* of the longer derivative */
@@ -92,7 +95,8 @@ struct evaluation {
     const struct nurbs *part; /* [piece] */
     double *error;            /* [face] */
     struct vec3 *error_at;
-    int places; /* of a triangle that are measured */
+    int places;   /* of a triangle that are measured */
+    double exact; /* mm: bounds above this are replaced by the distance itself; 0: none */
 };
 
 static void place_vertices(void *context, size_t from, size_t to)
@@ -179,6 +183,8 @@ static void measure_faces(void *context, size_t from, size_t to)
                 p = vec_along(p, sample[m][k], s->point.item[v[k]]);
             }
             double off = off_at(part, at, p, bend, &on);
+            if (l->exact > 0 && off > l->exact)
+                off = fmin(off, vec_distance(p, nurbs_point(part, nurbs_foot(part, p, at))));
             if (off > l->error[i]) {
                 l->error[i] = off;
                 l->error_at[i] = on;
@@ -242,11 +248,14 @@ static struct nurbs *all_pieces(const struct nurbs *s)
 
 /* The triangles in the parameters brought into space, piece by piece. */
 static void evaluate_sheet(const struct nurbs *s, const struct uvmesh *mesh,
-                           struct tessellate_options how, struct sheet *sheet)
+                           struct tessellate_options how, bool exact, struct sheet *sheet)
 {
     int *piece = mem_alloc(mesh->face.n + 1, sizeof *piece);
     struct nurbs *part = all_pieces(s);
-    struct evaluation l = {.sheet = sheet, .part = part, .places = how.n > 0 ? FEW : MANY};
+    struct evaluation l = {.sheet = sheet,
+                           .part = part,
+                           .places = how.n > 0 ? FEW : MANY,
+                           .exact = exact ? how.tolerance : 0};
     pieces_of_faces(s, mesh, piece);
     number_vertices(mesh, piece, sheet);
     size_t n = sheet->at.n;
@@ -262,8 +271,8 @@ static void evaluate_sheet(const struct nurbs *s, const struct uvmesh *mesh,
 }
 
 static void make_sheet(const struct patch *patch, const struct uv_polygon *loops,
-                       struct tessellate_options how, struct doubles *u, struct doubles *v,
-                       struct sheet *sheet)
+                       struct tessellate_options how, bool exact, struct doubles *u,
+                       struct doubles *v, struct sheet *sheet)
 {
     struct uvmesh mesh;
     bool open = patch->open || loops->open || loops->n == 0;
@@ -274,31 +283,28 @@ static void make_sheet(const struct patch *patch, const struct uv_polygon *loops
     sheet->lost = loops->lost;
     sheet->lines_u = u->n;
     sheet->lines_v = v->n;
-    evaluate_sheet(&patch->surface, &mesh, how, sheet);
+    evaluate_sheet(&patch->surface, &mesh, how, exact, sheet);
     uvmesh_free(&mesh);
 }
 
-static void tessellate_once(const struct patch *patch, struct tessellate_options how,
-                            double trimming, struct sheet *sheet)
+/* Grids to a tolerance, each finer than the one before it, until one keeps it or finer ones hardly
+ * help. */
+static void refine(const struct patch *patch, const struct uv_polygon *loops,
+                   struct tessellate_options how, bool exact, struct sheet *sheet)
 {
-    struct uv_polygon loops;
     struct doubles u = {0}, v = {0};
-    double finer = 1;
-    *sheet = (struct sheet){0};
-    trim_loops(patch, trimming, &loops);
-    if (how.n > 0) {
-        isolines_equal(&patch->surface.u, how.n, &u);
-        isolines_equal(&patch->surface.v, how.n, &v);
-        make_sheet(patch, &loops, how, &u, &v, sheet);
-    }
-    double last = HUGE_VAL, factor = 1;
-    for (int round = 0, idle = 0; how.n == 0 && round < ROUNDS && idle < IDLE; round++) {
+    double finer = 1, last = HUGE_VAL, factor = 1, first = 0;
+    for (int round = 0, idle = 0; round < ROUNDS && idle < IDLE; round++) {
         isolines_bent(&patch->surface, how.tolerance, finer, patch->open || patch->loop.n == 0, &u,
                       &v);
+        double cells = (double)u.n * (double)v.n;
+        first = round == 0 ? cells : first;
+        if (!exact && cells > CROWDED * first)
+            break;
         sheet->too_fine = u.n * v.n > TESSELLATE_CELLS_MAX;
         if (sheet->too_fine)
             break;
-        make_sheet(patch, &loops, how, &u, &v, sheet);
+        make_sheet(patch, loops, how, exact, &u, &v, sheet);
         if (sheet->error <= how.tolerance)
             break;
         double hope = 1 - (1 - 1 / (factor * factor)) * LITTLE;
@@ -306,6 +312,28 @@ static void tessellate_once(const struct patch *patch, struct tessellate_options
         last = sheet->error;
         factor = fmin(fmax(sqrt(last / how.tolerance) * 1.02, 1.05), 4);
         finer *= factor;
+    }
+    array_free(&u);
+    array_free(&v);
+}
+
+/* Where the parameters rest, at a pole for instance, the bound on the distance is too large,
+ * however fine the grid: then the distance itself is sought. */
+static void tessellate_once(const struct patch *patch, struct tessellate_options how,
+                            double trimming, struct sheet *sheet)
+{
+    struct uv_polygon loops;
+    struct doubles u = {0}, v = {0};
+    *sheet = (struct sheet){0};
+    trim_loops(patch, trimming, &loops);
+    if (how.n > 0) {
+        isolines_equal(&patch->surface.u, how.n, &u);
+        isolines_equal(&patch->surface.v, how.n, &v);
+        make_sheet(patch, &loops, how, false, &u, &v, sheet);
+    } else {
+        refine(patch, &loops, how, false, sheet);
+        if (sheet->error > how.tolerance)
+            refine(patch, &loops, how, true, sheet);
     }
     array_free(&u);
     array_free(&v);
