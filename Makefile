@@ -215,12 +215,12 @@ freeze: all
 	@BIN="$(abspath $(BUILD))/bin" sh tests/house/freeze.sh
 
 deps:
-	@echo 'make deps: 38 Debian packages, 65 MB on disk; make and make demo need none of them.'
+	@echo 'make deps: some 25 Debian packages, 50 MB on disk; make and make demo need none of them.'
 	apt-get update
 	$(apt_install) $(packages)
 
 deps-all:
-	@echo 'make deps-all: some 690 Debian packages, 3.5 GB on disk: browser, LinuxCNC, analysers, cross compilers.'
+	@echo 'make deps-all: some 650 Debian packages, 3.5 GB on disk: browser, LinuxCNC, analysers, cross compilers.'
 	apt-get update
 	$(apt_install) $(packages_all) || for package in $(packages_all); do \
 	  $(apt_install) $$package || missing="$$missing $$package"; done; \

@@ -47,7 +47,7 @@ const struct cli_option path_option_table[] = {
     EFFORT_OPTION(&path_options.effort),
     {'e', "tolerance", "MM",
      "insert points between those of the mesh: straight lines stay within MM\n"
-     "of the smooth curve, no deeper in the part (0.01 with -g or --holder)",
+     "of the smooth curve (0.01 with -g, --holder or a mesh of nurbs2mesh)",
      CLI_NUMBER, &path_options.tolerance, 0.0001, 10, 0, NULL},
     {0, "paper", NULL, "as published: only the mesh points, no lifting, links not checked",
      CLI_FLAG, &path_options.paper, 0, 0, 0, NULL},
