@@ -156,7 +156,7 @@ stop.optional = M1
 block.skip = yes
 slows = no
 END
-sed -n 's/^\.It Cm \([a-z.A-Z ,]*\)= .*/\1/p' "$SRC/man/cloudmill-machine.5" | tr -d ' ' |
+sed -n 's/\\&//g; s/^\.It Cm \([a-z.A-Z ,]*\)= .*/\1/p' "$SRC/man/cloudmill-machine.5" | tr -d ' ' |
 	sed 's/NsArn/1/; s/NsCm//' | tr , '\n' | grep -v '^include$' | sort >told
 printf '1 90\n' >lengths.tbl
 sed 's/ =.*//' keys | sort >known
