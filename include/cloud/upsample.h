@@ -23,9 +23,11 @@ bool upsample_needed(const struct upsample *fill);
 
 /*
  * Appends points about point i of the point_grid, which the surface q has at p, as dense as the
- * ball asks for: those nearer to i than to the other points, inside of these, so that no hole is
- * filled and no border moves, and where all points about are on q, so that none is put over an
- * edge or into a corner.  None either where q is so hollow that the ball does not go in.
+ * ball asks for: those nearer to i than to the other points, inside of these, and where all points
+ * about are on q, so that none is put over an edge or into a corner.  None either where q is so
+ * hollow that the ball does not go in.  In a hole, and a little beyond where the scan ends, only
+ * where a surface about the place itself is as smooth and certain as the ball asks for: else no
+ * hole is filled and no border moves.
  * `spread`: of the points about q, mm; where it is more than noise and the ball's sinking explain,
  * nothing is appended.
  */

@@ -4,7 +4,16 @@
 #include "base/array.h"
 #include "math/cubic.h"
 
-enum { FEWEST = 16, NEAR = 32, FEW = 24, RINGS = 8, SAMPLE = 1500, QUADRIC = 6, CUBIC = 10 };
+enum {
+    FEWEST = 16,
+    NEAR = 32,
+    FEW = 24,
+    RINGS = 8,
+    SAMPLE = 1500,
+    QUADRIC = 6,
+    CUBIC = 10,
+    SECTORS = 32
+};
 
 static const double MUCH = 1.5; /* spread of a neighbourhood by the noise: more is none */
 static const double VAGUE = 5;  /* of the sinking: a surface less certain than this is none */
@@ -12,6 +21,10 @@ static const double VAGUE = 5;  /* of the sinking: a surface less certain than t
 /* Noises that a point may be off its surface; of the way to the nearest point: points so near to a
  * place are about it, or surround it as its nearest do. */
 static const double SIGMAS = 4, ABOUT = 2, SURROUND = 3;
+
+/* Of the way from a place to the last point of its neighbourhood: so near is the first at least,
+ * where they surround it, and where they do not. */
+static const double HOLE = 0.8, BEYOND = 0.4;
 
 /* A neighbourhood, nearest first. */
 struct neighbourhood {
@@ -240,11 +253,99 @@ static bool is_witnessed(const struct upsample *fill, const struct neighbourhood
     return true;
 }
 
+/* Through the first k points, as of the second or third degree as leaves less.  Returns the spread,
+ * HUGE_VAL: there is none. */
+static double fit_from(const struct neighbourhood *near, size_t k, struct vec3 origin,
+                       struct vec3 guess, struct quadric *q)
+{
+    struct quadric cubic;
+
+    if (quadric_settle(near->point, k, origin, guess, q) < 0)
+        return HUGE_VAL;
+    double spread = quadric_spread(q, near->point, k, QUADRIC);
+    if (cubic_fit(near->point, NULL, k, origin, quadric_normal(q), &cubic) == 0) {
+        double less = quadric_spread(&cubic, near->point, k, CUBIC);
+        if (less < spread) {
+            *q = cubic;
+            spread = less;
+        }
+    }
+    return spread;
+}
+
+/* No point of the scan is over or under a half plane beyond p seen from above, so far: the scan
+ * ends there, whatever is below. */
+static bool is_at_border(const struct point_grid *b, struct vec3 p, double reach)
+{
+    struct fan fan = {.n = 0};
+    size_t left = point_grid_column(b, p.x - reach), right = point_grid_column(b, p.x + reach);
+    size_t low = point_grid_row(b, p.y - reach), high = point_grid_row(b, p.y + reach);
+    bool known[SECTORS] = {false};
+
+    for (size_t row = low; row <= high; row++) {
+        size_t from = b->first[row * b->columns + left];
+        size_t end = b->first[row * b->columns + right + 1];
+        for (size_t i = from; i < end; i++) {
+            double x = b->point[i].x - p.x, y = b->point[i].y - p.y;
+            if (x * x + y * y > reach * reach)
+                continue;
+            double angle = atan2(y, x);
+            size_t sector = (size_t)((angle + PI) / (2 * PI) * SECTORS) % SECTORS;
+            if (!known[sector])
+                fan_add(&fan, angle);
+            known[sector] = true;
+        }
+    }
+    return !fan_surrounds(&fan);
+}
+
+/* The points nearest to p surround it on a surface, or the scan ends there. */
+static bool is_open(const struct upsample *fill, const struct neighbourhood *near,
+                    const struct quadric *q, struct vec3 p)
+{
+    double far2 = near->distance2[near->n - 1];
+    struct fan fan = {.n = 0};
+
+    for (size_t k = 0; k < near->n; k++) {
+        struct vec3 beside = vec_sub(near->point[k], p);
+        fan_add(&fan, atan2(vec_dot(beside, q->v), vec_dot(beside, q->u)));
+    }
+    return fan_surrounds(&fan) ||
+           (near->distance2[0] <= BEYOND * BEYOND * far2 &&
+            is_at_border(fill->point_grid, p, fmax(fill->radius, sqrt(far2))));
+}
+
+/* A place that the surface about none of the points beside reaches, in a hole or beyond the border
+ * of a scan: true where the surface about the place itself is smooth, and certain enough there.
+ * *p: moved to it. */
+static bool is_bridged(const struct upsample *fill, const struct local_surface *on, struct vec3 *p)
+{
+    struct neighbourhood near;
+    struct quadric q;
+    double much = fmax(fill->sink, MUCH * fill->noise);
+
+    near.n = point_grid_nearest(fill->point_grid, *p, NEAR, near.index, near.distance2);
+    for (size_t j = 0; j < near.n; j++)
+        near.point[j] = fill->point_grid->point[near.index[j]];
+    if (near.n < NEAR || near.distance2[0] > HOLE * HOLE * near.distance2[near.n - 1])
+        return false;
+    double spread = fit_from(&near, NEAR, *p, quadric_normal_at(on->q, *p), &q);
+    if (spread * fmax(1, sqrt(q.variance)) > much || is_hollow(fill, &q) ||
+        !is_open(fill, &near, &q, *p))
+        return false;
+    if (!on->exact) /* it goes through more points */
+        return fabs(quadric_distance(&q)) <= much;
+    *p = quadric_at(&q, 0, 0);
+    return true;
+}
+
 static void add_between(const struct upsample *fill, const struct neighbourhood *near,
-                        struct vec3 p, const struct quadric *q, bool exact, struct vec3s *to)
+                        struct vec3 p, const struct quadric *q, double spread, bool exact,
+                        struct vec3s *to)
 {
     struct local_surface on = {.q = q, .exact = exact};
     struct witnesses witness = {.asked = exact && fill->lines};
+    bool smooth = spread <= fmax(fill->sink, MUCH * fill->noise);
     size_t last = near->n < FEWEST ? near->n : FEWEST;
     double pitch = 0.75 * gap_of(fill), reach = sqrt(near->distance2[last - 1]);
     struct vec3 off = vec_sub(p, q->origin);
@@ -264,6 +365,8 @@ static void add_between(const struct upsample *fill, const struct neighbourhood 
             if (is_between(fill, near, &on, p, at, &aside) &&
                 (!witness.asked || is_witnessed(fill, near, p, at, &witness)))
                 *array_push(to) = vec_along(at, aside, q->w);
+            else if (smooth && is_nearest(near, p, vec_sub(at, p)) && is_bridged(fill, &on, &at))
+                *array_push(to) = at;
         }
     }
 }
@@ -275,7 +378,7 @@ void upsample_on(const struct upsample *fill, size_t i, struct vec3 p, const str
 
     find_neighbourhood(fill->point_grid, i, NEAR, &near);
     if (would_sink(fill, &near, spread))
-        add_between(fill, &near, p, q, false, to);
+        add_between(fill, &near, p, q, spread, false, to);
 }
 
 double upsample_about(const struct upsample *fill, size_t i, struct vec3s *to)
@@ -287,6 +390,6 @@ double upsample_about(const struct upsample *fill, size_t i, struct vec3s *to)
     double spread = fit_surface(&near, &q);
     if (spread == HUGE_VAL || !would_sink(fill, &near, spread))
         return 0;
-    add_between(fill, &near, near.point[0], &q, true, to);
+    add_between(fill, &near, near.point[0], &q, spread, true, to);
     return spread;
 }
