@@ -345,7 +345,8 @@ static void add_between(const struct upsample *fill, const struct neighbourhood 
 {
     struct local_surface on = {.q = q, .exact = exact};
     struct witnesses witness = {.asked = exact && fill->lines};
-    bool smooth = spread <= fmax(fill->sink, MUCH * fill->noise);
+    /* on scan lines a surface goes through few of them that has nothing to do with the part */
+    bool smooth = !fill->lines && spread <= fmax(fill->sink, MUCH * fill->noise);
     size_t last = near->n < FEWEST ? near->n : FEWEST;
     double pitch = 0.75 * gap_of(fill), reach = sqrt(near->distance2[last - 1]);
     struct vec3 off = vec_sub(p, q->origin);
