@@ -143,8 +143,8 @@ static struct rotary_angles integral_at(const struct chain *c, const struct rota
         sum[i].turn + by * (a->angles.turn + s / 2 * (b->angles.turn - a->angles.turn))};
 }
 
-/* Each station's angles to the mean over `half` mm before and after it, less near the ends; or those
- * of the held ones alone. */
+/* Each station's angles to the mean over `half` mm before and after it, less near the ends; or
+ * those of the held ones alone. */
 static void average_angles(struct chain *c, double half, bool held)
 {
     struct rotary_angles *sum = mem_alloc(c->n + 1, sizeof *sum);
@@ -204,8 +204,8 @@ static void meet_turn(struct chain *c, size_t pole, double turn, bool after)
     }
 }
 
-/* The pole is passed at one turn, which is that on both sides of it: else an axis would have to turn
- * there while the tool hardly moves. */
+/* The pole is passed at one turn, which is that on both sides of it: else an axis would have to
+ * turn there while the tool hardly moves. */
 static void fix_poles(struct chain *c)
 {
     for (size_t i = 1; i + 1 < c->n; i++) {
@@ -381,6 +381,7 @@ void axis_calm_chain(const struct axis_calm_options *options, const struct axis_
     for (double half = NARROW; half >= NARROWEST; half /= 2)
         for (int sweep = 0; sweep < SWEEPS; sweep++)
             average_angles(&c, half, false);
+    c.spare = 2 * SPARE;
     fix_poles(&c);
     average_angles(&c, NARROWEST, false);
     keep_clear(&c);

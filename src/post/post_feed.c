@@ -173,12 +173,15 @@ static void add_pieces(const struct nc_planner *planner, const struct block_pose
     }
 }
 
-/* What a mm, or a degree, takes at an even speed where it takes longest: over no less than AT_ONCE
- * for a control that slows down by itself, to whom it is none that an axis is fast over less. */
-static double slowest_of(const struct nc_planner *planner, const struct feed_pieces *pieces)
+/* What a mm, or a degree, takes at an even speed where it takes longest: over no less than AT_ONCE,
+ * or `half` of a block, for a control that slows down by itself, to whom it is none that an axis is
+ * fast over less. */
+static double slowest_of(const struct nc_planner *planner, const struct feed_pieces *pieces,
+                         double half)
 {
     bool slows = planner->machine->slows && !pieces->still;
-    double least = slows ? AT_ONCE / planner->options.unit : 0, way = 0, minutes = 0, most = 0;
+    double least = slows ? fmin(half, AT_ONCE / planner->options.unit) : 0;
+    double way = 0, minutes = 0, most = 0;
     for (size_t i = 0, first = 0; i < pieces->n; i++) {
         way += pieces->item[i].way;
         minutes += pieces->item[i].minutes;
@@ -217,7 +220,7 @@ double post_feed_minutes(const struct nc_planner *planner, const struct machine_
         s = end;
     }
     double way = length > 0 ? length : degrees(from->q, to->at.q);
-    minutes = larger(minutes, way * slowest_of(planner, &pieces));
+    minutes = larger(minutes, way * slowest_of(planner, &pieces, curve ? length : 0.499 * length));
     array_free(&pieces);
     return minutes;
 }

@@ -62,13 +62,13 @@ END_TEST
 
 static const struct deviation WITHIN = {0.01, 0.01, 0.02};
 
-/* Along x; the axis leans aside, first not at all and then faster and faster. */
+/* Along x; the axis leans ahead and aside, first not at all and then faster and faster. */
 static struct reference leaning(double lean)
 {
     struct run run = {.radius = 6};
     for (size_t i = 0; i <= 40; i++) {
         double x = 0.1 * (double)i;
-        struct vec3 tip = vec(x, 0, 0), axis = vec_unit(vec(0, lean * x * x, 1));
+        struct vec3 tip = vec(x, 0, 0), axis = vec_unit(vec(0.6, lean * x * x, 1));
         *array_push(&run) = (struct run_point){
             .tip = tip, .ball = vec_along(tip, run.radius, axis), .axis = axis, .given = true};
     }
@@ -107,7 +107,7 @@ START_TEST(what_follows_already_is_left)
     struct reference t = leaning(0);
     struct arc_piece piece = arc_piece_of(&t, arc_line(t.point[0], t.point[40]), 0, 40);
     struct vec3 axis = arc_axis_end(&t, &piece, &WITHIN, 0.85, 9);
-    ck_assert_double_lt(vec_distance(axis, piece.axis_to), 1e-15);
+    ck_assert_double_lt(vec_distance(axis, piece.axis_to), 1e-9); /* its digits */
     reference_free(&t);
 }
 END_TEST
