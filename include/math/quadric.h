@@ -19,12 +19,19 @@ struct quadric {
         tilt; /* of c0; of c1 and c2 together, 1/mm^2: where each point's w has 1 mm^2 */
 };
 
+/* Without a surface yet: u and v across w (unit), all coefficients 0. */
+struct quadric quadric_frame(struct vec3 origin, struct vec3 w);
+
 /* p in the frame: x along u, y along v, z along w. */
 static inline struct vec3 quadric_local(const struct quadric *q, struct vec3 p)
 {
     struct vec3 d = vec_sub(p, q->origin);
     return vec(vec_dot(d, q->u), vec_dot(d, q->v), vec_dot(d, q->w));
 }
+
+/* The same of n points. */
+void quadric_local_all(const struct quadric *q, const struct vec3 *point, size_t n,
+                       struct vec3 *local);
 
 /*
  * The quadric nearest to n points, its w axis along `guess` (unit).  -1 if the points do not

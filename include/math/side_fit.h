@@ -18,13 +18,6 @@ struct side_fit {
 int side_fit_plane(const struct vec3 *point, size_t n, struct vec3 origin, struct vec3 w,
                    struct side_fit *fit);
 
-/* A frame: u and v across w, all coefficients 0. */
-struct quadric side_fit_frame(struct vec3 origin, struct vec3 w);
-
-/* The points in the frame of q: x along u, y along v, z along w. */
-void side_fit_local(const struct quadric *q, const struct vec3 *point, size_t n,
-                    struct vec3 *local);
-
 /* What a plane through points takes: their number, and sums of their coordinates in the frame and
  * of products of these. */
 struct side_sums {

@@ -158,9 +158,7 @@ int cone_tip_fit(const struct vec3 *point, size_t n, double rms, struct cone_tip
     struct vec3 local[CONE_POINTS], up = plane_normal(point, n);
     double far = vec_distance(point[n - 1], point[0]), spacing = far * sqrt(PI / (double)n);
 
-    *tip = (struct cone_tip){.frame = {.origin = point[0], .w = up.z < 0 ? vec_scale(-1, up) : up}};
-    tip->frame.u = vec_perpendicular(tip->frame.w);
-    tip->frame.v = vec_cross(tip->frame.w, tip->frame.u);
+    *tip = (struct cone_tip){.frame = quadric_frame(point[0], up.z < 0 ? vec_scale(-1, up) : up)};
     if (n < 2 * CONE_TERMS + 2 || n > CONE_POINTS)
         return -1;
     for (size_t k = 0; k < n; k++)

@@ -232,7 +232,7 @@ static bool fit_flank(const struct edge_work *work, const struct hood *near, dou
 
     if (!find_plane(work, near, spacing, &normal))
         return false;
-    struct quadric q = side_fit_frame(near->point[0], normal);
+    struct quadric q = quadric_frame(near->point[0], normal);
     size_t n = gather_on(work, near, spacing, &q, 0, on);
     if (n < many)
         n = gather_on(work, near, spacing, &q, BENT, on);

@@ -184,21 +184,28 @@ static double fit_quadric(const struct neighbourhood *near, struct quadric *q)
     return HUGE_VAL;
 }
 
+/* The cubic through the first k points in place of a quadric of this spread, where it leaves less.
+ * Returns the spread. */
+static double fit_closer(const struct neighbourhood *near, size_t k, double spread,
+                         struct quadric *q)
+{
+    struct quadric cubic;
+
+    if (cubic_fit(near->point, NULL, k, q->origin, quadric_normal(q), &cubic) < 0)
+        return spread;
+    double less = quadric_spread(&cubic, near->point, k, CUBIC);
+    if (!(less < spread))
+        return spread;
+    *q = cubic;
+    return less;
+}
+
 /* The surface through a neighbourhood; returns its spread, HUGE_VAL: there is none. */
 static double fit_surface(const struct neighbourhood *near, struct quadric *q)
 {
-    struct quadric cubic;
     double spread = fit_quadric(near, q);
 
-    if (spread < HUGE_VAL && near->n >= FEW &&
-        cubic_fit(near->point, NULL, FEW, near->point[0], quadric_normal(q), &cubic) == 0) {
-        double less = quadric_spread(&cubic, near->point, FEW, CUBIC);
-        if (less < spread) {
-            *q = cubic;
-            spread = less;
-        }
-    }
-    return spread;
+    return spread < HUGE_VAL && near->n >= FEW ? fit_closer(near, FEW, spread, q) : spread;
 }
 
 /* The same about point i. */
@@ -258,19 +265,9 @@ static bool is_witnessed(const struct upsample *fill, const struct neighbourhood
 static double fit_from(const struct neighbourhood *near, size_t k, struct vec3 origin,
                        struct vec3 guess, struct quadric *q)
 {
-    struct quadric cubic;
-
     if (quadric_settle(near->point, k, origin, guess, q) < 0)
         return HUGE_VAL;
-    double spread = quadric_spread(q, near->point, k, QUADRIC);
-    if (cubic_fit(near->point, NULL, k, origin, quadric_normal(q), &cubic) == 0) {
-        double less = quadric_spread(&cubic, near->point, k, CUBIC);
-        if (less < spread) {
-            *q = cubic;
-            spread = less;
-        }
-    }
-    return spread;
+    return fit_closer(near, k, quadric_spread(q, near->point, k, QUADRIC), q);
 }
 
 /* No point of the scan is over or under a half plane beyond p seen from above, so far: the scan

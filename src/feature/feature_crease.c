@@ -172,8 +172,8 @@ static bool fit_and_divide(struct division *p, struct vec3 a)
     bool moves = true;
 
     for (int s = 0; s < 2; s++)
-        p->sheet[s].q = side_fit_frame(p->origin, p->w);
-    side_fit_local(&p->sheet[0].q, p->point, p->n, p->local);
+        p->sheet[s].q = quadric_frame(p->origin, p->w);
+    quadric_local_all(&p->sheet[0].q, p->point, p->n, p->local);
     for (size_t i = 0; i < p->n; i++)
         side_sums_add(&sum[p->side[i]], 1, p->local[i]);
     for (int i = 0; i < TURNS && moves; i++) {

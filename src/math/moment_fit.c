@@ -59,14 +59,6 @@ static bool gather(const struct point_grid *b, struct vec3 place, double radius,
     return ball->n >= MOMENT_FIT_LEAST;
 }
 
-static void take_frame(struct quadric *q, struct vec3 place, struct vec3 w)
-{
-    q->origin = place;
-    q->w = w;
-    q->u = vec_perpendicular(w);
-    q->v = vec_cross(w, q->u);
-}
-
 /* Of u and v in units of the radius, and w in mm. */
 static struct sums add_up(const struct quadric *frame, double radius, const struct ball *ball)
 {
@@ -196,13 +188,12 @@ static int fit_in_frame(struct vec3 place, struct vec3 w, double radius, const s
 {
     double a[CUBIC][CUBIC], inverse[CUBIC], y[CUBIC];
 
-    take_frame(&fit->cubic, place, w);
+    fit->cubic = fit->quadric = quadric_frame(place, w);
     struct sums s = add_up(&fit->cubic, radius, ball);
     if (factor(&s, a, inverse) < 0)
         return -1;
     solve_forward(a, inverse, s.w, y);
     solve_back(a, inverse, y, CUBIC, radius, fit->cubic.c);
-    take_frame(&fit->quadric, place, w);
     solve_back(a, inverse, y, QUADRIC, radius, fit->quadric.c);
     find_variances(a, inverse, radius, fit);
     fit->quadric_spread = spread_of(&s, y, QUADRIC);

@@ -149,14 +149,19 @@ int quadric_fit(const struct vec3 *point, size_t n, struct vec3 origin, struct v
     return quadric_fit_weighted(point, NULL, n, origin, guess, quadric);
 }
 
-/* Without a surface yet. */
-static void take_frame(struct quadric *q, struct vec3 origin, struct vec3 w)
+struct quadric quadric_frame(struct vec3 origin, struct vec3 w)
 {
-    q->origin = origin;
-    q->w = w;
-    q->u = vec_perpendicular(w);
-    q->v = vec_cross(w, q->u);
-    q->c[6] = q->c[7] = q->c[8] = q->c[9] = 0;
+    struct quadric q = {.origin = origin, .w = w, .u = vec_perpendicular(w)};
+
+    q.v = vec_cross(w, q.u);
+    return q;
+}
+
+void quadric_local_all(const struct quadric *q, const struct vec3 *point, size_t n,
+                       struct vec3 *local)
+{
+    for (size_t i = 0; i < n; i++)
+        local[i] = quadric_local(q, point[i]);
 }
 
 static int fit_local(const struct vec3 *local, const double *weight, size_t n, struct quadric *q)
@@ -186,7 +191,7 @@ static int fit_local(const struct vec3 *local, const double *weight, size_t n, s
 int quadric_fit_local(const struct vec3 *local, size_t n, struct vec3 origin, struct vec3 guess,
                       struct quadric *quadric)
 {
-    take_frame(quadric, origin, guess);
+    *quadric = quadric_frame(origin, guess);
     return fit_local(local, NULL, n, quadric);
 }
 
@@ -195,9 +200,8 @@ int quadric_fit_weighted(const struct vec3 *point, const double *weight, size_t 
 {
     struct vec3 few[SOME], *local = n > SOME ? mem_alloc(n, sizeof *local) : few;
 
-    take_frame(quadric, origin, guess);
-    for (size_t i = 0; i < n; i++)
-        local[i] = quadric_local(quadric, point[i]);
+    *quadric = quadric_frame(origin, guess);
+    quadric_local_all(quadric, point, n, local);
     int status = fit_local(local, weight, n, quadric);
     if (local != few)
         free(local);
@@ -331,24 +335,25 @@ double quadric_off(const struct quadric *q, struct vec3 point)
     return off_local(q, quadric_local(q, point));
 }
 
-double quadric_rms_local(const struct quadric *q, const struct vec3 *local, size_t n)
+/* Of points in the frame or, where they are not, brought into it one by one. */
+static inline double rms_of(const struct quadric *q, const struct vec3 *point, size_t n, bool local)
 {
     double sum2 = 0;
     for (size_t i = 0; i < n; i++) {
-        double off = off_local(q, local[i]);
+        double off = off_local(q, local ? point[i] : quadric_local(q, point[i]));
         sum2 += off * off;
     }
     return sqrt(sum2 / (double)n);
 }
 
+double quadric_rms_local(const struct quadric *q, const struct vec3 *local, size_t n)
+{
+    return rms_of(q, local, n, true);
+}
+
 double quadric_rms(const struct quadric *q, const struct vec3 *point, size_t n)
 {
-    double sum2 = 0;
-    for (size_t i = 0; i < n; i++) {
-        double off = quadric_off(q, point[i]);
-        sum2 += off * off;
-    }
-    return sqrt(sum2 / (double)n);
+    return rms_of(q, point, n, false);
 }
 
 struct vec3 quadric_at(const struct quadric *q, double u, double v)

@@ -152,7 +152,7 @@ bool ridge_direction_find(const struct vec3 *point, size_t n, struct vec3 at, st
                           struct vec3 way, size_t some, struct ridge_direction *rib)
 {
     struct finding f; /* large: only what is needed is set */
-    struct vec3 u = vec_perpendicular(up), v = vec_cross(up, u);
+    struct quadric frame = quadric_frame(at, up);
     int best = 0;
 
     f.some = some;
@@ -161,9 +161,7 @@ bool ridge_direction_find(const struct vec3 *point, size_t n, struct vec3 at, st
     f.way = way;
     f.side = vec_cross(up, way);
     about_begin(&f.about, point, n, at);
-    for (size_t i = 0; i < n; i++)
-        f.about.local[i] = vec(vec_dot(f.about.off[i], u), vec_dot(f.about.off[i], v),
-                               vec_dot(f.about.off[i], up));
+    quadric_local_all(&frame, point, n, f.about.local);
     rib->rms = INFINITY;
     for (int i = -TRIES; i <= TRIES; i += 2) {
         struct ridge_direction next = look_along(&f, i);

@@ -19,20 +19,6 @@ static double left_over(const struct quadric *q, const struct vec3 *point, size_
     return n > fixed ? quadric_rms(q, point, n) * sqrt((double)n / (double)(n - fixed)) : 0;
 }
 
-struct quadric side_fit_frame(struct vec3 origin, struct vec3 w)
-{
-    struct quadric q = {.origin = origin, .w = w, .u = vec_perpendicular(w)};
-
-    q.v = vec_cross(w, q.u);
-    return q;
-}
-
-void side_fit_local(const struct quadric *q, const struct vec3 *point, size_t n, struct vec3 *local)
-{
-    for (size_t i = 0; i < n; i++)
-        local[i] = quadric_local(q, point[i]);
-}
-
 int side_fit_plane_of(const struct side_sums *sum, struct side_fit *fit)
 {
     double count = sum->n, *c = fit->q.c;
@@ -57,11 +43,11 @@ int side_fit_plane_of(const struct side_sums *sum, struct side_fit *fit)
 int side_fit_plane(const struct vec3 *point, size_t n, struct vec3 origin, struct vec3 w,
                    struct side_fit *fit)
 {
-    struct side_fit plane = {.q = side_fit_frame(origin, w)};
+    struct side_fit plane = {.q = quadric_frame(origin, w)};
     struct vec3 local[SOME], *all = n > SOME ? mem_alloc(n, sizeof *all) : local;
 
     struct side_sums sum = {.n = 0};
-    side_fit_local(&plane.q, point, n, all);
+    quadric_local_all(&plane.q, point, n, all);
     for (size_t i = 0; i < n; i++)
         side_sums_add(&sum, 1, all[i]);
     int status = side_fit_plane_of(&sum, &plane);
@@ -77,7 +63,7 @@ int side_fit_plane(const struct vec3 *point, size_t n, struct vec3 origin, struc
 struct side_fit side_fit_through(struct vec3 place, struct vec3 normal, struct vec3 origin,
                                  struct vec3 w)
 {
-    struct side_fit f = {.q = side_fit_frame(origin, w)};
+    struct side_fit f = {.q = quadric_frame(origin, w)};
     double upright = vec_dot(normal, w);
 
     f.q.c[1] = -vec_dot(normal, f.q.u) / upright;
