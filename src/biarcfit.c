@@ -146,11 +146,11 @@ int main(int argc, char **argv)
 {
     static struct settings s;
     static const struct cli_option option[] = {
-        {'e', "tolerance", "MM", "largest distance of tip and ball centre from the path (0.01)",
+        {'e', "tolerance", "MM", "largest distance of tip and ball from the path (0.01)",
          CLI_NUMBER, &s.common.tolerance, 1e-4, 100, 0, &s.common.tolerance_given},
         {'g', "guard", "FILE",
-         "keep the tool clear of this scan, within the tolerance, also along the\n"
-         "fitted arcs and lines (default: the one that the path names)",
+         "keep the tool clear of this scan along the arcs too\n"
+         "(default: the one that the path names)",
          CLI_LIST, &s.common.gouge.scan.files, 0, 0, 0, NULL},
         FITTER_OPTIONS(&s.common),
         {0, "axis-tolerance", "DEG", "largest deviation of the tool axis (1)", CLI_NUMBER,

@@ -179,14 +179,14 @@ static void check_interpolate(void)
 int main(int argc, char **argv)
 {
     static const struct cli_option option[] = {
-        {'e', "tolerance", "MM", "largest distance of tip and ball centre from the path (0.01)",
+        {'e', "tolerance", "MM", "largest distance of tip and ball from the path (0.01)",
          CLI_NUMBER, &s.common.tolerance, 1e-5, 10, 0, &s.common.tolerance_given},
         {'g', "guard", "FILE",
-         "keep the tool clear of this scan, within the tolerance, also along the\n"
-         "curves (default: the one that the path names)",
+         "keep the tool clear of this scan along the curves too\n"
+         "(default: the one that the path names)",
          CLI_LIST, &s.common.gouge.scan.files, 0, 0, 0, NULL},
         FITTER_OPTIONS(&s.common),
-        {0, "axis-tolerance", "DEG", "largest deviation of the tool axis, degrees (1)", CLI_NUMBER,
+        {0, "axis-tolerance", "DEG", "largest deviation of the tool axis (1)", CLI_NUMBER,
          &s.common.angle, 0.001, 45, 0, NULL},
         {0, "degree", "P", "degree of the curves, 2 to 5 (3); a straight line has 1", CLI_COUNT,
          &s.degree, 2, 5, 0, &s.degree_given},

@@ -52,11 +52,11 @@ static struct settings read_options(struct cli *cli, int argc, char **argv)
     int normals = 0, nodes = 0, method = 0;
     const struct cli_option option[] = {
         {'t', "spacing", "MM",
-         "spacing of the triangular grid (default: three times the mean\nspacing of the points)",
-         CLI_NUMBER, &s.meshing.spacing, CLI_POSITIVE, 0, 0, NULL},
+         "spacing of the triangular grid (default: three times\nthat of the points)", CLI_NUMBER,
+         &s.meshing.spacing, CLI_POSITIVE, 0, 0, NULL},
         {'e', "tolerance", "MM",
-         "rows, and points on them, as far apart as possible with every point of\n"
-         "the cloud within this of the mesh (with -t: no farther than that)",
+         "a mesh as coarse as keeps every point within this\n"
+         "(with -t: no coarser than that)",
          CLI_NUMBER, &s.meshing.error, CLI_POSITIVE, 0, 0, NULL},
         {0, "method", "chui|delaunay|lin",
          "nodes on an oblique grid that move to points (Chui, Chiu and Yu), a\n"
@@ -66,8 +66,8 @@ static struct settings read_options(struct cli *cli, int argc, char **argv)
         {0, "keep", "N", "vertices of --method delaunay, those farthest off first (default: all)",
          CLI_COUNT, &s.meshing.keep, 3, 1e9, 0, NULL},
         UNIT_OPTION("units of the points (default: mm)", &s.unit, &s.unit_given),
-        {'a', "direction", "DEG", "direction of the rows, from x towards y (default: 0)",
-         CLI_NUMBER, &s.meshing.direction, 0, 0, 0, NULL},
+        {'a', "direction", "DEG", "direction of the rows, from x towards y (default 0)", CLI_NUMBER,
+         &s.meshing.direction, 0, 0, 0, NULL},
         MATRIX_OPTION(&s.matrix),
         ORIGIN_OPTION(&s.origin),
         {0, "max-gap", "MM",
@@ -90,8 +90,8 @@ static struct settings read_options(struct cli *cli, int argc, char **argv)
         OUTLIERS_OPTION("(default: drop; with --paper or --normals facet: not detected)",
                         &s.outliers, &s.clean),
         {0, "clean", "FILE",
-         "write the points that are believed, as they were read; outliers go to\n"
-         "FILE.outliers",
+         "write the points that are believed, as they were read;\n"
+         "outliers go to FILE.outliers",
          CLI_TEXT, &s.clean_file, 0, 0, 0, NULL},
         {0, "noise", "MM",
          "standard deviation of the points (default: measured; 0: vertices\n"
@@ -102,8 +102,8 @@ static struct settings read_options(struct cli *cli, int argc, char **argv)
          &s.meshing.smooth, 0, 0, 0, NULL},
         {0, "extend", "MM", "extend the surface by this beyond the outer border", CLI_NUMBER,
          &s.extend, CLI_POSITIVE, 0, 0, NULL},
-        {0, "subdivide", NULL, "divide the cloud by orientation, each part with its own projection",
-         CLI_FLAG, &s.meshing.subdivide, 0, 0, 0, NULL},
+        {0, "subdivide", NULL, "divide the cloud by orientation, for steep sides", CLI_FLAG,
+         &s.meshing.subdivide, 0, 0, 0, NULL},
         {0, "stream", NULL,
          "read the file again instead of keeping its points: memory goes with\n"
          "the nodes of the grid (normals: facet; files of 8 MB and more are read\n"

@@ -52,8 +52,8 @@ static struct settings read_options(struct cli *cli, int argc, char **argv)
          &s.bspline, 0, 0, 0, NULL},
         {0, "ferguson", NULL, "Ferguson patches, without twist, on a net", CLI_FLAG, &s.ferguson, 0,
          0, 0, NULL},
-        {0, "bezier", NULL, "Bezier patches between two families of curves on a net", CLI_FLAG,
-         &s.bezier, 0, 0, 0, NULL},
+        {0, "bezier", NULL, "Bezier patches between two families of curves", CLI_FLAG, &s.bezier, 0,
+         0, 0, NULL},
         {'e', "tolerance", "MM",
          "largest distance of a point from the surface (default: 0.01, or five\n"
          "standard deviations of the noise if that is more)",
@@ -82,7 +82,7 @@ static struct settings read_options(struct cli *cli, int argc, char **argv)
          &s.noise, 0, 1e6, 0, &s.noise_given},
         {0, "untrimmed", NULL, "the whole rectangle, also where there are no points", CLI_FLAG,
          &s.fit.untrimmed, 0, 0, 0, NULL},
-        {0, "iges", NULL, "write IGES (default: text, unless -o ends in .igs or .iges)", CLI_FLAG,
+        {0, "iges", NULL, "write IGES (default: only if -o ends in .igs or .iges)", CLI_FLAG,
          &s.iges, 0, 0, 0, NULL},
         {0}};
     cli->option = option;

@@ -7,27 +7,29 @@ export PATH
 
 usage() {
 	cat <<'END'
-usage: cloudmill SCAN -r MM -c CONTROL -o PROGRAM [options] [-- options of meshnorm or planecut]
+usage: cloudmill SCAN -r MM -c CONTROL -o PROGRAM [options] [-- OPTIONS]
        cloudmill doctor SCAN [-u UNIT]
-Makes a 5-axis program from a scan or a CAD model (IGES, STEP, NURBS text), checks it and draws it.
-doctor: prints what is in a scan, and which options suit it.
+Makes a 5-axis program from a scan or a CAD model (IGES, STEP, NURBS text), then
+checks and draws it.  OPTIONS are those of meshnorm (of planecut for a model).
+doctor: says what is in a scan, and which options suit it.
 
   -r MM          radius of the ball
   -c CONTROL     control to write for, as of ncpost
   -m MACHINE     machine, as of ncpost
-  -o PROGRAM     write to PROGRAM; beside it its picture (.svg) and the verdict's page (.html)
+  -o PROGRAM     output; beside it a picture (.svg) and the verdict (.html)
   -t MM          spacing of the mesh (default: as the surface needs)
   -s MM          height of the scallops between rows (default: 0.02)
   -e MM          tolerance of each stage (default: 0.01)
   -f arcs|splines|points
                  fit arcs (default), B-splines, or leave the points
-  -u UNIT        unit of the scan (default: mm)
+  -u UNIT        unit of the scan: mm (default), cm, m, um, inch
   -k FOLDER      keep the streams between the stages there
   -n             print the commands and run nothing
   -h, -V         help, version
 
-Exit status: 0 done and accepted, 1 input or output failed, 2 wrong usage, 3 written, but something
-asked for is not kept, or ncverify refuses it.  Manual: man cloudmill
+Exit status: 0 done and accepted, 1 input or output failed, 2 wrong usage,
+3 written, but something is not kept, or ncverify refuses it.
+Manual: man cloudmill
 END
 }
 

@@ -41,12 +41,12 @@ static void read_options(struct cli *cli, int argc, char **argv)
          "default), or the rows of the mesh",
          CLI_CHOICE, &row_kind, 0, 0, 0, &rows_given},
         {0, "scallop", "MM",
-         "height of the scallops between rows (default: 0.02, or a twentieth of\n"
-         "the radius if that is less)",
+         "height of the scallops between rows (default: 0.02, or\n"
+         "a twentieth of the radius if that is less)",
          CLI_NUMBER, &scallop, CLI_POSITIVE, 0, 0, NULL},
         {'a', "direction", "auto|DEG",
-         "direction of the planes: the one with the shortest cut, or about z\n"
-         "from x towards y (default: that of the mesh's rows)",
+         "direction of the rows: auto, the shortest cut, or from\n"
+         "x towards y (default: that of the mesh's rows)",
          CLI_TEXT, &direction, 0, 0, 0, NULL},
         {0}};
 
@@ -279,7 +279,7 @@ static void check_options(struct tool_axis_options *axis)
 int main(int argc, char **argv)
 {
     struct cli cli = {.tool = "meshnorm",
-                      .usual = "radius scallop direction guard tolerance avoid tilt holder",
+                      .usual = "radius scallop guard tolerance avoid tilt holder",
                       .usage = "-r R [options] [FILE]",
                       .about = "Makes a tool path from the rows of a mesh: mesh stream in, path "
                                "stream out.",

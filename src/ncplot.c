@@ -22,18 +22,17 @@ static struct settings read_settings(struct cli *cli, int argc, char **argv)
     static struct settings s = {.width = 1000};
     static const struct cli_option options[] = {
         {0, "view", "both|plan|iso|front|side|all",
-         "the views: plan and isometric (default), one, or all four", CLI_CHOICE, &s.view, 0, 0, 0,
-         NULL},
+         "plan and isometric (both, the default), one, or all", CLI_CHOICE, &s.view, 0, 0, 0, NULL},
         {0, "colour", "auto|pass|kind",
          "the colours of a path say its passes, or what is a line, an arc, a\n"
          "B-spline (default: passes where all is lines)",
          CLI_CHOICE, &s.colour, 0, 0, 0, NULL},
         {0, "compare", NULL,
-         "a colour for each stream, one over the other, and how far each\n"
-         "is from the first: printed, in the title, and a ring at the largest",
+         "draw the streams over each other and say how far each\n"
+         "is from the first, with a ring at the largest",
          CLI_FLAG, &s.compare, 0, 0, 0, NULL},
-        {0, "speed", NULL, "colour a program by the speed that the machine reaches, by its feed",
-         CLI_FLAG, &s.speed, 0, 0, 0, NULL},
+        {0, "speed", NULL, "colour a program by the speed that the machine reaches", CLI_FLAG,
+         &s.speed, 0, 0, 0, NULL},
         {0, "points", NULL, NULL, CLI_ALIAS, "joints", 0, 0, 0, NULL},
         {0, "ends", NULL, NULL, CLI_ALIAS, "joints", 0, 0, 0, NULL},
         {0, "joints", NULL, "mark where the motions of a path end", CLI_FLAG, &s.points, 0, 0, 0,
@@ -49,9 +48,8 @@ static struct settings read_settings(struct cli *cli, int argc, char **argv)
          NULL},
         {0, "width", "PX", "largest width of the picture (1000)", CLI_COUNT, &s.width, 300, 10000,
          0, NULL},
-        {'m', "machine", "MACHINE",
-         "machine of a program (default: what its head names, or table-ac)", CLI_TEXT, &s.machine,
-         0, 0, 0, NULL},
+        {'m', "machine", "MACHINE", "machine of a program (default: as its head says)", CLI_TEXT,
+         &s.machine, 0, 0, 0, NULL},
         UNIT_OPTION("units of clouds (default: mm)", &s.unit, NULL),
         {0},
     };

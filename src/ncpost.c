@@ -55,13 +55,13 @@ static void read_part(struct settings *s)
 static void read_options(struct settings *s, struct cli *cli, int argc, char **argv)
 {
     const struct cli_option option[] = {
-        machine_option_control(
-            &s->machine, "control to write for: fanuc, siemens, heidenhain, linuxcnc, one of\n"
-                         "the installed control files, or a file (default: the machine's own)"),
+        machine_option_control(&s->machine,
+                               "fanuc, siemens, heidenhain, linuxcnc, another that is\n"
+                               "installed, or a file (default: the machine's own)"),
         machine_option_name(&s->machine),
         machine_option_set(&s->machine),
         {'e', "tolerance", "MM",
-         "largest sum that all stages may spend; beyond it the exit\nstatus is 3", CLI_NUMBER,
+         "largest sum that all stages may spend; beyond it the\nexit status is 3", CLI_NUMBER,
          &s->tolerance, CLI_POSITIVE, 0, 0, NULL},
         {0, "chord", "MM",
          "largest deviation of blocks from the path, before rounding\n(default 0.002)", CLI_NUMBER,
@@ -98,8 +98,8 @@ static void read_options(struct settings *s, struct cli *cli, int argc, char **a
         {0, "program", "NAME", "number (Fanuc) or name of the program", CLI_TEXT, &s->post.name, 0,
          0, 0, NULL},
         {'u', "units", "inch|mm",
-         "unit of the lengths in the path where it does not say it (default:\n"
-         "mm; inch where it has feeds in IPM or IPR)",
+         "unit of a path that does not say it (default: mm; inch\n"
+         "where it has feeds in IPM or IPR)",
          CLI_CHOICE, &s->unit, 0, 0, 0, &s->unit_given},
         {0, "insert", "pass|comment|refuse",
          "what INSERT of the path becomes: a block as it stands (default), a\n"
@@ -110,8 +110,8 @@ static void read_options(struct settings *s, struct cli *cli, int argc, char **a
          "otherwise the exit status is 3",
          CLI_FLAG, &s->post.no_spindle, 0, 0, 0, NULL},
         {0, "accept", NULL,
-         "end with 0 though an earlier stage could not keep what was asked\n"
-         "of it; otherwise the exit status is 3",
+         "exit status 0 though an earlier stage could not keep\n"
+         "what was asked of it (otherwise 3)",
          CLI_FLAG, &s->accept, 0, 0, 0, NULL},
         {0, "strict", NULL, "refuse unknown post-processor words", CLI_FLAG, &s->strict, 0, 0, 0,
          NULL},
@@ -229,7 +229,7 @@ int main(int argc, char **argv)
 {
     struct settings s = settings_default();
     struct cli cli = {.tool = "ncpost",
-                      .usual = "control machine set tolerance feed units program accept inch",
+                      .usual = "control machine tolerance feed units program accept inch",
                       .usage = "-c CONTROL [-m MACHINE] [options] [FILE]",
                       .about = "Writes an NC program from a path, for a control and a machine."};
     read_options(&s, &cli, argc, argv);

@@ -90,21 +90,21 @@ static void read_options(struct settings *s, struct cli *cli, int argc, char **a
 {
     const struct cli_option option[] = {
         {'g', "guard", "FILE",
-         "what the program is checked against: points, a mesh (.ply, .stl, .off)\n"
-         "or surfaces (.igs, .stp, .nurbs); may be given several times",
+         "check against this: points, a mesh (.ply, .stl, .off),\n"
+         "surfaces (.igs, .stp, .nurbs), or several such files",
          CLI_LIST, &s->part, 0, 0, 0, NULL},
         {'p', "path", "FILE",
          "the path that the program was made from: tip, tool axis and feed are\n"
          "compared with it",
          CLI_TEXT, &s->path, 0, 0, 0, NULL},
-        {'r', "radius", "MM", "radius of the ball (default: what the program's head says)",
-         CLI_NUMBER, &s->radius, CLI_POSITIVE, 1e4, 0, &s->radius_given},
-        machine_option_control(
-            &s->machine, "control of the program, as with ncpost (default: the machine's own, or\n"
-                         "recognized by its first lines)"),
+        {'r', "radius", "MM", "radius of the ball (default: as the head says)", CLI_NUMBER,
+         &s->radius, CLI_POSITIVE, 1e4, 0, &s->radius_given},
+        machine_option_control(&s->machine,
+                               "control of the program (default: the machine's own, or\n"
+                               "recognized by its first lines)"),
         machine_option_name(&s->machine),
         machine_option_set(&s->machine),
-        {'e', "tolerance", "MM", "deepest gouge; beyond it the exit status is 3 (default 0.05)",
+        {'e', "tolerance", "MM", "deepest gouge; beyond it exit status 3 (default 0.05)",
          CLI_NUMBER, &s->tolerance, CLI_POSITIVE, 100, 0, &s->tolerance_given},
         {0, "scallop", "MM",
          "height of the scallops between passes: material left beyond it and the\n"
@@ -152,8 +152,8 @@ static void read_options(struct settings *s, struct cli *cli, int argc, char **a
         {0, "map", "FILE", "write the points with their deviations as a PLY", CLI_TEXT, &s->map, 0,
          0, 0, NULL},
         {0, "report", "FILE",
-         "write a page for a browser: the part in three dimensions, passes,\n"
-         "blocks, a histogram, the figures",
+         "write a page for a browser: the part in three\n"
+         "dimensions, passes, blocks, figures",
          CLI_TEXT, &s->page, 0, 0, 0, NULL},
         {0},
     };

@@ -31,19 +31,19 @@ static const char *direction; /* as text: auto or degrees */
 static const struct cli_option options[] = {
     {'r', "radius", "MM", "radius of the ball (required)",
      CLI_NUMBER, &path_options.radius, 0.001, 1000, 0, NULL},
-    {'s', "step", "MM", "distance of the planes; reduced slightly so that all are equal",
+    {'s', "step", "MM", "distance of the planes, or slightly less",
      CLI_NUMBER, &step, CLI_POSITIVE, 0, 0, &step_given},
-    {0, "scallop", "MM", "planes so close that no scallop between passes is higher than MM\n"
-     "(0.01 without -s)", CLI_NUMBER, &scallop, CLI_POSITIVE, 0, 0, &scallop_given},
+    {0, "scallop", "MM", "planes so close that no scallop is higher than MM (0.01\n"
+     "without -s)", CLI_NUMBER, &scallop, CLI_POSITIVE, 0, 0, &scallop_given},
     {'a', "direction", "auto|DEG",
-     "direction of vertical planes: the one with the shortest cut, or\n"
-     "about z from x towards y (0)",
+     "direction of the planes: auto, the shortest cut, or from\n"
+     "x towards y (0)",
      CLI_TEXT, &direction, 0, 0, 0, NULL},
     {0, "angle", "DEG", NULL, CLI_ALIAS, "direction", 0, 0, 0, NULL},
     {0, "plane", "I,J,K", NULL, CLI_ALIAS, "normal", 0, 0, 0, NULL},
     {0, "normal", "I,J,K", "the planes' normal, instead of -a: 0,0,1 cuts at constant height",
      CLI_NUMBERS, plane, 0, 0, 3, &plane_given},
-    {0, "up", "I,J,K", "the side that the tool comes from: what faces away is left out (0,0,1)",
+    {0, "up", "I,J,K", "the side that the tool comes from (0,0,1)",
      CLI_NUMBERS, up, 0, 0, 3, NULL},
     {0, "faces", "N,N-M,...", "cut these surfaces, by their numbers in the file of the model",
      CLI_TEXT, &faces, 0, 0, 0, NULL},
@@ -191,8 +191,8 @@ int main(int argc, char **argv)
     struct cli cli = {.tool = "planecut",
                       .usual = "radius step direction scallop up avoid tilt holder",
                       .usage = "-r R [-s MM | --scallop H] [-a DEG] [options] [FILE]",
-                      .about = "Makes a tool path from parallel planes through a mesh: mesh (PLY, "
-                               "STL, OFF) in, path\nstream out.",
+                      .about =
+                          "Makes a tool path from parallel planes through a mesh (PLY, STL, OFF).",
                       .option = options,
                       .more = path_option_table};
     struct mesh mesh = {0}, part = {0};

@@ -48,7 +48,7 @@ struct cli_option {
     int letter;       /* 0: no short form */
     const char *name; /* long form without the dashes */
     const char *arg;  /* name of the value in the help, NULL for a flag */
-    const char *help; /* one line, or more with '\n' between */
+    const char *help; /* words, wrapped when printed */
     enum cli_kind kind;
     void *value;     /* where it goes; its contents are the default */
     double min, max; /* both 0: no bounds */

@@ -21,8 +21,8 @@ enum outliers { OUTLIERS_DROP, OUTLIERS_KEEP };
     }
 #define MATRIX_OPTION(value)                                                                   \
     {                                                                                          \
-        0, "matrix", "FILE", "transform the points by the 4 x 4 matrix in FILE (in mm) first", \
-            CLI_TEXT, value, 0, 0, 0, NULL                                                     \
+        0, "matrix", "FILE", "place the points by the 4 x 4 matrix in FILE (in mm)", CLI_TEXT, \
+            value, 0, 0, 0, NULL                                                               \
     }
 #define ORIGIN_OPTION(value)                                                                     \
     {                                                                                            \

@@ -159,13 +159,13 @@ struct table {
 static struct table merge_tables(struct cli *cli)
 {
     const struct cli_option common[] = {
-        {'o', "output", "FILE", "write to FILE, whole or not at all, instead of standard output",
-         CLI_TEXT, &cli->output, 0, 0, 0, NULL},
+        {'o', "output", "FILE", "write to FILE instead of standard output", CLI_TEXT, &cli->output,
+         0, 0, 0, NULL},
         {'j', "threads", "N", "use N threads (default: one a processor); the result is the same",
          CLI_COUNT, &cli->threads, 1, 1024, 0, NULL},
         {'q', "quiet", NULL, "say nothing but errors", CLI_FLAG, &quiet, 0, 0, 0, NULL},
-        {'v', "verbose", NULL, "print a summary of input, output and tolerance kept", CLI_FLAG,
-         &verbose, 0, 0, 0, NULL},
+        {'v', "verbose", NULL, "sum up input, output and tolerance kept", CLI_FLAG, &verbose, 0, 0,
+         0, NULL},
         {'h', "help", NULL, "print this and exit; --help all: every option", CLI_FLAG, &help, 0, 0,
          0, NULL},
         {'V', "version", NULL, "print the version and exit", CLI_FLAG, &version, 0, 0, 0, NULL},
@@ -180,18 +180,23 @@ static struct table merge_tables(struct cli *cli)
     return t;
 }
 
-/* `text` up to a newline, then its further lines under the same column. */
-static void print_help_text(const char *text, int column)
+enum { HELP_COLUMN = 25, HELP_WIDTH = 80 }; /* a terminal of the usual width */
+
+/* The words of `text` in lines from HELP_COLUMN on; the cursor stands there. */
+static void print_help_text(const char *text)
 {
-    for (;;) {
-        const char *end = strchr(text, '\n');
-        if (!end) {
-            printf("%s\n", text);
-            return;
+    int column = HELP_COLUMN;
+    for (const char *p = text; *p;) {
+        int n = (int)strcspn(p, " \n");
+        if (column > HELP_COLUMN && column + 1 + n > HELP_WIDTH) {
+            printf("\n%*s", HELP_COLUMN, "");
+            column = HELP_COLUMN;
         }
-        printf("%.*s\n%*s", (int)(end - text), text, column, "");
-        text = end + 1;
+        column += printf(column > HELP_COLUMN ? " %.*s" : "%.*s", n, p);
+        p += n;
+        p += strspn(p, " \n");
     }
+    printf("\n");
 }
 
 /* Is it among the words of the list? */
@@ -213,7 +218,6 @@ static bool is_usual(const struct cli *cli, const struct cli_option *o)
 
 static void print_help(const struct cli *cli, const struct table *t, bool all)
 {
-    enum { COLUMN = 30 };
     size_t hidden = 0;
     printf("usage: %s %s\n%s\n\n", cli->tool, cli->usage, cli->about);
     for (size_t i = 0; i < t->n; i++) {
@@ -228,16 +232,18 @@ static void print_help(const struct cli *cli, const struct table *t, bool all)
             o->letter ? printf("  -%c, --%s", o->letter, o->name) : printf("      --%s", o->name);
         if (o->arg)
             n += printf(" %s", o->arg);
-        if (n >= COLUMN - 1)
+        if (n >= HELP_COLUMN - 1)
             n = printf("\n") - 1;
-        printf("%*s", COLUMN - n, "");
-        print_help_text(o->help, COLUMN);
+        printf("%*s", HELP_COLUMN - n, "");
+        print_help_text(o->help);
     }
+    printf("\n");
     if (hidden > 0)
-        printf("\n%zu further options: %s --help all", hidden, cli->tool);
-    printf("\nNo FILE, or -: standard input.  Lengths in mm, angles in degrees.\n"
+        printf("%zu further options: %s --help all.  ", hidden, cli->tool);
+    printf("Manual: man %s\n"
+           "No FILE, or -: standard input.  Lengths in mm, angles in degrees.\n"
            "Exit status: 0 done, 1 input or output failed, 2 wrong usage, 3 written, but\n"
-           "something asked for is not kept.  Manual: man %s\n",
+           "something asked for is not kept.\n",
            cli->tool);
 }
 

@@ -8,14 +8,12 @@
 
 struct cli_option machine_option_name(struct machine_options *options)
 {
-    return (struct cli_option){
-        .letter = 'm',
-        .name = "machine",
-        .arg = "MACHINE",
-        .help = "machine: MACHINE.txt in this folder, in $CLOUDMILL_MACHINES or among\n"
-                "the installed ones, or a file (default: table-ac)",
-        .kind = CLI_TEXT,
-        .value = &options->name};
+    return (struct cli_option){.letter = 'm',
+                               .name = "machine",
+                               .arg = "MACHINE",
+                               .help = "machine: an installed one, or a file (default: table-ac)",
+                               .kind = CLI_TEXT,
+                               .value = &options->name};
 }
 
 struct cli_option machine_option_set(struct machine_options *options)

@@ -36,8 +36,8 @@ struct path_options path_options = {.tilt = 15,
 
 /* clang-format off */
 const struct cli_option path_option_table[] = {
-    {'g', "guard", "FILE", "keep the tool clear of all points of this scan (default: the one that\n"
-     "the mesh was made from; may be given several times)", CLI_LIST,
+    {'g', "guard", "FILE", "keep the tool clear of this scan, or of several\n"
+     "(default: the one that the mesh was made from)", CLI_LIST,
      &path_options.guard.files, 0, 0, 0, NULL},
     {0, "no-guard", NULL, "by no scan, not even the one that the mesh was made from",
      CLI_FLAG, &path_options.guard.none, 0, 0, 0, NULL},
@@ -46,13 +46,13 @@ const struct cli_option path_option_table[] = {
      CLI_NUMBER, &path_options.noise, 0, 10, 0, NULL},
     EFFORT_OPTION(&path_options.effort),
     {'e', "tolerance", "MM",
-     "insert points between those of the mesh: straight lines stay within MM\n"
-     "of the smooth curve (0.01 with -g, --holder or a mesh of nurbs2mesh)",
+     "straight lines stay within MM of the smooth curve\n"
+     "(0.01 with -g, --holder or a mesh of nurbs2mesh)",
      CLI_NUMBER, &path_options.tolerance, 0.0001, 10, 0, NULL},
     {0, "paper", NULL, "as published: only the mesh points, no lifting, links not checked",
      CLI_FLAG, &path_options.paper, 0, 0, 0, NULL},
-    {0, "avoid", NULL, "accept material left where the ball does not fit (otherwise the exit\n"
-     "status is 3)", CLI_FLAG, &path_options.avoid, 0, 0, 0, NULL},
+    {0, "avoid", NULL, "accept material left where the ball does not fit\n"
+     "(otherwise exit status 3)", CLI_FLAG, &path_options.avoid, 0, 0, 0, NULL},
     {0, "limit", "MM", "lift no centre by more than MM; places that need more are skipped\n"
      "(default: the radius)", CLI_NUMBER, &path_options.limit, CLI_POSITIVE, 0, 0, NULL},
     {0, "smooth", "MM", "lift centres by up to MM more where they run smoothly then (default:\n"
@@ -60,7 +60,7 @@ const struct cli_option path_option_table[] = {
     {0, "left-share", "PERCENT",
      "share of the scan's points that may stay uncut within reach of the\n"
      "tool (0.5); more gives exit status 3", CLI_NUMBER, &path_options.left_share, 0, 100, 0, NULL},
-    {0, "tilt", "DEG", "tilt the axis sideways from the normal, positive to the next pass (15)",
+    {0, "tilt", "DEG", "tilt the axis sideways from the normal (15)",
      CLI_NUMBER, &path_options.tilt, -80, 80, 0, &path_options.lean_given},
     {0, "lead", "DEG", "tilt it in the direction of the feed (0)",
      CLI_NUMBER, &path_options.lead, -80, 80, 0, &path_options.lean_given},

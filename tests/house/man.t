@@ -115,15 +115,18 @@ options_of_page() { # PAGE
 # The numbers that --help gives as defaults: option and number, as `--tilt 15`.
 defaults_of_help() { # TOOL
 	"$1" --help all | awk '
-	/^  (-|    --)/ { match($0, /--[a-z0-9-]+/); name = substr($0, RSTART, RLENGTH) }
-	/^$/ { name = "" }
-	name { line = $0
-		while (match(line, /\((default:? [0-9.]+|[0-9.]+\))/)) {
-			value = substr(line, RSTART, RLENGTH)
+	function flush() {
+		while (match(text, /\((default:? [0-9.]+|[0-9.]+\))/)) {
+			value = substr(text, RSTART, RLENGTH)
 			gsub(/[^0-9.]/, "", value)
 			print name, value
-			line = substr(line, RSTART + RLENGTH)
-		} }'
+			text = substr(text, RSTART + RLENGTH)
+		}
+		text = ""
+	}
+	/^  (-|    --)/ { flush(); match($0, /--[a-z0-9-]+/); name = substr($0, RSTART, RLENGTH) }
+	/^$/ { flush(); name = "" }
+	name { $1 = $1; text = text " " $0 }'
 }
 
 # Those of them that the option's paragraph in the page does not say.
