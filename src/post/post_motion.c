@@ -254,7 +254,8 @@ static int no_way_on(struct nc_planner *planner, struct pose goal, const struct 
     planner->plan->unmet = true;
     return error_at(planner->error, planner->path->name, planner->state.line,
                     "pass %zu: axis %c of %s: cannot continue from %.3f at the point %.3f %.3f "
-                    "%.3f, expected one within its travel %g to %g and the tolerance",
+                    "%.3f, expected one within its travel %g to %g and the tolerance "
+                    "(meshnorm and planecut plan a path for a machine: -m)",
                     planner->state.pass, machine_letter(axis), m->name, DEGREES(from[i]), goal.p.x,
                     goal.p.y, goal.p.z, m->min[axis], m->max[axis]);
 }
