@@ -24,7 +24,8 @@ struct tool_options {
      CLI_NUMBER, &(options)->flute, 0, 10000, 0, &(options)->flute_given}, \
     {0, "holder", "SPEC", \
      "shank and holder from the ball's centre up, kept clear\n" \
-     "too: cones R0:R1:L or cylinders R:L joined by +", CLI_TEXT, &(options)->holder, 0, 0, 0, NULL}, \
+     "too: cones R0:R1:L or cylinders R:L joined by +", \
+     CLI_TEXT, &(options)->holder, 0, 0, 0, NULL}, \
     {0, "tool-file", "NAME", "cutter or holder: NAME.txt in this folder, in $CLOUDMILL_TOOLS or\n" \
      "among the installed ones, or a file; may be given for each of them", \
      CLI_LIST, &(options)->files, 0, 0, 0, NULL}, \
