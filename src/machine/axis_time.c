@@ -6,10 +6,13 @@
 #include "base/array.h"
 #include "math/elementary.h"
 
-/* What each axis does for each length of the way before a place, and how much that changes there. */
+/* What each axis does for each length of the way about a place, and how much that changes there. */
 struct rates {
     double slope[AXIS_TIME_AXES], bend[AXIS_TIME_AXES];
 };
+
+/* Of a bound that rounding might bring under what it bounds: beyond it, nothing does. */
+static const double SURELY = 1 + 1e-12;
 
 static double slope_of(const struct axis_time_place *to, int k)
 {
@@ -34,32 +37,39 @@ static struct rates rates_at(const struct axis_time_limits *limits,
     return r;
 }
 
-/* The fastest at a place. */
+/* The fastest at a place.  Most bounds are far off: only what may be one is worked out. */
 static double speed_at(const struct axis_time_limits *limits, const struct rates *r, double feed)
 {
     double v = feed;
 
     for (int k = 0; k < AXIS_TIME_AXES; k++) {
-        if (r->slope[k] > 0)
+        double jerk = limits->jerk[k] * limits->smoothing;
+        if (limits->speed[k] < SURELY * v * r->slope[k])
             v = fmin(v, limits->speed[k] / r->slope[k]);
-        if (r->bend[k] > 0) {
+        if (limits->acceleration[k] < SURELY * v * v * r->bend[k])
             v = fmin(v, sqrt(limits->acceleration[k] / r->bend[k]));
-            v = fmin(v, cbrt(limits->jerk[k] * limits->smoothing / r->bend[k]));
-        }
+        if (jerk < SURELY * v * v * v * r->bend[k])
+            v = fmin(v, cbrt(jerk / r->bend[k]));
     }
     return v;
 }
 
-/* The fastest a length after (or before) a place where it is v. */
-static double speed_after(const struct axis_time_limits *limits, const struct rates *r, double v,
-                          double length)
+/* The fastest a length after (or before) place i where it is v, no more than `most`: a way that is
+ * no slower there bounds nothing. */
+static double speed_after(const struct axis_time_limits *limits,
+                          const struct axis_time_place place[], size_t i, size_t n, double v,
+                          double length, double most)
 {
-    double most = HUGE_VAL;
+    double change = HUGE_VAL;
 
+    if (most <= v)
+        return most;
+    struct rates r = rates_at(limits, place, i, n);
     for (int k = 0; k < AXIS_TIME_AXES; k++)
-        if (r->slope[k] > 0)
-            most = fmin(most, fmax(0, limits->acceleration[k] - r->bend[k] * v * v) / r->slope[k]);
-    return most < HUGE_VAL ? sqrt(v * v + 2 * length * most) : HUGE_VAL;
+        if (r.slope[k] > 0)
+            change =
+                fmin(change, fmax(0, limits->acceleration[k] - r.bend[k] * v * v) / r.slope[k]);
+    return change < HUGE_VAL ? fmin(most, sqrt(v * v + 2 * length * change)) : most;
 }
 
 /* Straight to a place, from v0 to v1: up to the feed or as far as the length allows, and down. */
@@ -68,6 +78,8 @@ static double step_seconds(const struct axis_time_limits *limits, const struct a
 {
     double length = to->way - to[-1].way, top = to->feed, change = HUGE_VAL;
 
+    if (v0 == v1 && v0 > 0 && top > 0 && top <= v0 && length > 0) /* even: no axis bounds it */
+        return length / v0;
     for (int k = 0; k < AXIS_TIME_AXES; k++) {
         double slope = fabs(slope_of(to, k));
         if (slope > 0) {
@@ -88,27 +100,24 @@ static double step_seconds(const struct axis_time_limits *limits, const struct a
 double axis_time_run(const struct axis_time_limits *limits, const struct axis_time_place place[],
                      size_t n, double step[])
 {
-    struct rates *rates = mem_alloc(n + 1, sizeof *rates);
     double *v = mem_alloc(n + 1, sizeof *v), sum = 0;
 
-    for (size_t i = 0; i < n; i++) {
-        double feed = i + 1 < n ? fmin(place[i].feed, place[i + 1].feed) : place[i].feed;
-        rates[i] = rates_at(limits, place, i, n);
-        v[i] = i == 0 || i + 1 == n ? 0 : speed_at(limits, &rates[i], feed);
+    for (size_t i = 1; i + 1 < n; i++) { /* it stands at both ends */
+        struct rates rates = rates_at(limits, place, i, n);
+        v[i] = speed_at(limits, &rates, fmin(place[i].feed, place[i + 1].feed));
     }
     for (size_t i = 1; i < n; i++)
-        v[i] = fmin(v[i],
-                    speed_after(limits, &rates[i - 1], v[i - 1], place[i].way - place[i - 1].way));
+        v[i] =
+            speed_after(limits, place, i - 1, n, v[i - 1], place[i].way - place[i - 1].way, v[i]);
     for (size_t i = n; i-- > 1;)
         v[i - 1] =
-            fmin(v[i - 1], speed_after(limits, &rates[i], v[i], place[i].way - place[i - 1].way));
+            speed_after(limits, place, i, n, v[i], place[i].way - place[i - 1].way, v[i - 1]);
     for (size_t i = 1; i < n; i++) {
         double seconds = step_seconds(limits, &place[i], v[i - 1], v[i]);
         if (step)
             step[i] = seconds;
         sum += seconds;
     }
-    free(rates);
     free(v);
     return sum;
 }

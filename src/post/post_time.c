@@ -23,7 +23,7 @@ struct timing {
     const struct machine *machine;
     struct axis_time_limits limits;
     struct places places; /* of the run at feed */
-    struct sizes move;    /* of each place: the move that leads to it */
+    struct sizes move;    /* of each place, for feeds as times: the move that leads to it */
     double wished;        /* seconds of the run at its feeds */
 };
 
@@ -92,7 +92,8 @@ static void add_place(struct timing *t, const double axis[], double way, double 
     for (int k = 0; k < AXIS_TIME_AXES; k++)
         place.axis[k] = axis[k];
     *array_push(&t->places) = place;
-    *array_push(&t->move) = move;
+    if (t->plan->ability.feeds == NC_FEEDS_INVERSE)
+        *array_push(&t->move) = move;
 }
 
 /* The places of a move at feed: one at its end, and on the way to it where it bends or turns. */
@@ -148,10 +149,11 @@ static void end_run(struct timing *t)
 {
     size_t n = t->places.n;
     if (n > 1) {
-        double *step = mem_alloc(n, sizeof *step);
+        bool inverse = t->plan->ability.feeds == NC_FEEDS_INVERSE;
+        double *step = inverse ? mem_alloc(n, sizeof *step) : NULL;
         double seconds = axis_time_run(&t->limits, t->places.item, n, step);
         t->plan->total.minutes += fmax(0, seconds - t->wished) / 60;
-        if (t->plan->ability.feeds == NC_FEEDS_INVERSE)
+        if (inverse)
             set_inverse(t, step);
         free(step);
     }
@@ -173,9 +175,9 @@ void post_time(struct nc_plan *plan, const struct machine *machine)
 {
     struct timing t = {
         .plan = plan, .machine = machine, .limits = limits_of(machine, plan->ability.unit)};
-    const struct kinematic_chain *chain = &machine->chain;
+    const struct nc_move *last = NULL;
     struct block_pose at = {.a = vec(0, 0, 1)};
-    bool known = false;
+    array_reserve(&t.places, plan->move.n + 1); /* most moves have one */
     for (size_t i = 0; i < plan->move.n; i++) {
         const struct nc_move *move = &plan->move.item[i];
         if (!nc_moves(move)) {
@@ -183,16 +185,20 @@ void post_time(struct nc_plan *plan, const struct machine *machine)
                 end_run(&t);
             continue;
         }
-        struct block_pose to = nc_plan_pose(plan, chain, move);
-        if (move->kind == NC_RAPID || move->kind == NC_HOLE || !known) {
+        struct block_pose to = {.p = move->p, .q = {move->q[0], move->q[1]}};
+        if (move->kind == NC_ARC && last) { /* nothing else asks for the tool axes */
+            at = nc_plan_pose(plan, &machine->chain, last);
+            to = nc_plan_pose(plan, &machine->chain, move);
+        }
+        if (move->kind == NC_RAPID || move->kind == NC_HOLE || !last) {
             end_run(&t);
-            if (known && move->kind == NC_RAPID)
+            if (last && move->kind == NC_RAPID)
                 add_rapid(&t, &at, &to);
         } else {
             add_move(&t, i, &at, &to);
         }
         at = to;
-        known = true;
+        last = move;
     }
     end_run(&t);
     array_free(&t.places);
