@@ -193,13 +193,21 @@ portability:
 check-seeds: $(units)
 	@UNITS="$(abspath $(BUILD))/tests/unit" sh tests/house/seeds.sh
 
-# Lines of src/ changed by chance: N of them (200), in FOLDERS (all).
+# A build that counts which line is run.
+covered = $(MAKE) BUILD=$(BUILD)/coverage CC=gcc CFLAGS='-O1 -g --coverage'
+
+# Lines of src/ changed by chance: N of them (200), in FOLDERS (all), by the unit tests that run
+# them and then TOOL_TESTS, as tests/tool/ncpost-forms.t (those that make coverage was run for).
 mutate: all $(units)
+	$(covered) all units
+	sh tests/house/lines.sh $(BUILD)/coverage $(basename $(unit_src)) $(TOOL_TESTS)
 	@CC="$(CC)" BUILD="$(abspath $(BUILD))" sh tests/house/mutate.sh
 
 # Lines that the tests run, folder by folder.
 coverage:
-	$(MAKE) BUILD=$(BUILD)/coverage CC=gcc CFLAGS='-O1 -g --coverage' check
+	$(covered) all units $(patsubst $(BUILD)/%,$(BUILD)/coverage/%,$(readback) $(cloud) \
+	  $(BUILD)/tests/fuzz/replay)
+	sh tests/house/lines.sh $(BUILD)/coverage $(TESTS)
 	sh tests/house/coverage.sh $(BUILD)/coverage
 
 # The whole table of faults, kind by control; make check has a slice of it.

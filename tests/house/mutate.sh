@@ -1,38 +1,44 @@
 #!/bin/sh
-# mutate.sh - changes a line of src/ at random, N times (200, or N=...), and sees whether a test
-# notices: the unit tests of the module, those that include its header, those of its folder; then the
-# tool tests of TOOL_TESTS (none), as `tool/ncpost-forms.t`.  FOLDERS: those to take lines from (all).
-# SEED (1) chooses them.  Run by `make mutate`, which builds all of them.  A test that fails without
-# a change, or takes more than 20 s of processor time, is left out.
+# mutate.sh - changes a line of src/ at random, N lines (200, or N=...), one change each, and sees
+# whether a test that runs the line notices: the unit tests, the quickest first; then those once
+# more under the sanitizers; then the tool tests, quickest first, as many as TOOL_SECONDS (120)
+# hold.  FOLDERS: those to take lines from (all).  SEED (1) chooses them.  JOBS: how many at a time.
+# Which test runs which line is known from lines.sh; `make mutate` has it made for the unit tests
+# and for TOOL_TESTS, and builds all of them.  A test that fails without a change is left out.
 #
-# A change is one of: + for -, - for +, < for <=, <= for <, > for >=, >= for >, && for ||, || for &&,
-# a term of a sum dropped, 2 for 1.  Prints a line for each: caught, survived or no program, then
-# the line as changed; at the end how many of which.  Nothing is changed in src/: the changed module
-# is compiled beside it and linked before the library.
+#	BUILD=build sh tests/house/mutate.sh [FILE:LINE:CHANGE]...
+#
+# A change is one of: + for -, - for +, < for <=, <= for <, > for >=, >= for >, && for ||, || for
+# &&, a term of a sum dropped, 2 for 1.  Prints a line for each: caught, survived, no test (runs
+# it), redundant (in mutate.same, with the reason) or no program, the line as changed, and who
+# caught it; at the end how many of which.  Nothing is changed in src/: the changed module is
+# compiled beside it and linked before the library.
 SRC=$(cd "$(dirname "$0")/../.." && pwd)
 BUILD=${BUILD:-$SRC/build}
+BUILD=$(cd "$BUILD" && pwd) || exit 1
+MAP=$BUILD/coverage/lines
+SECONDS_OF=$BUILD/coverage/seconds
 CC=${CC:-cc}
 FLAGS='-std=c11 -D_XOPEN_SOURCE=700 -iquote include -ffp-contract=off -pthread -O1 -w'
 # a place beyond an array is seen, as make sanitize sees it
-SANITIZE=${SANITIZE--fsanitize=address,undefined -fno-sanitize-recover=all}
-export ASAN_OPTIONS=detect_leaks=0
-TMP=$(mktemp -d "${TMPDIR:-/tmp}/cloudmill.XXXXXX") || exit 1
-trap 'rm -rf "$TMP"' EXIT
-trap 'exit 130' INT TERM
+SANITIZE='-fsanitize=address,undefined -fno-sanitize-recover=all'
+LC_ALL=C
+export ASAN_OPTIONS=detect_leaks=0 SRC BUILD LC_ALL
 cd "$SRC" || exit 1
 libs="$(pkg-config --libs check) -lm -pthread"
 
-# FILE:LINE:CHANGE of all changes that can be made, one to a line, in an order by chance
+# FILE:LINE:CHANGE, one to a line of src/ that can be changed, in an order by chance
 # shellcheck disable=SC2046 # names
 candidates() {
 	awk -v seed="${SEED:-1}" '
 	function chance() { seed = (seed * 16807) % 2147483647; return seed }
-	function put(change) { printf "%010d %s:%d:%s\n", chance(), FILENAME, FNR, change }
+	function put(change) { made[++n] = change }
 	BEGIN { for (i = 0; i < 20; i++) chance() }
 	FNR == 1 { inside = 0 }
 	/^[a-z].*[^;]$/ { inside = 1 }
 	/^}/ { inside = 0 }
 	!inside || /^[a-z#}{ ]*$/ || /^ *(\/\*|\*)/ || /"/ || /\*\// { next }
+	{ n = 0 }
 	/ \+ / { put("s/ + / - /"); put("s/ + [a-z0-9_.]*\\(\\[[^]]*\\]\\)*//") }
 	/ - / { put("s/ - / + /") }
 	/ < / { put("s/ < / <= /") }
@@ -42,76 +48,114 @@ candidates() {
 	/ && / { put("s/ && / || /") }
 	/ \|\| / { put("s/ || / \\&\\& /") }
 	/ 1[;) ]/ { put("s/ 1\\([;) ]\\)/ 2\\1/") }
-	' $(for folder in ${FOLDERS:-$(cd src && find . -mindepth 1 -type d | sed 's,^\./,,')}; do
-		find "src/$folder" -maxdepth 1 -name '*.c'
+	n { place = chance(); printf "%010d %s:%d:%s\n", place, FILENAME, FNR, made[1 + chance() % n] }
+	' $(for folder in ${FOLDERS:-$(cd src && find . -type d | sed 's,^\./,,')}; do
+		find "src/$folder" -maxdepth 1 -name '*.c' | sed 's,/\./,/,'
 	done | sort -u) | sort | cut -d ' ' -f 2- | head -n "${N:-200}"
 }
 
-# tests that touch FILE: check_MODULE, those that include its header, those of its folder
+# tests of KIND (unit, or what is no unit) that run FILE:LINE and pass as they are, quickest first:
+# SECONDS TEST
 tests_of() {
-	module=$(basename "$1" .c)
-	folder=$(dirname "${1#src/}")
-	find tests/unit -name "check_$module.c"
-	grep -rlE "\"([a-z/]*/)?$module\.h\"" tests/unit --include='*.c'
-	find "tests/unit/$folder" -maxdepth 1 -name 'check_*.c' 2>/dev/null
+	grep -rlxF "$2" "$MAP" | sed "s,^$MAP/,," | grep -v '^all$' | awk -v kind="$1" '
+		(kind == "unit") == /^tests\/unit\// ' | while read -r test; do
+		[ "$(cat "$SECONDS_OF/$test.exit")" -eq 0 ] && echo "$(cat "$SECONDS_OF/$test") $test"
+	done | sort -n
 }
 
 # limited SECONDS TEST: of processor time, so that what else runs here changes no verdict; in one
 # process, for a loop without end in each of many would have its time in each
 limited() {
 	# shellcheck disable=SC3045 # every shell here has it
-	(ulimit -t "$1" && CK_FORK=no exec timeout $((20 * $1)) "$2") >"$TMP/out" 2>&1 </dev/null
-}
-
-# TEST passes as it is, in a third of the time that it gets with a change
-sound() {
-	mark=$TMP/sound/$(echo "$1" | tr / -)
-	if [ ! -f "$mark" ]; then
-		mkdir -p "$TMP/sound"
-		limited 20 "$BUILD/${1%.c}"
-		echo $? >"$mark"
-	fi
-	[ "$(cat "$mark")" -eq 0 ]
+	(ulimit -t "$1" && CK_FORK=no exec timeout $((40 * $1)) "$2") >"$TMP/out" 2>&1 </dev/null
 }
 
 # shellcheck disable=SC2086 # compilers and flags with blanks
-caught() { # FILE, whose changed object is changed.o: a test fails
-	for test in $(tests_of "$1" | awk '!seen[$0]++'); do
-		[ -f "$BUILD/${test%.c}.o" ] && sound "$test" || continue
-		$CC $SANITIZE -o "$TMP/unit" "$BUILD/${test%.c}.o" "$TMP/changed.o" "$BUILD"/tests/lib/*.o \
+compiled() { # OPTION...: the changed module
+	$CC $FLAGS "$@" -iquote "$(dirname "$file")" -c -o "$TMP/changed.o" "$changed" 2>"$TMP/link"
+}
+
+# shellcheck disable=SC2086
+units_notice() { # OPTIONS: one of $TMP/units fails with the changed module
+	compiled $1 || return 1
+	while read -r seconds test <&3; do
+		$CC $1 -o "$TMP/unit" "$BUILD/$test.o" "$TMP/changed.o" "$BUILD"/tests/lib/*.o \
 			"$BUILD/libcloudmill.a" $libs 2>"$TMP/link" || return 0
-		limited 60 "$TMP/unit" || return 0
-	done
-	[ -n "$TOOL_TESTS" ] || return 1
-	mkdir -p "$TMP/bin"
-	for tool in src/*.c; do
-		tool=$(basename "$tool" .c)
-		$CC $SANITIZE -o "$TMP/bin/$tool" "$BUILD/src/$tool.o" "$TMP/changed.o" "$BUILD/libcloudmill.a" $libs \
-			2>"$TMP/link" || return 0
-	done
-	for test in $TOOL_TESTS; do
-		SRC=$SRC BIN=$TMP/bin timeout 300 sh "tests/$test" >"$TMP/out" 2>&1 || return 0
-	done
+		limited $((5 + 4 * ${seconds%.*})) "$TMP/unit" || return 0
+	done 3<"$TMP/units"
 	return 1
 }
 
-candidates >"$TMP/candidates"
-while IFS=: read -r file line change <&3; do
+# shellcheck disable=SC2086
+tools_notice() { # one of $TMP/tests fails
+	[ -s "$TMP/tests" ] || return 1
+	mkdir -p "$TMP/bin"
+	cp "$BUILD/bin/cloudmill" "$TMP/bin"
+	compiled || return 1
+	for tool in src/*.c; do
+		own="$BUILD/${tool%.c}.o"
+		[ "$file" != "$tool" ] || own=
+		tool=$(basename "$tool" .c)
+		$CC -o "$TMP/bin/$tool" $own "$TMP/changed.o" "$BUILD/libcloudmill.a" -lm -pthread \
+			2>"$TMP/link" || {
+			[ -n "$own" ] && case $file in src/*/*) return 0 ;; esac
+			cp "$BUILD/bin/$tool" "$TMP/bin"
+		}
+	done
+	spent=0
+	while read -r seconds test <&3; do
+		spent=$((spent + ${seconds%.*}))
+		[ $spent -le "${TOOL_SECONDS:-120}" ] || return 1
+		BIN=$TMP/bin READBACK=$BUILD/tests/readback/readback CLOUD=$BUILD/tests/accuracy/cloud \
+			timeout $((60 + 60 * ${seconds%.*})) sh "$test" >"$TMP/out" 2>&1 </dev/null || return 0
+	done 3<"$TMP/tests"
+	return 1
+}
+
+one() { # FILE LINE CHANGE: the verdict
+	file=$1 line=$2 by=
 	changed=$TMP/$(basename "$file")
-	sed "${line}$change" "$file" >"$changed"
+	sed "${line}$3" "$file" >"$changed"
+	text=$(sed -n "${line}s/^[ 	]*//p" "$changed")
+	# a statement may stand on several lines, of which one is counted
+	counted=$(awk -F: -v f="$file" -v l="$line" '$1 == f && $2 <= l && $2 > b { b = $2 }
+		END { print b }' "$MAP/all")
+	tests_of unit "$file:$counted" >"$TMP/units"
+	tests_of other "$file:$counted" >"$TMP/tests"
 	# shellcheck disable=SC2086
 	if cmp -s "$file" "$changed"; then
 		verdict='no change'
-	elif ! $CC $FLAGS $SANITIZE -iquote "$(dirname "$file")" -c -o "$TMP/changed.o" "$changed" 2>"$TMP/link"; then
+	elif awk -F'\t' -v f="$file" -v t="$text" '$1 == f && $2 == t { found = 1 } END { exit !found }' \
+		tests/house/mutate.same; then
+		verdict=redundant
+	elif ! compiled; then
 		verdict='no program'
-	elif caught "$file"; then
-		verdict=caught
+	elif [ ! -s "$TMP/units" ] && [ ! -s "$TMP/tests" ]; then
+		verdict='no test'
+	elif units_notice '' || units_notice "$SANITIZE" || tools_notice; then
+		verdict=caught by=" ($test)"
 	else
 		verdict=survived
 	fi
-	echo "$verdict: $file:$line: $(sed -n "${line}s/^[ 	]*//p" "$changed")"
-	rm "$changed"
-done 3<"$TMP/candidates" | tee "$TMP/results"
-awk -F: '{ n[$1]++ } END { for (v in n) printf "%d %s\n", n[v], v
-	if (n["caught"] + n["survived"]) printf "%.0f %% caught\n",
-		100 * n["caught"] / (n["caught"] + n["survived"]) }' "$TMP/results"
+	echo "$verdict: $file:$line: $text$by"
+}
+
+TMP=$(mktemp -d "${TMPDIR:-/tmp}/cloudmill.XXXXXX") || exit 1
+export TMP
+trap 'rm -rf "$TMP"' EXIT
+trap 'exit 130' INT TERM
+if [ "${1:-}" = --one ]; then
+	IFS=: read -r file line change <<-END
+		$2
+	END
+	one "$file" "$line" "$change"
+	exit 0
+fi
+if [ $# -gt 0 ]; then printf '%s\n' "$@"; else candidates; fi >"$TMP/candidates"
+tr '\n' '\0' <"$TMP/candidates" |
+	xargs -0 -P "${JOBS:-$(getconf _NPROCESSORS_ONLN)}" -n 1 sh "$0" --one | tee "$TMP/results"
+awk -F: '{ n[$1]++; if ($1 == "caught") by[/\(tests\/unit/ ? "unit tests" : "tool tests"]++ }
+	END { for (v in n) printf "%d %s\n", n[v], v
+	for (b in by) printf "%d caught by %s\n", by[b], b
+	all = n["caught"] + n["survived"] + n["no test"]
+	if (all) printf "%.0f %% caught\n", 100 * n["caught"] / all }' "$TMP/results"

@@ -7,19 +7,13 @@
 #include <string.h>
 
 #include "ncread/ncread_hole.h"
-#include "ncread/ncread_state.h"
-
-static struct ncread_options options;
-static struct nc_motion motion;
-static struct ncread c;
-static struct error error;
+#include "reading.h"
 
 /* On a machine of three axes, spindle on, at 1 2 50. */
 static void setup(void)
 {
-    options = (struct ncread_options){.dialect = &ncread_fanuc};
-    motion = (struct nc_motion){0};
-    c = (struct ncread){.options = &options, .motion = &motion, .name = "p.nc", .line = 3};
+    reading_begin();
+    c.line = 3;
     c.block = -1;
     c.plane = 17;
     c.unit = 1;
@@ -27,12 +21,6 @@ static void setup(void)
     c.speed = 400;
     c.feed = 300;
     c.here = (struct ncread_place){.known = {true, true, true}, .at = {1, 2, 50}, .has_axis = true};
-}
-
-static void teardown(void)
-{
-    array_free(&c.words);
-    nc_motion_free(&motion);
 }
 
 /* The moves since the last call: where each ends and its feed, 0 at rapid. */
@@ -95,7 +83,7 @@ START_TEST(codes)
              {820, false, true},  {830, false, false}, {840, true, true},
              {850, true, false},  {860, false, true},  {890, true, true}};
     for (size_t i = 0; i < sizeof k / sizeof *k; i++) {
-        teardown();
+        reading_end();
         setup();
         seen = 0;
         ck_assert_int_eq(block(k[i].code, "Z-1. R2. P1500", 1, 2), 0);
@@ -125,7 +113,7 @@ END_TEST
 START_TEST(incremental)
 {
     for (int linuxcnc = 0; linuxcnc < 2; linuxcnc++) {
-        teardown();
+        reading_end();
         setup();
         seen = 0;
         options.dialect = linuxcnc ? &ncread_linuxcnc : &ncread_fanuc;
@@ -352,7 +340,7 @@ int main(void)
     Suite *suite = suite_create("ncread_hole");
     TCase *tests = tcase_create("ncread_hole");
     SRunner *runner = srunner_create(suite);
-    tcase_add_checked_fixture(tests, begin, teardown);
+    tcase_add_checked_fixture(tests, begin, reading_end);
     tcase_add_test(tests, levels);
     tcase_add_test(tests, codes);
     tcase_add_test(tests, incremental);

@@ -8,29 +8,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "ncread/ncread_state.h"
 #include "ncread/ncread_tool.h"
 #include "ncread/ncread_watch.h"
+#include "reading.h"
 
 static struct machine_tool tools[] = {{1, 100, "BALL 5"}, {2, 80, "MILL"}, {3, NAN, "BLUNT"}};
-static struct ncread_options options;
-static struct nc_motion motion;
-static struct ncread c;
-static struct error error;
-
-static void setup(void)
-{
-    options = (struct ncread_options){.dialect = &ncread_fanuc};
-    motion = (struct nc_motion){0};
-    c = (struct ncread){.options = &options, .motion = &motion, .name = "p.nc", .line = 0};
-}
-
-static void teardown(void)
-{
-    array_free(&c.words);
-    array_free(&motion.remark);
-    nc_motion_free(&motion);
-}
 
 /* A block of G code or of Siemens, of Klartext where it has a blank's word `TOOL` or the like. */
 static void block(const char *text)
@@ -141,8 +123,8 @@ START_TEST(first_cut)
 {
     static const char *const coolant[] = {"M7", "M8", "M13", "M14", "M9", "M10"};
     for (int i = 0; i < 6; i++) {
-        teardown();
-        setup();
+        reading_end();
+        reading_begin();
         block(coolant[i]);
         ncread_watch_cut(&c);
         ck_assert(motion.coolant == (i < 4));
@@ -202,8 +184,8 @@ START_TEST(other_tool_words)
     options.tools = 3;
     block("T2");
     made_with(80, -80);
-    teardown();
-    setup();
+    reading_end();
+    reading_begin();
     options = (struct ncread_options){.dialect = &ncread_siemens, .tool = tools, .tools = 3};
     block("T=\"BALL 5\" D1 M6");
     ck_assert_int_eq(c.tool.held, 1);
@@ -218,8 +200,8 @@ START_TEST(other_tool_words)
     made_with(80, 0);
     block("T=\"NONE\" M6");
     ck_assert_int_eq(c.tool.held, 0);
-    teardown();
-    setup();
+    reading_end();
+    reading_begin();
     options = (struct ncread_options){.dialect = &ncread_heidenhain, .tool = tools, .tools = 3};
     block("TOOL CALL 2 Z S900");
     made_with(80, 0);
@@ -257,7 +239,7 @@ int main(void)
     Suite *suite = suite_create("ncread_watch");
     TCase *tests = tcase_create("ncread_watch");
     SRunner *runner = srunner_create(suite);
-    tcase_add_checked_fixture(tests, setup, teardown);
+    tcase_add_checked_fixture(tests, reading_begin, reading_end);
     tcase_add_loop_test(tests, changes, 0, (int)(sizeof change / sizeof *change));
     tcase_add_test(tests, first_cut);
     tcase_add_test(tests, lengths);

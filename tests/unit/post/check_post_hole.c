@@ -1,14 +1,11 @@
 /* post_hole: heights, kinds, pitches of drilling cycles; which hole the cycle that is on serves. */
 #include <check.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "base/array.h"
+#include "blocks.h"
 #include "post/post_hole.h"
 
-static struct machine machine;
-static struct nc_plan plan;
-static struct nc_program p;
 static struct path_cycle drill = {.kind = CYCLE_DRILL, .depth = 10, .clear = 2, .retract = 5};
 
 static struct nc_move hole(struct vec3 mouth, const struct path_cycle *cycle)
@@ -21,26 +18,12 @@ static struct nc_move hole(struct vec3 mouth, const struct path_cycle *cycle)
 
 static void setup(void)
 {
-    static const struct nc_format_options style = {
-        .open = "(", .close = ")", .comment_width = 80, .point = true, .number = "N"};
-    machine = machine_default();
-    plan = (struct nc_plan){.ability = {.unit = 1, .digits = {3, 3, 4, 3, 1}}};
-    p = (struct nc_program){.control = CONTROL_fanuc, .machine = &machine, .plan = &plan};
-    nc_writer_begin(&p.w, NULL, style, 0, 99999);
+    blocks_begin((struct nc_ability){0});
 }
 
 static void teardown(void)
 {
     array_free(&plan.hole);
-}
-
-static const char *said(void)
-{
-    static char text[NC_LINE_MAX + 1];
-    memcpy(text, p.w.line, p.w.n);
-    text[p.w.n] = '\0';
-    nc_drop(&p.w);
-    return text;
 }
 
 START_TEST(heights)

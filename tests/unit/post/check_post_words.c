@@ -7,28 +7,20 @@
 #include <string.h>
 
 #include "base/array.h"
+#include "blocks.h"
 #include "chains.h"
 #include "post/post_words.h"
 
-static struct machine machine;
-static struct nc_plan plan;
 static struct path path;
-static struct nc_program p;
 static struct error error;
 
 /* Rotary axes C and then A, without end. */
 static void setup(void)
 {
-    static const struct nc_format_options style = {
-        .open = "(", .close = ")", .comment_width = 80, .point = true, .number = "N"};
-    machine = machine_default();
+    blocks_begin((struct nc_ability){.mode = INTERPOLATE_ROTARY, .tcp = true});
     ck_assert_int_eq(machine_finish(&machine, &error), 0);
-    plan = (struct nc_plan){
-        .ability = {.mode = INTERPOLATE_ROTARY, .tcp = true, .unit = 1, .digits = {3, 3, 4, 3, 1}}};
     path = (struct path){.name = "p.cl"};
-    p = (struct nc_program){
-        .control = CONTROL_fanuc, .machine = &machine, .plan = &plan, .path = &path};
-    nc_writer_begin(&p.w, NULL, style, 0, 99999);
+    p.path = &path;
 }
 
 static void teardown(void)
@@ -37,16 +29,6 @@ static void teardown(void)
     array_free(&plan.vector);
     array_free(&path.tool);
     array_free(&p.planes);
-}
-
-/* What the block says so far; it is taken back. */
-static const char *said(void)
-{
-    static char text[NC_LINE_MAX + 1];
-    memcpy(text, p.w.line, p.w.n);
-    text[p.w.n] = '\0';
-    nc_drop(&p.w);
-    return text;
 }
 
 START_TEST(places)
