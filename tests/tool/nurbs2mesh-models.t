@@ -283,6 +283,55 @@ model "STEP: an assembly of two" "$(calc "2 * $box_area")" "$(calc "2 * $box_vol
 ok "placed where it says" test "$(awk '/end_header/ { on = 1; next } on && NF == 7 { if ($1 > m) m = $1; if ($1 < l) l = $1 }
 	END { printf "%.3f %.3f", l, m }' "$TMP/model.ply")" = "-120.000 130.000"
 
+# The same with its product structure, by which the whole is told from its parts: as systems write
+# it, with the whole first in each relation, with the axes of each other, and with the part's solid
+# once more in a representation of its own, which a volume belongs to.
+structure() { # FIRST SECOND AXES-OF-FIRST AXES-OF-SECOND
+	same=SHAPE_REPRESENTATION_RELATIONSHIP
+	with=REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION
+	box
+	cat <<END
+A SHAPE_REPRESENTATION('',({a1},{a2}),{CONTEXT})
+P SHAPE_REPRESENTATION('',({a0}),{CONTEXT})
+a0 AXIS2_PLACEMENT_3D('',{p 0 0 0},{d 0 0 1},{d 1 0 0})
+a1 AXIS2_PLACEMENT_3D('',{p 100 0 0},{d 0 1 0},{d 1 0 0})
+a2 AXIS2_PLACEMENT_3D('',{p -100 5 5},{d 0 0 1},{d 0 1 0})
+same SHAPE_REPRESENTATION_RELATIONSHIP('','',{P},{REP})
+r1 (REPRESENTATION_RELATIONSHIP('','',{$1},{$2})${with}({t1})$same())
+r2 (REPRESENTATION_RELATIONSHIP('','',{$1},{$2})${with}({t2})$same())
+t1 ITEM_DEFINED_TRANSFORMATION('','',{$(echo "$3" | sed s/k/1/)},{$(echo "$4" | sed s/k/1/)})
+t2 ITEM_DEFINED_TRANSFORMATION('','',{$(echo "$3" | sed s/k/2/)},{$(echo "$4" | sed s/k/2/)})
+part PRODUCT_DEFINITION('','',$,$)
+all PRODUCT_DEFINITION('','',$,$)
+partshape PRODUCT_DEFINITION_SHAPE('','',{part})
+allshape PRODUCT_DEFINITION_SHAPE('','',{all})
+d1 SHAPE_DEFINITION_REPRESENTATION({partshape},{P})
+d2 SHAPE_DEFINITION_REPRESENTATION({allshape},{A})
+u1 NEXT_ASSEMBLY_USAGE_OCCURRENCE('1','','',{all},{part},$)
+u2 NEXT_ASSEMBLY_USAGE_OCCURRENCE('2','','',{all},{part},$)
+useshape1 PRODUCT_DEFINITION_SHAPE('','',{u1})
+useshape2 PRODUCT_DEFINITION_SHAPE('','',{u2})
+c1 CONTEXT_DEPENDENT_SHAPE_REPRESENTATION({r1},{useshape1})
+c2 CONTEXT_DEPENDENT_SHAPE_REPRESENTATION({r2},{useshape2})
+about PROPERTY_DEFINITION('','solid that a volume belongs to',{partshape})
+its SHAPE_REPRESENTATION('',({SOLID}),{CONTEXT})
+d3 SHAPE_DEFINITION_REPRESENTATION({about},{its})
+END
+}
+placed() { # DESC
+	model "STEP: $1" "$(calc "2 * $box_area")" "$(calc "2 * $box_volume")" \
+		-e 0.003 "$TMP/structure.step"
+	ok "$1: placed where it says" test "$(awk '/end_header/ { on = 1; next }
+		on && NF == 7 { if ($1 > m) m = $1; if ($1 < l) l = $1 }
+		END { printf "%.3f %.3f", l, m }' "$TMP/model.ply")" = "-120.000 130.000"
+}
+structure P A a0 ak | step structure
+placed "an assembly by its products"
+structure A P ak a0 | step structure
+placed "the whole first in each relation"
+structure P A ak a0 | step structure
+placed "with the axes of each other"
+
 # A rational B-spline face (a quarter of a cylinder) as a shell, its edges splines too.
 cat <<'END' | step shell
 c1 (BOUNDED_CURVE()B_SPLINE_CURVE(2,({q1},{q2},{q3}),.UNSPECIFIED.,.F.,.F.)B_SPLINE_CURVE_WITH_KNOTS((3,3),(0.,1.),.UNSPECIFIED.)CURVE()GEOMETRIC_REPRESENTATION_ITEM()RATIONAL_B_SPLINE_CURVE((1.,0.70710678118654757,1.))REPRESENTATION_ITEM(''))

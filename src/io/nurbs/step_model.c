@@ -7,36 +7,18 @@
 #include "base/array.h"
 #include "nurbs/construct.h"
 #include "nurbs/primitive.h"
+#include "step_assembly.h"
 #include "step_geometry.h"
 
 enum { DEPTH_MAX = 60, FACES_MAX = 1000000, VISITS_MAX = 4000000 };
-
-/* A representation that is placed in another one. */
-struct component {
-    long parent, child;
-    struct transform to; /* from the child's lengths to the parent's, without units */
-    struct transform at; /* the place in the parent, and in the child */
-};
-
-struct components {
-    size_t n, cap;
-    struct component *item;
-};
-
-/* Representations that are one: by a relation without a transformation. */
-struct alias {
-    long id, same;
-};
 
 struct model {
     const struct step *step;
     struct patches *patches;
     double mm; /* of the command line, or 0 */
-    struct components component;
-    struct {
-        size_t n, cap;
-        struct alias *item; /* by id; each points towards the one that stands for all */
-    } alias;
+    struct step_assembly assembly;
+    /* Faces that representations show which no other places: ranges of patches, from and end. */
+    struct sizes unplaced;
     long visits;
     int body;    /* closed shell whose faces are read, 0: none */
     bool cavity; /* it bounds a void */
@@ -47,11 +29,6 @@ static int follow_reference(const struct model *m, const struct step_values *fro
                             struct error *error)
 {
     return step_follow(m->step, from, reference, to, error);
-}
-
-static long reference_of(const struct step_value *value)
-{
-    return value && value->kind == STEP_REFERENCE ? (long)value->number : 0;
 }
 
 /* Every step of the walk through the model counts: one that refers to itself ends. */
@@ -119,7 +96,7 @@ static int read_units(const struct model *m, const struct step_values *from,
     struct step_values v, unit;
     *mm = m->mm > 0 ? m->mm : 1;
     *angle = 1;
-    if (reference_of(context) == 0)
+    if (step_reference(context) == 0)
         return 0;
     if (follow_reference(m, from, context, &v, error) < 0)
         return -1;
@@ -159,7 +136,7 @@ static int add_edge(const struct step_place *place, const struct step_values *fr
         return -1;
     const struct step_value *r = step_record(&oriented, "ORIENTED_EDGE");
     bool forwards = step_is(step_item(r, 4), "T");
-    *edge = reference_of(step_item(r, 3));
+    *edge = step_reference(step_item(r, 3));
     int got = step_follow(place->step, &oriented, step_item(r, 3), &v, error);
     array_free(&oriented);
     if (got < 0)
@@ -450,131 +427,6 @@ static int add_item(struct model *m, const struct step_place *place, const struc
 
 /* ---- representations and assemblies */
 
-static int compare_aliases(const void *p, const void *q)
-{
-    const struct alias *a = p, *b = q;
-    return (a->id > b->id) - (a->id < b->id);
-}
-
-static struct alias *find_alias(const struct model *m, long id)
-{
-    struct alias key = {.id = id};
-    return m->alias.n > 0 ? bsearch(&key, m->alias.item, m->alias.n, sizeof key, compare_aliases)
-                          : NULL;
-}
-
-/* The representation that stands for this one and all that are the same. */
-static long leader(const struct model *m, long id)
-{
-    struct alias *a = find_alias(m, id);
-    while (a && a->same != a->id) {
-        struct alias *up = find_alias(m, a->same);
-        if (!up)
-            break;
-        a->same = up->same;
-        a = up;
-    }
-    return a ? a->id : id;
-}
-
-static struct transform inverse(const struct transform *t)
-{
-    struct transform r = transform_identity();
-    for (int i = 0; i < 3; i++) {
-        for (int k = 0; k < 3; k++)
-            r.m[i][k] = t->m[k][i];
-        r.m[i][3] = -(t->m[0][i] * t->m[0][3] + t->m[1][i] * t->m[1][3] + t->m[2][i] * t->m[2][3]);
-    }
-    return r;
-}
-
-/* Of a shape, not of a picture of one: MECHANICAL_DESIGN_GEOMETRIC_PRESENTATION_REPRESENTATION. */
-static bool is_representation(const struct step_value *record)
-{
-    static const char end[] = "REPRESENTATION", picture[] = "PRESENTATION_REPRESENTATION";
-    size_t n = sizeof end - 1, k = sizeof picture - 1;
-    if (!record || record->length < n || memcmp(record->text + record->length - n, end, n) != 0)
-        return false;
-    return record->length < k || memcmp(record->text + record->length - k, picture, k) != 0;
-}
-
-/* A relation with a transformation: the first representation is a component of the second. */
-static int add_component(struct model *m, const struct step_values *v,
-                         const struct step_value *pair, const struct step_value *with,
-                         struct error *error)
-{
-    struct step_values t;
-    struct component c = {.child = reference_of(step_item(pair, 2)),
-                          .parent = reference_of(step_item(pair, 3))};
-    if (follow_reference(m, v, step_item(with, 0), &t, error) < 0)
-        return -1;
-    const struct step_value *item = step_record(&t, "ITEM_DEFINED_TRANSFORMATION");
-    int status = item && step_axes(m->step, &t, step_item(item, 2), &c.to, error) == 0 &&
-                         step_axes(m->step, &t, step_item(item, 3), &c.at, error) == 0
-                     ? 0
-                     : -1;
-    if (!item)
-        status = error_at(error, m->step->name, t.instance->line,
-                          "#%ld: no ITEM_DEFINED_TRANSFORMATION, expected one", t.instance->id);
-    array_free(&t);
-    if (status == 0) {
-        c.to = inverse(&c.to);
-        *array_push(&m->component) = c;
-    }
-    return status;
-}
-
-/* All relations between representations. */
-static int find_relations(struct model *m, struct error *error)
-{
-    int status = 0;
-    for (size_t i = 0; i < m->step->instance.n && status == 0; i++) {
-        struct step_values v;
-        status = step_values(m->step, &m->step->instance.item[i], &v, error);
-        if (status < 0)
-            return -1;
-        const struct step_value *pair = step_record(&v, "REPRESENTATION_RELATIONSHIP");
-        const struct step_value *with =
-            step_record(&v, "REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION");
-        const struct step_value *same = step_record(&v, "SHAPE_REPRESENTATION_RELATIONSHIP");
-        same = same && step_item(same, 3) ? same : pair;
-        if (pair && with) {
-            status = add_component(m, &v, pair, with, error);
-        } else if (same) {
-            for (size_t k = 2; k < 4; k++)
-                *array_push(&m->alias) =
-                    (struct alias){reference_of(step_item(same, k)),
-                                   reference_of(step_item(same, k == 2 ? 3 : 2))};
-        }
-        array_free(&v);
-    }
-    return status;
-}
-
-/* From pairs of relations to one that stands for each group. */
-static void join_aliases(struct model *m)
-{
-    struct alias *all = m->alias.item;
-    size_t n = m->alias.n, kept = 0;
-    struct alias *pair = mem_alloc(n + 1, sizeof *pair);
-    for (size_t i = 0; i < n; i++) {
-        pair[i] = all[i];
-        all[i].same = all[i].id;
-    }
-    if (n > 0)
-        qsort(all, n, sizeof *all, compare_aliases);
-    for (size_t i = 0; i < n; i++)
-        if (i == 0 || all[i].id != all[kept - 1].id)
-            all[kept++] = all[i];
-    m->alias.n = kept;
-    for (size_t i = 0; i < n; i++) {
-        long a = leader(m, pair[i].id), b = leader(m, pair[i].same);
-        if (a != b)
-            find_alias(m, a > b ? a : b)->same = a > b ? b : a;
-    }
-    free(pair);
-}
-
 static int add_group(struct model *m, long group, const struct transform *to, int depth,
                      struct error *error);
 
@@ -589,15 +441,16 @@ static int add_mapped(struct model *m, const struct step_place *place,
     if (follow_reference(m, mapped, step_item(r, 1), &map, error) < 0)
         return -1;
     const struct step_value *from = step_record(&map, "REPRESENTATION_MAP");
-    long child = reference_of(step_item(from, 1));
+    long child = step_reference(step_item(from, 1));
     int status = step_axes(m->step, &map, step_item(from, 0), &source, error);
     array_free(&map);
     if (status < 0 || step_axes(m->step, mapped, step_item(r, 2), &target, error) < 0)
         return -1;
-    target = transform_product(place->to, transform_product(target, inverse(&source)));
+    target =
+        transform_product(place->to, transform_product(target, step_assembly_inverse(&source)));
     /* the child's own unit comes with its items */
     target = transform_product(target, transform_scale(1 / place->mm));
-    return add_group(m, leader(m, child), &target, depth + 1, error);
+    return add_group(m, step_assembly_leader(&m->assembly, child), &target, depth + 1, error);
 }
 
 /* The items of one representation, placed; `to` takes mm to mm. */
@@ -617,9 +470,15 @@ static int add_representation(struct model *m, const struct step_values *v,
         if (follow_reference(m, v, i, &item, error) < 0)
             return -1;
         int status = count_visit(m, depth, &item, error);
+        bool mapped = step_record(&item, "MAPPED_ITEM") != NULL;
+        size_t before = m->patches->n;
         if (status == 0)
-            status = step_record(&item, "MAPPED_ITEM") ? add_mapped(m, &place, &item, depth, error)
-                                                       : add_item(m, &place, v, i, depth, error);
+            status = mapped ? add_mapped(m, &place, &item, depth, error)
+                            : add_item(m, &place, v, i, depth, error);
+        if (depth == 0 && !mapped && m->patches->n > before) {
+            *array_push(&m->unplaced) = before;
+            *array_push(&m->unplaced) = m->patches->n;
+        }
         array_free(&item);
         if (status < 0)
             return -1;
@@ -637,12 +496,13 @@ static int unit_of(struct model *m, long id, double *mm, struct error *error)
     if (!i || step_values(m->step, i, &v, error) < 0)
         return i ? -1 : 0;
     const struct step_value *r = step_item(v.item, 0);
-    int status = is_representation(r) ? read_units(m, &v, step_item(r, 2), mm, &angle, error) : 0;
+    int status =
+        step_is_representation(r) ? read_units(m, &v, step_item(r, 2), mm, &angle, error) : 0;
     array_free(&v);
     return status;
 }
 
-static int add_component_group(struct model *m, const struct component *c,
+static int add_component_group(struct model *m, const struct step_component *c,
                                const struct transform *to, int depth, struct error *error)
 {
     double parent, child;
@@ -653,40 +513,42 @@ static int add_component_group(struct model *m, const struct component *c,
     struct transform back = transform_product(transform_scale(child), c->to);
     back = transform_product(back, transform_scale(1 / child));
     t = transform_product(*to, transform_product(t, back));
-    return add_group(m, leader(m, c->child), &t, depth + 1, error);
+    return add_group(m, step_assembly_leader(&m->assembly, c->child), &t, depth + 1, error);
 }
 
 /* All representations that are one, and their components. */
 static int add_group(struct model *m, long group, const struct transform *to, int depth,
                      struct error *error)
 {
-    struct alias self = {group, group};
-    m->visits += 1 + (long)((m->alias.n + m->component.n) / 64); /* all of them are gone through */
+    struct step_alias self = {group, group};
+    /* all of them are gone through */
+    m->visits += 1 + (long)((m->assembly.alias.n + m->assembly.component.n) / 64);
     if (m->visits > VISITS_MAX || depth > DEPTH_MAX)
         return error_at(error, m->step->name, 0,
                         "representation #%ld is part of itself, or used too often, expected an "
                         "assembly that ends",
                         group);
-    size_t n = find_alias(m, group) ? m->alias.n : 1;
-    const struct alias *all = n == 1 && !find_alias(m, group) ? &self : m->alias.item;
+    bool several = step_assembly_is_alias(&m->assembly, group);
+    size_t n = several ? m->assembly.alias.n : 1;
+    const struct step_alias *all = several ? m->assembly.alias.item : &self;
     for (size_t i = 0; i < n; i++) {
         const struct step_instance *instance = step_find(m->step, all[i].id);
         struct step_values v;
-        if (leader(m, all[i].id) != group || !instance)
+        if (step_assembly_leader(&m->assembly, all[i].id) != group || !instance)
             continue;
         if (step_values(m->step, instance, &v, error) < 0)
             return -1;
         const struct step_value *r = step_item(v.item, 0);
         int status = count_visit(m, depth, &v, error);
-        if (status == 0 && is_representation(r))
+        if (status == 0 && step_is_representation(r))
             status = add_representation(m, &v, r, to, depth, error);
         array_free(&v);
         if (status < 0)
             return -1;
     }
-    for (size_t i = 0; i < m->component.n; i++)
-        if (leader(m, m->component.item[i].parent) == group &&
-            add_component_group(m, &m->component.item[i], to, depth, error) < 0)
+    for (size_t i = 0; i < m->assembly.component.n; i++)
+        if (step_assembly_leader(&m->assembly, m->assembly.component.item[i].parent) == group &&
+            add_component_group(m, &m->assembly.component.item[i], to, depth, error) < 0)
             return -1;
     return 0;
 }
@@ -694,11 +556,11 @@ static int add_group(struct model *m, long group, const struct transform *to, in
 /* Is the group a component of another, or mapped into one? */
 static bool is_component(const struct model *m, const struct sizes *mapped, long group)
 {
-    for (size_t i = 0; i < m->component.n; i++)
-        if (leader(m, m->component.item[i].child) == group)
+    for (size_t i = 0; i < m->assembly.component.n; i++)
+        if (step_assembly_leader(&m->assembly, m->assembly.component.item[i].child) == group)
             return true;
     for (size_t i = 0; i < mapped->n; i++)
-        if (leader(m, (long)mapped->item[i]) == group)
+        if (step_assembly_leader(&m->assembly, (long)mapped->item[i]) == group)
             return true;
     return false;
 }
@@ -722,7 +584,7 @@ static int find_mapped(const struct model *m, const struct step_values *v,
         if (!r)
             continue;
         const struct step_value *from = step_record(&map, "REPRESENTATION_MAP");
-        *array_push(mapped) = (size_t)reference_of(step_item(from, 1));
+        *array_push(mapped) = (size_t)step_reference(step_item(from, 1));
         array_free(&map);
     }
     return 0;
@@ -740,10 +602,10 @@ static int add_roots(struct model *m, struct error *error)
         if (status < 0)
             break;
         const struct step_value *r = step_item(v.item, 0);
-        if (is_representation(r))
+        if (step_is_representation(r))
             status = find_mapped(m, &v, r, &mapped, error);
         long id = m->step->instance.item[i].id;
-        if (is_representation(r) && leader(m, id) == id)
+        if (step_is_representation(r) && step_assembly_leader(&m->assembly, id) == id)
             *array_push(&root) = (size_t)id;
         array_free(&v);
     }
@@ -761,27 +623,67 @@ static int compare_entities(const void *p, const void *q)
     return (a > b) - (a < b);
 }
 
+static void sort_entities(struct ints *entity)
+{
+    if (entity->n > 0)
+        qsort(entity->item, entity->n, sizeof *entity->item, compare_entities);
+}
+
+static bool has_entity(const struct ints *sorted, int entity)
+{
+    return sorted->n > 0 &&
+           bsearch(&entity, sorted->item, sorted->n, sizeof entity, compare_entities) != NULL;
+}
+
+/* Drops the faces that are marked. */
+static void drop_marked(struct patches *patches, size_t from, const bool *marked)
+{
+    size_t kept = from;
+    for (size_t i = from; i < patches->n; i++) {
+        if (marked[i])
+            patch_free(&patches->item[i]);
+        else
+            patches->item[kept++] = patches->item[i];
+    }
+    patches->n = kept;
+}
+
+/* Drops what a representation that is part of no assembly shows of a component, as some systems
+ * write for the solid that a volume or an area is told of: it is where the assembly has it. */
+static void drop_unplaced(struct model *m, size_t from)
+{
+    struct patches *patches = m->patches;
+    struct ints placed = {0};
+    bool *marked = mem_alloc(patches->n + 1, sizeof *marked);
+    for (size_t i = 0; i + 1 < m->unplaced.n; i += 2)
+        for (size_t k = m->unplaced.item[i]; k < m->unplaced.item[i + 1]; k++)
+            marked[k] = true;
+    for (size_t i = from; i < patches->n; i++)
+        if (!marked[i])
+            *array_push(&placed) = patches->item[i].entity;
+    sort_entities(&placed);
+    for (size_t i = from; i < patches->n; i++)
+        marked[i] = marked[i] && has_entity(&placed, patches->item[i].entity);
+    drop_marked(patches, from, marked);
+    array_free(&placed);
+    free(marked);
+}
+
 /* Drops faces that a representation names by themselves, as the place of a tolerance or a colour,
  * when they are faces of a closed shell too. */
 static void drop_named_faces(struct patches *patches, size_t from)
 {
     struct ints of_shell = {0};
-    size_t kept = from;
+    bool *marked = mem_alloc(patches->n + 1, sizeof *marked);
     for (size_t i = from; i < patches->n; i++)
         if (patches->item[i].body > 0)
             *array_push(&of_shell) = patches->item[i].entity;
-    if (of_shell.n > 0)
-        qsort(of_shell.item, of_shell.n, sizeof *of_shell.item, compare_entities);
-    for (size_t i = from; i < patches->n; i++) {
-        struct patch *p = &patches->item[i];
-        if (p->body == 0 && of_shell.n > 0 &&
-            bsearch(&p->entity, of_shell.item, of_shell.n, sizeof p->entity, compare_entities))
-            patch_free(p);
-        else
-            patches->item[kept++] = *p;
-    }
-    patches->n = kept;
+    sort_entities(&of_shell);
+    for (size_t i = from; i < patches->n; i++)
+        marked[i] = patches->item[i].body == 0 && has_entity(&of_shell, patches->item[i].entity);
+    drop_marked(patches, from, marked);
     array_free(&of_shell);
+    free(marked);
 }
 
 /* A face among all. */
@@ -809,24 +711,18 @@ static int compare_placed(const void *p, const void *q)
 /* Drops what several representations show in the same place: it is there once. */
 static void drop_repeated(struct patches *patches, size_t from)
 {
-    size_t n = patches->n - from, kept = from;
+    size_t n = patches->n - from;
     struct placed *all = mem_alloc(n + 1, sizeof *all);
-    bool *again = mem_alloc(n + 1, sizeof *again);
+    bool *again = mem_alloc(patches->n + 1, sizeof *again);
     for (size_t i = 0; i < n; i++)
-        all[i] = (struct placed){&patches->item[from + i], i};
+        all[i] = (struct placed){&patches->item[from + i], from + i};
     if (n > 0)
         qsort(all, n, sizeof *all, compare_placed);
     for (size_t i = 1; i < n; i++)
         again[all[i].index] =
             all[i].patch->entity == all[i - 1].patch->entity &&
             compare_surfaces(&all[i].patch->surface, &all[i - 1].patch->surface) == 0;
-    for (size_t i = 0; i < n; i++) {
-        if (again[i])
-            patch_free(&patches->item[from + i]);
-        else
-            patches->item[kept++] = patches->item[from + i];
-    }
-    patches->n = kept;
+    drop_marked(patches, from, again);
     free(all);
     free(again);
 }
@@ -835,13 +731,12 @@ int step_surfaces(const struct step *step, double mm, struct patches *patches, s
 {
     struct model m = {.step = step, .patches = patches, .mm = mm};
     size_t before = patches->n, left = patches->left.n;
-    int status = find_relations(&m, error);
-    if (status == 0)
-        join_aliases(&m);
+    int status = step_assembly_read(step, &m.assembly, error);
     if (status == 0)
         status = add_roots(&m, error);
-    array_free(&m.component);
-    array_free(&m.alias);
+    step_assembly_free(&m.assembly);
+    drop_unplaced(&m, before);
+    array_free(&m.unplaced);
     drop_named_faces(patches, before);
     drop_repeated(patches, before);
     if (status == 0 && patches->n == before)
