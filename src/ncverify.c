@@ -250,10 +250,10 @@ static struct verify_program read_program(const struct settings *s, const struct
     options.tcp = *tcp = machine_has_tcp(machine, control);
     ncread_wraps(machine, &options.kinematics, options.wraps);
     if (ncread_read(file, &options, motion, &error) < 0) {
-        if (s->machine.name && *head->machine_file &&
+        if (!error.system && s->machine.name && *head->machine_file &&
             strcasecmp(s->machine.name, head->machine_file) != 0)
-            say("the program's head says the machine %s, not %s (-m)", head->machine_file,
-                s->machine.name);
+            error_add(&error, "; the program's head says the machine %s, not %s (-m)",
+                      head->machine_file, s->machine.name);
         die_error(&error);
     }
     motion->track = s->centre ? NC_MOTION_CENTRE : NC_MOTION_TIP;

@@ -24,4 +24,7 @@ int error_set(struct error *error, const char *format, ...) __attribute__((forma
 int error_at(struct error *error, const char *name, size_t line, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
 
+/* Adds to the line, as far as it has room. */
+void error_add(struct error *error, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
 #endif

@@ -3,6 +3,7 @@
 
 #include <stdarg.h>
 #include <stdio.h>
+#include <string.h>
 
 int error_set(struct error *error, const char *format, ...)
 {
@@ -25,4 +26,13 @@ int error_at(struct error *error, const char *name, size_t line, const char *for
     error->file = true;
     error->system = false;
     return -1;
+}
+
+void error_add(struct error *error, const char *format, ...)
+{
+    size_t n = strlen(error->text);
+    va_list args;
+    va_start(args, format);
+    vsnprintf(error->text + n, sizeof error->text - n, format, args);
+    va_end(args);
 }

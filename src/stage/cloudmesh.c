@@ -412,6 +412,18 @@ int cloudmesh_smooth_points(const struct cloudmesh_options *options, struct vec3
     return status;
 }
 
+/* Rows far nearer to each other than the points hold no more, and cost all the more. */
+static int check_rows(double t, double mean, struct error *error)
+{
+    enum { ROWS_A_POINT = 50 };
+    if (!(t > 0) || t >= mean / ROWS_A_POINT)
+        return 0;
+    return error_set(error,
+                     "rows %g mm apart (-t), expected at least %.3g mm, a fiftieth of the points' "
+                     "mean spacing",
+                     t, mean / ROWS_A_POINT);
+}
+
 /* Rows and what is between them. */
 static int make_rows(const struct cloudmesh_options *options, const struct source *s, int threads,
                      struct mesh *mesh, struct cloudmesh *result, struct error *error)
@@ -423,7 +435,8 @@ static int make_rows(const struct cloudmesh_options *options, const struct sourc
     struct holes holes;
     struct point_grid point_grid;
     struct plan_extent f = plan_extent_of(points->item, points->n, options->direction);
-    if (holes_find(points->item, points->n, gap, rims * mean, &holes, error) < 0)
+    if (check_rows(options->spacing, mean, error) < 0 ||
+        holes_find(points->item, points->n, gap, rims * mean, &holes, error) < 0)
         return -1;
     if (point_grid_make(points->item, s->surface_parts.flat, mean, threads, &point_grid, error) <
         0) {

@@ -9,6 +9,7 @@
 #include "base/num.h"
 #include "io/cloud/cloud.h"
 #include "io/mesh/meshfile.h"
+#include "io/mesh/ply.h"
 #include "io/nurbs/surfaces.h"
 #include "nurbs/tessellate.h"
 
@@ -114,7 +115,7 @@ int verify_part_read(const char *file, double unit, double radius, struct vec3s 
             return 0;
         }
         mesh_free(&mesh);
-        if (result < 0 && (solid || surfaces))
+        if (result < 0 && (solid || surfaces || error->system || ply_has_faces(file)))
             return -1;
         if (solid || surfaces)
             return error_set(error, "%s: no faces in it", file);

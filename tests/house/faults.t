@@ -32,7 +32,8 @@ printf '1 120.5 BALL\n' >tools.tbl
 printf -- '-15 -10\n15 -10\n15 10\n-15 10\n' >region.txt
 printf 'base = fanuc\nnumber.step = 5\n' >own-control.txt
 cp "$SRC/tools/ball-8.txt" "$SRC/tools/hsk-a63-er20.txt" "$SRC/samples/saddle.nurbs" \
-	"$SRC/tests/data/box.step" .
+	"$SRC/tests/data/box.step" "$SRC/tests/data/awkward/surface.igs" \
+	"$SRC/tests/data/cl/catia.apt" "$SRC/tests/data/cl/nx.cls" .
 cp "$SRC/tests/data/awkward/mesh.off" "$SRC/tests/data/awkward/mesh-binary.stl" \
 	"$SRC/tests/data/awkward/mesh-be.ply" "$SRC/tests/data/awkward/cloud.ptx" \
 	"$SRC/tests/data/awkward/cloud.pcd" "$SRC/tests/data/awkward/cloud.obj" \
@@ -106,8 +107,17 @@ faults "cloud2surf" $kinds "cloud.xyz matrix.txt" \
 	cloud2surf -j 1 -e 0.05 --matrix matrix.txt -o out cloud.xyz
 faults "cloud2surf, a net, IGES" malloc,calloc,realloc,read,end,bytes,write,full,some "cloud.xyz" \
 	cloud2surf -j 1 --bezier -t 8 --iges -o out cloud.xyz
-for file in saddle.nurbs box.step; do
+for file in saddle.nurbs box.step surface.igs; do
 	faults "nurbs2mesh, $file" $kinds "$file" nurbs2mesh -j 1 -n 6 -o out $file
+done
+for file in catia.apt nx.cls; do
+	faults "ncpost, $file" malloc,calloc,realloc,read,end,bytes "$file" \
+		ncpost -j 1 --accept -c fanuc -o out $file
+done
+faults "ncpost, in parts" $kinds "arcs.cl" ncpost -j 1 -c fanuc --split 120 -o out arcs.cl
+for file in box.step surface.igs saddle.nurbs mesh.ply; do
+	faults "ncverify, a part in $file" malloc,calloc,realloc,read,end,bytes "$file program.fanuc" \
+		ncverify -j 1 -r 4 -g $file -o out program.fanuc
 done
 faults "cloud2mesh, threads" thread,kill-mem,term-mem "cloud.xyz" cloud2mesh -j 3 -t 4 -o out cloud.xyz
 faults "planecut, threads" thread,kill-mem,term-mem "mesh.ply" \

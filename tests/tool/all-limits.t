@@ -93,6 +93,9 @@ status 0 "layers 10,000 radii thick" $bare -s 5 --layers 11 --depth 1000 small.p
 # shellcheck disable=SC2086
 status 2 "thicker ones" $bare -s 5 --layers 12 --depth 1000 small.ply
 has "... are told" 'layers 11000 mm thick, expected at most 10000 mm' err
+status 0 "rows a fiftieth of the points' spacing apart" cloud2mesh -q -e 0.01 -t 0.05 near.xyz
+status 1 "nearer ones" cloud2mesh -q -e 0.01 -t 0.01 near.xyz
+has "... are told" 'rows 0.01 mm apart \(-t\), expected at least 0.0[0-9]* mm' err
 status 0 "a cloud extended by its own width" cloud2mesh -q -t 4 --extend 49.9 near.xyz
 status 1 "by more" cloud2mesh -q -t 4 --extend 50.1 near.xyz
 has "... is told" 'at most its own width of 50 mm' err

@@ -266,4 +266,13 @@ for word in 'U=IC(5)' AP=30 RP=5 'X1=5' TURN=2 RND=3 'POS[Z]=5'; do
 	refuses "$word of Siemens" siemens "s/^\(N[0-9]*\) M8\$/\1 G1 $word/" 'a place that this reader does not know'
 done
 
+# ---- a part with faces is no scan: where a face can't be read, its vertices alone are not the part
+cloud2mesh -q -t 2 -o plane.ply plane.xyz
+plane fanuc 1 >plane.nc
+ok "a part with faces" ncverify -q -c fanuc -m three-axis -g plane.ply -r 5 --left 0.06 plane.nc
+sed 's/^3 0 /3 999999 /' plane.ply >bad.ply
+status 1 "a face of a vertex that is not there" \
+	ncverify -q -c fanuc -m three-axis -g bad.ply -r 5 plane.nc
+has "... is told" 'bad.ply:[0-9]*: .*999999' err
+
 done_testing

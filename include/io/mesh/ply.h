@@ -25,6 +25,9 @@ int ply_read_mesh(struct reader *r, struct mesh *mesh, struct error *error);
  * the start of the file. */
 int ply_read_points(struct reader *r, struct vec3s *points, struct error *error);
 
+/* True if the head of this file says rows of faces; what cannot be read has none. */
+bool ply_has_faces(const char *file);
+
 /* Writes the mesh stream: ASCII PLY, doubles with 6 decimals, normals and kmax with 9. */
 void ply_write(struct out *out, const struct mesh *mesh);
 

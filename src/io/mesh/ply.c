@@ -284,6 +284,23 @@ int ply_read_points(struct reader *r, struct vec3s *points, struct error *error)
     return status;
 }
 
+bool ply_has_faces(const char *file)
+{
+    struct reader r;
+    struct error error;
+    struct ply_head head;
+    struct mesh mesh = {.origin = ply_origin_none()};
+    if (reader_open(&r, file, &error) < 0)
+        return false;
+    int status = ply_head_read(&r, &head, &mesh.origin, &error);
+    const struct ply_element *face = status == 0 ? ply_head_element(&head, "face") : NULL;
+    bool has = face && face->count > 0;
+    ply_head_free(&head);
+    mesh_free(&mesh);
+    reader_close(&r);
+    return has;
+}
+
 static void write_vec(struct out *out, struct vec3 v, int digits)
 {
     out_num(out, v.x, digits);
