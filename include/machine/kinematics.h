@@ -28,12 +28,23 @@ struct rotary {
     double rapid;       /* a minute; 0: not known */
 };
 
+/* Of two axes, whatever the direction: the angles from the second to the first and to the tool at
+ * zero, and that by which the second turns the tool nearest to the first. */
+struct chain_triangle {
+    double between, tool, zero;
+};
+
 struct kinematic_chain {
     int n;                            /* rotary axes, 0 to ROTARY_MAX */
     struct rotary rotary[ROTARY_MAX]; /* from the work to the tool: tables before heads */
     int master;                       /* the one that is to move least */
     struct vec3 tool;                 /* unit axis from tip to spindle when all stand at zero */
+    bool measured;                    /* the triangle is known: chain_measure */
+    struct chain_triangle triangle;
 };
+
+/* For a chain whose axes stay as they are: chain_angles need not find its triangle each time. */
+void chain_measure(struct kinematic_chain *chain);
 
 /* The angle q with as many whole turns more or fewer as bring it nearest to `from`. */
 static inline double angle_nearest(double q, double from)

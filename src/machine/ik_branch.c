@@ -75,10 +75,12 @@ bool ik_branch_end(const struct kinematic_chain *chain, const struct chain_solut
         return false;
     for (int i = 0; i < 2 * chain->n; i++) {
         const struct rotary *r = &chain->rotary[i / 2];
+        if (!has_end(chain, i / 2))
+            continue;
         double here = from->q[solution][i / 2];
         double turn = remainder(to->q[solution][i / 2] - here, 2 * PI);
         double far = remainder((i % 2 ? r->max : r->min) - here, 2 * PI);
-        if (has_end(chain, i / 2) && fabs(turn) < jump && far / turn > 0 && far / turn < *share)
+        if (fabs(turn) < jump && far / turn > 0 && far / turn < *share)
             *share = far / turn;
     }
     return *share < 1;
@@ -92,14 +94,14 @@ double ik_branch_step(const struct kinematic_chain *chain, struct vec3 axis)
 
 struct ik_branch_target ik_branch_target(const struct kinematic_chain *chain, double cone,
                                          struct vec3 near, struct vec3 axis,
-                                         const struct vec3 *ahead)
+                                         const struct chain_solutions *found,
+                                         const struct chain_solutions *ahead)
 {
-    struct ik_branch_target g = {.found = chain_angles(chain, axis)};
+    struct ik_branch_target g = {.found = *found};
     bool free = g.found.free, was = chain->n == 2 && chain_free(chain, near);
     if (free && was && ahead) {
-        struct chain_solutions then = chain_angles(chain, *ahead);
-        for (int k = 0; k < then.n && k < g.found.n; k++)
-            g.found.q[k][0] = then.q[k][0];
+        for (int k = 0; k < ahead->n && k < g.found.n; k++)
+            g.found.q[k][0] = ahead->q[k][0];
     }
     g.stays = free && !(was && ahead);
     double most = sin(fmin(cone, PI / 2));

@@ -25,10 +25,11 @@ struct search {
     double weight[ROTARY_MAX];
     struct ik_branches states; /* of each place */
     struct state *row, *last, *turned,
-        *far;     /* of this place, the one before; where a crossing starts */
-    int *parent;  /* of each turned state, the one that it turned from */
-    bool turns;   /* it may turn back */
-    uint16_t *by; /* of each state of each place */
+        *far;                      /* of this place, the one before; where a crossing starts */
+    int *parent;                   /* of each turned state, the one that it turned from */
+    bool turns;                    /* it may turn back */
+    uint16_t *by;                  /* of each state of each place */
+    struct chain_solutions *found; /* at each place */
 };
 
 static double travel_between(const struct search *s, const double a[], const double b[])
@@ -66,11 +67,12 @@ static int best_state(const struct state row[], int n)
     return found;
 }
 
-/* Every state in which the tool can stand at a place, from one that cost so much. */
+/* Every state in which the tool can stand at a place, where these angles were found, from one that
+ * cost so much. */
 static void improve_all(struct search *s, const struct ik_plan_place *place,
-                        const struct state *from, int parent)
+                        const struct chain_solutions *found, const struct state *from, int parent)
 {
-    struct ik_branch_target target = {.found = chain_angles(s->chain, place->axis)};
+    struct ik_branch_target target = {.found = *found};
     target.stays = target.found.free;
     int each = s->states.n / 2;
     for (int to = 0; to < target.found.n * each; to++) {
@@ -115,10 +117,10 @@ static uint16_t origin_of(int state, int how)
 }
 
 /* The turns back at the place before: from the states with the fewest turns. */
-static void turn_back(struct search *s, const struct ik_plan_place *last,
-                      const struct ik_plan_place *place, const struct ik_branch_target *target,
-                      uint16_t into[])
+static void turn_back(struct search *s, const struct ik_plan_place place[], size_t j,
+                      const struct ik_branch_target *target, uint16_t into[])
 {
+    const struct ik_plan_place *last = &place[j - 1];
     int start = best_state(s->last, s->states.n);
     if (!s->turns || !last->may_turn || start < 0)
         return;
@@ -129,11 +131,11 @@ static void turn_back(struct search *s, const struct ik_plan_place *last,
             continue;
         from.turns++;
         from.travel += last->inside ? inside : 0;
-        improve_all(s, last, &from, k);
+        improve_all(s, last, &s->found[j - 1], &from, k);
     }
     for (int k = 0; k < s->states.n; k++)
         if (s->turned[k].travel < HUGE_VAL)
-            extend_by_block(s, place, target, &s->turned[k], origin_of(s->parent[k], BY_TURN),
+            extend_by_block(s, &place[j], target, &s->turned[k], origin_of(s->parent[k], BY_TURN),
                             into);
 }
 
@@ -160,13 +162,23 @@ static void cross_singular(struct search *s, const struct ik_plan_place place[],
         }
 }
 
-static const struct vec3 *next_tilted(const struct search *s, const struct ik_plan_place place[],
-                                      size_t n, size_t j, size_t *tilted)
+/* The solutions at the next place that is not free; NULL: there is none. */
+static const struct chain_solutions *next_tilted(const struct search *s, size_t n, size_t j,
+                                                 size_t *tilted)
 {
     if (*tilted <= j)
-        for (*tilted = j; *tilted < n && chain_angles(s->chain, place[*tilted].axis).free;)
+        for (*tilted = j; *tilted < n && s->found[*tilted].free;)
             ++*tilted;
-    return *tilted < n ? &place[*tilted].axis : NULL;
+    return *tilted < n ? &s->found[*tilted] : NULL;
+}
+
+/* The direction of a place, gone to from the one before. */
+static struct ik_branch_target target_at(const struct search *s, const struct ik_plan_place place[],
+                                         size_t n, size_t j, size_t *tilted)
+{
+    const struct chain_solutions *ahead = next_tilted(s, n, j, tilted);
+    return ik_branch_target(s->chain, s->plan->cone, place[j - 1].axis, place[j].axis, &s->found[j],
+                            ahead);
 }
 
 static void fill_forward(struct search *s, const struct ik_plan_place place[], size_t n)
@@ -175,9 +187,7 @@ static void fill_forward(struct search *s, const struct ik_plan_place place[], s
     for (size_t j = 0; j < n; j++) {
         uint16_t *into = s->by + j * (size_t)s->states.n;
         if (j > 0) {
-            const struct vec3 *ahead = next_tilted(s, place, n, j, &tilted);
-            struct ik_branch_target target =
-                ik_branch_target(s->chain, s->plan->cone, place[j - 1].axis, place[j].axis, ahead);
+            struct ik_branch_target target = target_at(s, place, n, j, &tilted);
             struct state *other = s->last;
             s->last = s->row;
             s->row = other;
@@ -186,7 +196,7 @@ static void fill_forward(struct search *s, const struct ik_plan_place place[], s
                 if (s->last[k].travel < HUGE_VAL)
                     extend_by_block(s, &place[j], &target, &s->last[k], origin_of(k, BY_BLOCK),
                                     into);
-            turn_back(s, &place[j - 1], &place[j], &target, into);
+            turn_back(s, place, j, &target, into);
             if (place[j].crossing && !target.found.free)
                 cross_singular(s, place, j, &target, into);
         }
@@ -222,14 +232,11 @@ static void fill_angles(const struct search *s, struct ik_plan_place place[], si
     double q[ROTARY_MAX] = {from[0], from[1]};
     size_t tilted = 0;
     for (size_t j = 0; j < n; j++) {
-        const struct vec3 *ahead = next_tilted(s, place, n, j, &tilted);
-        struct ik_branch_target target = {.found = chain_angles(s->chain, place[j].axis)};
-        target.stays = target.found.free;
+        struct ik_branch_target target = {.found = s->found[j], .stays = s->found[j].free};
         if (place[j].passed)
             continue;
         if (j > 0)
-            target =
-                ik_branch_target(s->chain, s->plan->cone, place[j - 1].axis, place[j].axis, ahead);
+            target = target_at(s, place, n, j, &tilted);
         ik_branch_angles(&s->states, &target, at[j], q, place[j].q);
         q[0] = place[j].q[0];
         q[1] = place[j].q[1];
@@ -249,6 +256,7 @@ static struct search search_of(const struct ik_plan *plan, size_t n)
     s.far = s.turned + states;
     s.parent = mem_alloc(states, sizeof *s.parent);
     s.by = mem_alloc(n * states, sizeof *s.by);
+    s.found = mem_alloc(n, sizeof *s.found);
     return s;
 }
 
@@ -259,7 +267,7 @@ static int best_last_state(struct search *s, const struct ik_plan_place place[],
     struct state start = {.q = {from[0], from[1]}};
     clear_row(s->turned, s->states.n);
     clear_row(s->far, s->states.n);
-    improve_all(s, &place[0], &start, 0);
+    improve_all(s, &place[0], &s->found[0], &start, 0);
     for (int k = 0; k < s->states.n; k++)
         s->row[k] = s->turned[k];
     fill_forward(s, place, n);
@@ -274,6 +282,8 @@ int ik_plan_make(const struct ik_plan *plan, struct ik_plan_place place[], size_
                  const double from[], struct ik_plan_cost *cost)
 {
     struct search s = search_of(plan, n);
+    for (size_t j = 0; j < n; j++)
+        s.found[j] = chain_angles(plan->chain, place[j].axis);
     struct state *rows = s.row;
     int last = best_last_state(&s, place, n, from);
     if (last >= 0) {
@@ -286,5 +296,6 @@ int ik_plan_make(const struct ik_plan *plan, struct ik_plan_place place[], size_
     free(rows);
     free(s.parent);
     free(s.by);
+    free(s.found);
     return last >= 0 ? 0 : -1;
 }

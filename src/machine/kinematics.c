@@ -105,10 +105,25 @@ static double clamp_sine(double angle)
     return s > 0 ? s : 0;
 }
 
+static struct chain_triangle triangle_of(const struct kinematic_chain *chain)
+{
+    struct vec3 u0 = chain->rotary[0].axis, u1 = chain->rotary[1].axis;
+    return (struct chain_triangle){vec_angle(u0, u1), vec_angle(u1, chain->tool),
+                                   turn_between(u1, chain->tool, u0)};
+}
+
+void chain_measure(struct kinematic_chain *chain)
+{
+    chain->measured = chain->n == 2;
+    if (chain->measured)
+        chain->triangle = triangle_of(chain);
+}
+
 static struct chain_solutions angles_of_two(const struct kinematic_chain *chain, struct vec3 axis)
 {
     struct vec3 u0 = chain->rotary[0].axis, u1 = chain->rotary[1].axis;
-    double between = vec_angle(u0, u1), tool = vec_angle(u1, chain->tool);
+    struct chain_triangle triangle = chain->measured ? chain->triangle : triangle_of(chain);
+    double between = triangle.between, tool = triangle.tool;
     double wanted = vec_angle(u0, axis);
     double least = fabs(between - tool), most = fmin(between + tool, 2 * PI - between - tool);
     struct chain_solutions s = {0};
@@ -121,11 +136,10 @@ static struct chain_solutions angles_of_two(const struct kinematic_chain *chain,
     double high =
         clamp_sine((between + tool + wanted) / 2) * clamp_sine((between + tool - wanted) / 2);
     double half = 2 * atan2(sqrt(low), sqrt(high));
-    double zero = turn_between(u1, chain->tool, u0); /* the angle that brings t nearest to u0 */
     s.free = wanted < singular || PI - wanted < singular;
     s.n = 2;
     for (int i = 0; i < 2; i++) {
-        double q1 = remainder(zero + (i ? -half : half), 2 * PI);
+        double q1 = remainder(triangle.zero + (i ? -half : half), 2 * PI);
         s.q[i][1] = q1;
         s.q[i][0] = s.free ? 0 : turn_between(u0, vec_turn(chain->tool, u1, q1), axis);
     }

@@ -697,6 +697,7 @@ int nc_plan_make(struct nc_plan *plan, const struct path *path, const struct mac
                          path->name);
     struct machine own = *machine;
     trim_travel(&own.chain, ability.digits.angle);
+    chain_measure(&own.chain);
     planner.machine = planner.own = &own;
     planner.base = machine;
     planner.follow = (struct interpolation){.mode = ability.mode, .chain = &own.chain};
