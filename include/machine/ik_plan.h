@@ -23,6 +23,8 @@ struct ik_plan_place {
     bool turn;            /* found: it turns here */
     bool passed;          /* found: a block leads past it */
     double q[ROTARY_MAX]; /* found, where not passed: the angles with which it comes here */
+    bool known;           /* what chain_angles finds; where not, it is worked out */
+    struct chain_solutions solutions;
 };
 
 struct ik_plan {

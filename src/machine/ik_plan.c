@@ -25,11 +25,10 @@ struct search {
     double weight[ROTARY_MAX];
     struct ik_branches states; /* of each place */
     struct state *row, *last, *turned,
-        *far;                      /* of this place, the one before; where a crossing starts */
-    int *parent;                   /* of each turned state, the one that it turned from */
-    bool turns;                    /* it may turn back */
-    uint16_t *by;                  /* of each state of each place */
-    struct chain_solutions *found; /* at each place */
+        *far;     /* of this place, the one before; where a crossing starts */
+    int *parent;  /* of each turned state, the one that it turned from */
+    bool turns;   /* it may turn back */
+    uint16_t *by; /* of each state of each place */
 };
 
 static double travel_between(const struct search *s, const double a[], const double b[])
@@ -67,12 +66,11 @@ static int best_state(const struct state row[], int n)
     return found;
 }
 
-/* Every state in which the tool can stand at a place, where these angles were found, from one that
- * cost so much. */
+/* Every state in which the tool can stand at a place, from one that cost so much. */
 static void improve_all(struct search *s, const struct ik_plan_place *place,
-                        const struct chain_solutions *found, const struct state *from, int parent)
+                        const struct state *from, int parent)
 {
-    struct ik_branch_target target = {.found = *found};
+    struct ik_branch_target target = {.found = place->solutions};
     target.stays = target.found.free;
     int each = s->states.n / 2;
     for (int to = 0; to < target.found.n * each; to++) {
@@ -131,7 +129,7 @@ static void turn_back(struct search *s, const struct ik_plan_place place[], size
             continue;
         from.turns++;
         from.travel += last->inside ? inside : 0;
-        improve_all(s, last, &s->found[j - 1], &from, k);
+        improve_all(s, last, &from, k);
     }
     for (int k = 0; k < s->states.n; k++)
         if (s->turned[k].travel < HUGE_VAL)
@@ -163,22 +161,22 @@ static void cross_singular(struct search *s, const struct ik_plan_place place[],
 }
 
 /* The solutions at the next place that is not free; NULL: there is none. */
-static const struct chain_solutions *next_tilted(const struct search *s, size_t n, size_t j,
-                                                 size_t *tilted)
+static const struct chain_solutions *next_tilted(const struct ik_plan_place place[], size_t n,
+                                                 size_t j, size_t *tilted)
 {
     if (*tilted <= j)
-        for (*tilted = j; *tilted < n && s->found[*tilted].free;)
+        for (*tilted = j; *tilted < n && place[*tilted].solutions.free;)
             ++*tilted;
-    return *tilted < n ? &s->found[*tilted] : NULL;
+    return *tilted < n ? &place[*tilted].solutions : NULL;
 }
 
 /* The direction of a place, gone to from the one before. */
 static struct ik_branch_target target_at(const struct search *s, const struct ik_plan_place place[],
                                          size_t n, size_t j, size_t *tilted)
 {
-    const struct chain_solutions *ahead = next_tilted(s, n, j, tilted);
-    return ik_branch_target(s->chain, s->plan->cone, place[j - 1].axis, place[j].axis, &s->found[j],
-                            ahead);
+    const struct chain_solutions *ahead = next_tilted(place, n, j, tilted);
+    return ik_branch_target(s->chain, s->plan->cone, place[j - 1].axis, place[j].axis,
+                            &place[j].solutions, ahead);
 }
 
 static void fill_forward(struct search *s, const struct ik_plan_place place[], size_t n)
@@ -232,7 +230,8 @@ static void fill_angles(const struct search *s, struct ik_plan_place place[], si
     double q[ROTARY_MAX] = {from[0], from[1]};
     size_t tilted = 0;
     for (size_t j = 0; j < n; j++) {
-        struct ik_branch_target target = {.found = s->found[j], .stays = s->found[j].free};
+        struct ik_branch_target target = {.found = place[j].solutions,
+                                          .stays = place[j].solutions.free};
         if (place[j].passed)
             continue;
         if (j > 0)
@@ -256,7 +255,6 @@ static struct search search_of(const struct ik_plan *plan, size_t n)
     s.far = s.turned + states;
     s.parent = mem_alloc(states, sizeof *s.parent);
     s.by = mem_alloc(n * states, sizeof *s.by);
-    s.found = mem_alloc(n, sizeof *s.found);
     return s;
 }
 
@@ -267,7 +265,7 @@ static int best_last_state(struct search *s, const struct ik_plan_place place[],
     struct state start = {.q = {from[0], from[1]}};
     clear_row(s->turned, s->states.n);
     clear_row(s->far, s->states.n);
-    improve_all(s, &place[0], &s->found[0], &start, 0);
+    improve_all(s, &place[0], &start, 0);
     for (int k = 0; k < s->states.n; k++)
         s->row[k] = s->turned[k];
     fill_forward(s, place, n);
@@ -283,7 +281,8 @@ int ik_plan_make(const struct ik_plan *plan, struct ik_plan_place place[], size_
 {
     struct search s = search_of(plan, n);
     for (size_t j = 0; j < n; j++)
-        s.found[j] = chain_angles(plan->chain, place[j].axis);
+        if (!place[j].known)
+            place[j].solutions = chain_angles(plan->chain, place[j].axis);
     struct state *rows = s.row;
     int last = best_last_state(&s, place, n, from);
     if (last >= 0) {
@@ -296,6 +295,5 @@ int ik_plan_make(const struct ik_plan *plan, struct ik_plan_place place[], size_
     free(rows);
     free(s.parent);
     free(s.by);
-    free(s.found);
     return last >= 0 ? 0 : -1;
 }

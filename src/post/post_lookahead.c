@@ -141,17 +141,23 @@ static const double CROSSING_SHARE = 0.7; /* of what is allowed; the rest is for
 
 enum { DEPTH = 12, SPAN_PIECES = 8, HALVINGS = 45, PLACES_MAX = 10000000 };
 
-static void add_place(struct lookahead *ahead, struct pose at, double s, bool may_turn)
+static void add_place_found(struct lookahead *ahead, struct pose at, double s, bool may_turn,
+                            const struct chain_solutions *found)
 {
     const struct nc_planner *planner = ahead->planner;
-    struct ik_plan_place place = {.axis = at.a, .may_turn = may_turn};
-    if (vec_dot(at.p, at.p) >= planner->safe_radius * planner->safe_radius) {
-        struct chain_solutions found = chain_angles(&planner->machine->chain, at.a);
-        for (int k = 0; k < found.n && !found.free; k++)
-            place.shut[k] = post_ik_linear_over(planner, at.p, found.q[k]) >= 0;
-    }
+    struct ik_plan_place place = {
+        .axis = at.a, .may_turn = may_turn, .known = true, .solutions = *found};
+    if (vec_dot(at.p, at.p) >= planner->safe_radius * planner->safe_radius)
+        for (int k = 0; k < found->n && !found->free; k++)
+            place.shut[k] = post_ik_linear_over(planner, at.p, found->q[k]) >= 0;
     *array_push(ahead) = place;
     *array_push(&ahead->s) = s;
+}
+
+static void add_place(struct lookahead *ahead, struct pose at, double s, bool may_turn)
+{
+    struct chain_solutions found = chain_angles(&ahead->planner->machine->chain, at.a);
+    add_place_found(ahead, at, s, may_turn, &found);
 }
 
 /* Where between two places, by one of the solutions, an axis comes to an end of its travel; s0: it
@@ -171,11 +177,12 @@ static double end_between(const struct kinematic_chain *chain, const struct moti
     return low;
 }
 
-/* A place of its own there: the tool may turn, though rather at the end of a motion. */
+/* A place of its own there, before s1 where the direction is a1: the tool may turn, though rather
+ * at the end of a motion. */
 static void add_ends_of_travel(struct lookahead *ahead, const struct kinematic_chain *chain,
-                               const struct motion *motion, double s0, double s1)
+                               const struct motion *motion, double s0, double s1, struct vec3 a1)
 {
-    struct chain_solutions a = ahead->found, b = chain_angles(chain, motion_at(motion, s1).a);
+    struct chain_solutions a = ahead->found, b = chain_angles(chain, a1);
     double end[2];
     for (int k = 0; k < 2; k++)
         end[k] = end_between(chain, motion, s0, s1, &a, &b, k);
@@ -197,8 +204,8 @@ static void add_places(struct lookahead *ahead, const struct kinematic_chain *ch
     struct pose to = motion_at(motion, s1);
     double close = fmin(ik_branch_step(chain, a0), ik_branch_step(chain, to.a));
     if (vec_angle(a0, to.a) <= close || depth == DEPTH || ahead->n > PLACES_MAX) {
-        add_ends_of_travel(ahead, chain, motion, s0, s1);
-        add_place(ahead, to, s1, false);
+        add_ends_of_travel(ahead, chain, motion, s0, s1, to.a);
+        add_place_found(ahead, to, s1, false, &ahead->found);
         return;
     }
     double mid = (s0 + s1) / 2;
