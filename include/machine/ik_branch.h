@@ -58,9 +58,10 @@ bool ik_branch_end(const struct kinematic_chain *chain, const struct chain_solut
 double ik_branch_step(const struct kinematic_chain *chain, struct vec3 axis);
 
 /*
- * The direction `axis`, at which chain_angles found `found`, gone to from `near`.  Where the first axis is free it stays as it is; while
- * it stays free it turns to where it will be needed (`ahead`: found there, NULL: nowhere); where both directions
- * are within `cone` radians of the singular one it is loose.
+ * The direction `axis`, at which chain_angles found `found`, gone to from `near`.  Where the first
+ * axis is free it stays as it is; while it stays free it turns to where it will be needed (`ahead`:
+ * found there, NULL: nowhere); where both directions are within `cone` radians of the singular one
+ * it is loose.
  */
 struct ik_branch_target ik_branch_target(const struct kinematic_chain *chain, double cone,
                                          struct vec3 near, struct vec3 axis,
