@@ -9,6 +9,15 @@
 #include "base/cli.h"
 #include "system.h"
 
+#ifdef __has_feature
+#if __has_feature(address_sanitizer) && !defined __SANITIZE_ADDRESS__
+#define __SANITIZE_ADDRESS__ 1
+#endif
+#endif
+#ifdef __SANITIZE_ADDRESS__
+#include <sanitizer/asan_interface.h>
+#endif
+
 void *mem_alloc(size_t n, size_t size)
 {
     void *p = calloc(n ? n : 1, size ? size : 1);
@@ -45,10 +54,22 @@ static void *grow_large(void *item, size_t old, size_t bytes)
     return p;
 }
 
+/* To the address sanitizer what nobody asked for yet is beyond the array, though there is room. */
+static void *fence(void *item, size_t cap, size_t n, size_t size)
+{
+#ifdef __SANITIZE_ADDRESS__
+    __asan_unpoison_memory_region(item, n * size);
+    __asan_poison_memory_region((char *)item + n * size, (cap - n) * size);
+#else
+    (void)cap, (void)n, (void)size;
+#endif
+    return item;
+}
+
 void *mem_grow(void *item, size_t *cap, size_t n, size_t size)
 {
     if (n <= *cap)
-        return item;
+        return fence(item, *cap, n, size);
     size_t want = *cap + *cap / 2 + 16;
     if (want < n)
         want = n;
@@ -58,7 +79,7 @@ void *mem_grow(void *item, size_t *cap, size_t n, size_t size)
     if (!p)
         die("out of memory: no room for %zu elements of %zu bytes", want, size);
     *cap = want;
-    return p;
+    return fence(p, want, n, size);
 }
 
 static int by_size(const void *a, const void *b)

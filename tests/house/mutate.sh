@@ -22,6 +22,7 @@ CC=${CC:-cc}
 FLAGS='-std=c11 -D_XOPEN_SOURCE=700 -iquote include -ffp-contract=off -pthread -O1 -w'
 # a place beyond an array is seen, as make sanitize sees it
 SANITIZE='-fsanitize=address,undefined -fno-sanitize-recover=all'
+fenced=$BUILD/fenced.o
 LC_ALL=C
 export ASAN_OPTIONS=detect_leaks=0 SRC BUILD LC_ALL
 cd "$SRC" || exit 1
@@ -71,17 +72,38 @@ limited() {
 }
 
 # shellcheck disable=SC2086 # compilers and flags with blanks
-compiled() { # OPTION...: the changed module
-	$CC $FLAGS "$@" -iquote "$(dirname "$file")" -c -o "$TMP/changed.o" "$changed" 2>"$TMP/link"
+compiled() { # SOURCE [OPTION...]: to changed.o
+	source=$1
+	shift
+	$CC $FLAGS "$@" -iquote "$(dirname "$file")" -c -o "$TMP/changed.o" "$source" 2>"$TMP/link"
 }
 
 # shellcheck disable=SC2086
-units_notice() { # OPTIONS: one of $TMP/units fails with the changed module
-	compiled $1 || return 1
+passes() { # SECONDS TEST OBJECT [OPTION...]: with that module in place of the library's
+	seconds=$1 unit=$2 object=$3
+	shift 3
+	[ $# -eq 0 ] || [ "$file" = src/base/array.c ] || object="$object $fenced"
+	$CC "$@" -o "$TMP/unit" "$BUILD/$unit.o" $object "$BUILD"/tests/lib/*.o "$BUILD/libcloudmill.a" \
+		$libs 2>"$TMP/link" && limited $((5 + 4 * ${seconds%.*})) "$TMP/unit"
+}
+
+units_notice() { # one of $TMP/units fails with the changed module
+	compiled "$changed" || return 1
 	while read -r seconds test <&3; do
-		$CC $1 -o "$TMP/unit" "$BUILD/$test.o" "$TMP/changed.o" "$BUILD"/tests/lib/*.o \
-			"$BUILD/libcloudmill.a" $libs 2>"$TMP/link" || return 0
-		limited $((5 + 4 * ${seconds%.*})) "$TMP/unit" || return 0
+		passes "$seconds" "$test" "$TMP/changed.o" || return 0
+	done 3<"$TMP/units"
+	return 1
+}
+
+# shellcheck disable=SC2086
+memory_notices() { # the same under the sanitizers, and not as the module was
+	compiled "$changed" $SANITIZE || return 1
+	while read -r seconds test <&3; do
+		passes "$seconds" "$test" "$TMP/changed.o" $SANITIZE && continue
+		mv "$TMP/changed.o" "$TMP/kept.o"
+		compiled "$file" $SANITIZE
+		passes "$seconds" "$test" "$TMP/changed.o" $SANITIZE && return 0
+		mv "$TMP/kept.o" "$TMP/changed.o"
 	done 3<"$TMP/units"
 	return 1
 }
@@ -91,7 +113,7 @@ tools_notice() { # one of $TMP/tests fails
 	[ -s "$TMP/tests" ] || return 1
 	mkdir -p "$TMP/bin"
 	cp "$BUILD/bin/cloudmill" "$TMP/bin"
-	compiled || return 1
+	compiled "$changed" || return 1
 	for tool in src/*.c; do
 		own="$BUILD/${tool%.c}.o"
 		[ "$file" != "$tool" ] || own=
@@ -128,11 +150,11 @@ one() { # FILE LINE CHANGE: the verdict
 	elif awk -F'\t' -v f="$file" -v t="$text" '$1 == f && $2 == t { found = 1 } END { exit !found }' \
 		tests/house/mutate.same; then
 		verdict=redundant
-	elif ! compiled; then
+	elif ! compiled "$changed"; then
 		verdict='no program'
 	elif [ ! -s "$TMP/units" ] && [ ! -s "$TMP/tests" ]; then
 		verdict='no test'
-	elif units_notice '' || units_notice "$SANITIZE" || tools_notice; then
+	elif units_notice || memory_notices || tools_notice; then
 		verdict=caught by=" ($test)"
 	else
 		verdict=survived
@@ -151,9 +173,11 @@ if [ "${1:-}" = --one ]; then
 	one "$file" "$line" "$change"
 	exit 0
 fi
+# shellcheck disable=SC2086
+$CC $FLAGS $SANITIZE -c -o "$fenced" src/base/array.c || exit 1
 if [ $# -gt 0 ]; then printf '%s\n' "$@"; else candidates; fi >"$TMP/candidates"
 tr '\n' '\0' <"$TMP/candidates" |
-	xargs -0 -P "${JOBS:-$(getconf _NPROCESSORS_ONLN)}" -n 1 sh "$0" --one | tee "$TMP/results"
+	xargs -0 -P "${JOBS:-$(getconf _NPROCESSORS_ONLN)}" -n 1 sh "$0" --one 2>"$TMP/err" | tee "$TMP/results"
 awk -F: '{ n[$1]++; if ($1 == "caught") by[/\(tests\/unit/ ? "unit tests" : "tool tests"]++ }
 	END { for (v in n) printf "%d %s\n", n[v], v
 	for (b in by) printf "%d caught by %s\n", by[b], b
