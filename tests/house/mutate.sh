@@ -177,7 +177,8 @@ fi
 $CC $FLAGS $SANITIZE -c -o "$fenced" src/base/array.c || exit 1
 if [ $# -gt 0 ]; then printf '%s\n' "$@"; else candidates; fi >"$TMP/candidates"
 tr '\n' '\0' <"$TMP/candidates" |
-	xargs -0 -P "${JOBS:-$(getconf _NPROCESSORS_ONLN)}" -n 1 sh "$0" --one 2>"$TMP/err" | tee "$TMP/results"
+	xargs -0 -P "${JOBS:-$(getconf _NPROCESSORS_ONLN)}" -n 1 sh "$0" --one 2>"$TMP/err" |
+	tee "$TMP/results"
 awk -F: '{ n[$1]++; if ($1 == "caught") by[/\(tests\/unit/ ? "unit tests" : "tool tests"]++ }
 	END { for (v in n) printf "%d %s\n", n[v], v
 	for (b in by) printf "%d caught by %s\n", by[b], b

@@ -1,5 +1,6 @@
-/* net_corners: heights and slopes at the nodes of a net, of points on a surface of the third degree,
- * which a fit of that degree has exactly; beyond the points the planes of the nodes beside. */
+/* net_corners: heights and slopes at the nodes of a net, of points on a surface of the third
+ * degree, which a fit of that degree has exactly; beyond the points the planes of the nodes
+ * beside. */
 #include <check.h>
 #include <stdlib.h>
 
