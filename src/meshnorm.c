@@ -153,7 +153,8 @@ static void find_planes(const struct mesh *mesh, const struct mesh_part *part, d
     p->steepest = STEEPEST;
     p->beyond = BEYOND;
     plane_passes_scallop(p, mesh, scallop);
-    if (plane_passes_bounded(mesh, p->rule.normal, plane_passes_apart(p), &error) != 0)
+    if (plane_passes_bounded(mesh, p->rule.normal, plane_passes_apart(p), &error) != 0 ||
+        plane_passes_short(p, mesh, &error) != 0)
         die_error(&error);
 }
 

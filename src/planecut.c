@@ -118,7 +118,8 @@ static void find_planes(const struct mesh *mesh, struct plane_passes *p)
         plane_passes_equal(p, mesh, step);
     else
         plane_passes_scallop(p, mesh, scallop);
-    if (plane_passes_bounded(mesh, p->rule.normal, plane_passes_apart(p), &error) != 0)
+    if (plane_passes_bounded(mesh, p->rule.normal, plane_passes_apart(p), &error) != 0 ||
+        plane_passes_short(p, mesh, &error) != 0)
         die_error(&error);
 }
 

@@ -151,6 +151,9 @@ struct toolpath {
 void toolpath_strip(struct toolpath *t, size_t pass, const struct contact *contact, size_t n,
                     struct vec3 along);
 
+/* Radii of the ball: all strips together. */
+#define TOOLPATH_MOST_CUT 5e5
+
 /* The strips are not longer than a path can be made in reasonable time: half a million radii of the
  * ball, 2 km for one of 4 mm.  -1: they are, the error says by how much. */
 int toolpath_bounded(const struct toolpath *t, struct error *error);

@@ -3,12 +3,15 @@
 
 #include <stdlib.h>
 
+#include "math/box.h"
+
 enum { BINS = 256, LEVELS = 9 };
 
 /* The cap that a stack blocks, by the distance of a guard point. */
 struct caps {
     struct holder holder;
     double reach;              /* points further away block nothing, mm */
+    double span;               /* of the bins, mm; the last has all beyond it too */
     double most[LEVELS][BINS]; /* the largest angle within 2^level bins from each, radians */
 };
 
@@ -51,20 +54,31 @@ static double cap_angle(const struct holder *holder, double d)
     return fmax(angle, angle_at(r, h, 0, h, d));
 }
 
-/* The outline is piecewise smooth, and between its corners the angle has at most one extreme: a
- * bin gets the largest of some places in it and what neighbours have, rounded up. */
-static void fill_caps(struct caps *caps, struct holder holder)
-{
-    enum { FINE = 8 };
+enum { FINE = 8 }; /* places of a bin */
 
+/* The largest angle in n bins so wide from `from` on. */
+static double widest_in(const struct holder *holder, double from, double bin, int n)
+{
+    double most = 0;
+
+    for (int k = -1; k <= n * FINE + 1; k++)
+        most = fmax(most, cap_angle(holder, from + bin * k / FINE));
+    return most + 0.01;
+}
+
+/* The outline is piecewise smooth, and between its corners the angle has at most one extreme: a
+ * bin gets the largest of some places in it and what neighbours have, rounded up.  Of a stack that
+ * reaches far beyond the guard, `span` in size, bins of all its length would tell nothing. */
+static void fill_caps(struct caps *caps, struct holder holder, double span)
+{
     caps->holder = holder;
     caps->reach = holder_reach(&holder);
-    for (int i = 0; i < BINS; i++) {
-        double most = 0;
-        for (int k = -1; k <= FINE + 1; k++)
-            most = fmax(most, cap_angle(&holder, caps->reach * (i + (double)k / FINE) / BINS));
-        caps->most[0][i] = most + 0.01;
-    }
+    caps->span = span > 0 ? fmin(caps->reach, span) : caps->reach;
+    for (int i = 0; i < BINS; i++)
+        caps->most[0][i] = widest_in(&holder, caps->span * i / BINS, caps->span / BINS, 1);
+    double beyond = widest_in(&holder, caps->span, (caps->reach - caps->span) / BINS, BINS);
+    if (caps->span < caps->reach)
+        caps->most[0][BINS - 1] = fmax(caps->most[0][BINS - 1], beyond);
     for (int level = 1; level < LEVELS; level++)
         for (int i = 0; i < BINS; i++) {
             int other = i + (1 << (level - 1));
@@ -76,10 +90,9 @@ static void fill_caps(struct caps *caps, struct holder holder)
 /* No smaller than the angle at any distance between the two. */
 static double widest_cap(const struct caps *caps, double near, double far)
 {
-    int i = (int)(near / caps->reach * BINS), j = (int)(far / caps->reach * BINS), level = 0;
+    int i = (int)fmin(fmax(near / caps->span * BINS, 0), BINS - 1), level = 0;
+    int j = (int)fmin(fmax(far / caps->span * BINS, i), BINS - 1);
 
-    i = i < 0 ? 0 : i < BINS ? i : BINS - 1;
-    j = j < i ? i : j < BINS ? j : BINS - 1;
     while (level + 1 < LEVELS && 2 << level <= j - i + 1)
         level++;
     return fmax(caps->most[level][i], caps->most[level][j - (1 << level) + 1]);
@@ -88,17 +101,21 @@ static double widest_cap(const struct caps *caps, double near, double far)
 struct access *access_new(const struct access_options *options)
 {
     struct access *access = mem_alloc(1, sizeof *access);
+    double span = HUGE_VAL;
 
     access->options = *options;
     if (options->guard) {
         struct vec3s points = {0};
         gouge_thinned(options->guard, options->gap, &points);
         access->near = kdtree_new(points.item, points.n);
+        struct box box = box_around(points.item, points.n);
+        span = 2 * vec_distance(box.low, box.high);
         array_free(&points);
     }
     if (options->holder->n > 0) {
-        fill_caps(&access->clear, holder_widened(options->holder, -options->slack, 0));
-        fill_caps(&access->open, holder_widened(options->holder, options->margin, options->slope));
+        fill_caps(&access->clear, holder_widened(options->holder, -options->slack, 0), span);
+        fill_caps(&access->open, holder_widened(options->holder, options->margin, options->slope),
+                  span);
     }
     return access;
 }

@@ -107,6 +107,27 @@ int plane_passes_bounded(const struct mesh *mesh, struct vec3 normal, double ste
     return 0;
 }
 
+/* Planes a little apart cut a facet in all over as much as its area across them holds. */
+int plane_passes_short(const struct plane_passes *p, const struct mesh *mesh, struct error *error)
+{
+    const double sure = 1.1; /* what is cut in fact is looked at again */
+    double length = 0, most = TOOLPATH_MOST_CUT * p->rule.radius;
+
+    for (size_t f = 0; f < mesh->face.n; f++) {
+        struct vec3 cross = mesh_face_cross(mesh, f);
+        if (!p->rule.faced || vec_dot(cross, p->rule.facing) > 0)
+            length += vec_length(vec_cross(cross, p->rule.normal)) / 2;
+    }
+    length /= plane_passes_apart(p);
+    if (length <= sure * most)
+        return 0;
+    return error_set(error,
+                     "would cut about %.0f m, expected at most %.0f m with a ball of radius %g: is "
+                     "the unit of the part right? A larger ball, rows farther apart or a part of "
+                     "the mesh make less",
+                     length / 1e3, most / 1e3, p->rule.radius);
+}
+
 double plane_passes_apart(const struct plane_passes *p)
 {
     const struct doubles *height = &p->height;

@@ -18,6 +18,25 @@ int tool_options_files(struct tool_options *options, double *radius, struct erro
     return 0;
 }
 
+/* No tool is longer or wider than a machine; one that were would be near to every point of a scan
+ * with all of its length. */
+static int check_size(const struct tool_body *body, double radius, struct error *error)
+{
+    double most = fmax(1000, 100 * radius), length = 0, size = body->flute;
+
+    for (int i = 0; i < body->above.n; i++) {
+        const struct holder_part *part = &body->above.part[i];
+        length += part->length;
+        size = fmax(fmax(size, length), fmax(part->low, part->high));
+    }
+    if (size <= most)
+        return 0;
+    return error_set(error,
+                     "found a tool that reaches %g mm from the ball's centre (--flute, "
+                     "--holder), expected at most %g mm",
+                     size, most);
+}
+
 int tool_options_read(const struct tool_options *options, double radius, struct tool_body *body,
                       struct error *error)
 {
@@ -34,7 +53,7 @@ int tool_options_read(const struct tool_options *options, double radius, struct 
         return error_set(error, "option --holder: %s", why.text);
     if (options->ball_only)
         *body = (struct tool_body){.ball_only = true};
-    return 0;
+    return check_size(body, radius, error);
 }
 
 void tool_options_say(const struct tool_body *body, double radius)

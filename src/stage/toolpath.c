@@ -15,9 +15,6 @@
 /* Radii of the ball: a link with the tool down is no longer; a retract takes less time. */
 static const double LONGEST = 6;
 
-/* Radii of the ball: all strips together. */
-static const double MOST_CUT = 5e5;
-
 void toolpath_strip(struct toolpath *t, size_t pass, const struct contact *contact, size_t n,
                     struct vec3 along)
 {
@@ -34,7 +31,7 @@ void toolpath_strip(struct toolpath *t, size_t pass, const struct contact *conta
 
 int toolpath_bounded(const struct toolpath *t, struct error *error)
 {
-    double length = 0, most = MOST_CUT * t->rule.radius;
+    double length = 0, most = TOOLPATH_MOST_CUT * t->rule.radius;
 
     for (size_t k = 0; k < t->strip.n; k++) {
         const struct contact *c = t->strip.item[k].contact.item;

@@ -83,6 +83,9 @@ plate 1000 1004 >wide.ply
 # shellcheck disable=SC2086
 status 1 "503 of them: more than 500,000 radii" $bare -s 2 wide.ply
 has "... is told" 'would cut 503 m .* at most 500 m' err
+# shellcheck disable=SC2086
+status 1 "far more, known from the areas" $bare -s 0.5 wide.ply
+has "... is told" 'would cut about 2008 m, expected at most 500 m' err
 plate 100.1 10 >many.ply
 # shellcheck disable=SC2086
 status 1 "100,100 planes" $bare -a 90 -s 0.001 many.ply
@@ -96,6 +99,10 @@ has "... are told" 'layers 11000 mm thick, expected at most 10000 mm' err
 status 0 "rows a fiftieth of the points' spacing apart" cloud2mesh -q -e 0.01 -t 0.05 near.xyz
 status 1 "nearer ones" cloud2mesh -q -e 0.01 -t 0.01 near.xyz
 has "... are told" 'rows 0.01 mm apart \(-t\), expected at least 0.0[0-9]* mm' err
+status 0 "a tool of 1,000 mm" planecut -q --no-guard -r 1 -s 5 --flute 4 --holder 9:1000 small.ply
+status 2 "a longer one" planecut -q --no-guard -r 1 -s 5 --holder 9:999+9:2 small.ply
+has "... is told" 'a tool that reaches 1001 mm .* expected at most 1000 mm' err
+status 2 "a wider one" planecut -q --no-guard -r 1 -s 5 --holder 1001:9 small.ply
 status 0 "a cloud extended by its own width" cloud2mesh -q -t 4 --extend 49.9 near.xyz
 status 1 "by more" cloud2mesh -q -t 4 --extend 50.1 near.xyz
 has "... is told" 'at most its own width of 50 mm' err
