@@ -10,6 +10,7 @@
 #include "gouge/axis_plan.h"
 #include "gouge/holder_sweep.h"
 #include "machine/rotary_cost.h"
+#include "toolpath/retrace.h"
 #include "toolpath_parts.h"
 
 /* ---- the lean at which rotary axes turn least */
@@ -194,6 +195,21 @@ struct axis_planner *toolpath_new_planner(const struct toolpath *t)
     return axis_planner_new(&options);
 }
 
+/* Cuts off the loops of a strip where the ball does not fit. */
+static void remove_loops(const struct toolpath *t, struct toolpath_strip *strip)
+{
+    const double gap = 0.2, longest = 10; /* radii */
+    const struct gouge_lift_options *lift = &strip->lift;
+    const struct retrace_options options = {.offset = lift->offset,
+                                            .tolerance = lift->tolerance,
+                                            .gap = gap * t->rule.radius,
+                                            .longest = longest * t->rule.radius,
+                                            .guard = lift->guard};
+
+    if (lift->between && lift->guard)
+        retrace_remove(&strip->lifted, &options);
+}
+
 void toolpath_lift_strip(const struct toolpath *t, struct toolpath_strip *strip)
 {
     struct lifted_strip *lifted = &strip->lifted;
@@ -206,6 +222,7 @@ void toolpath_lift_strip(const struct toolpath *t, struct toolpath_strip *strip)
     lifted->run.radius = nodes.radius;
     gouge_lift_run(&nodes, &strip->lift, lifted);
     array_free(&nodes);
+    remove_loops(t, strip);
     if (t->planner)
         plan_strip(t, strip);
     /* Points put between them lie on the smooth path. */

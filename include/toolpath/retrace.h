@@ -1,0 +1,31 @@
+/*
+ * retrace - where a lifted pass goes back on itself.
+ *
+ * In a hollow narrower than the ball each contact lifts the ball along its own normal until it
+ * touches the other side: the centres of one flank run on over the offset of the other one, beyond
+ * the place where the two offsets meet, and come back over the first.  That is the loop of an
+ * offset curve that crosses itself; what it touches is touched once more where the pass comes there
+ * by its own contacts, and the tool turns back on its way at the ends of the loop.  So it is cut
+ * off where the offsets meet.
+ */
+#ifndef CLOUDMILL_RETRACE_H
+#define CLOUDMILL_RETRACE_H
+
+#include "gouge/gouge_lift.h"
+
+struct retrace_options {
+    double offset;                   /* of the centre from the part, mm */
+    double tolerance;                /* centres lifted by no more are where they belong, mm */
+    double gap;                      /* the ends of a loop are no further apart, mm */
+    double longest;                  /* no loop is longer, mm */
+    const struct gouge_check *guard; /* the ball has to be clear of, from one end to the other */
+};
+
+/*
+ * Takes out of each part of the strip the points between two whose centres are within `gap`, where
+ * the way between them is more than twice as long, all of its points are lifted, and the ball
+ * goes straight from the one to the other no deeper than the tolerance.  Returns how many.
+ */
+size_t retrace_remove(struct lifted_strip *strip, const struct retrace_options *options);
+
+#endif

@@ -1,0 +1,46 @@
+/* retrace - see retrace.h. */
+#include "toolpath/retrace.h"
+
+static const double BACK = 2; /* times as long as straight: a way that goes back on itself */
+
+static bool is_lifted(const struct run_point *p, const struct retrace_options *o)
+{
+    return !run_point_touches(p) || run_point_height(p) > o->offset + o->tolerance;
+}
+
+/* The last point before `end` at which the loop that begins at point i may end; i + 1: none. */
+static size_t loop_end(const struct run *run, size_t i, size_t end, const struct retrace_options *o)
+{
+    const struct run_point *p = run->item;
+    double way = 0;
+    size_t last = i + 1;
+
+    for (size_t k = i + 1; k < end && way <= o->longest; k++) {
+        way += vec_distance(p[k - 1].ball, p[k].ball);
+        double apart = vec_distance(p[i].ball, p[k].ball);
+        if (k > i + 1 && apart <= o->gap && way > BACK * apart &&
+            gouge_clear_along(o->guard, p[i].ball, p[k].ball, o->offset, o->tolerance))
+            last = k;
+        if (!is_lifted(&p[k], o))
+            break;
+    }
+    return last;
+}
+
+size_t retrace_remove(struct lifted_strip *strip, const struct retrace_options *options)
+{
+    struct run *run = &strip->run;
+    size_t kept = 0, from = 0, n = run->n;
+
+    for (size_t k = 0; k < strip->end.n; k++) {
+        size_t end = strip->end.item[k];
+        for (size_t i = from, next; i < end; i = next) {
+            next = loop_end(run, i, end, options);
+            run->item[kept++] = run->item[i];
+        }
+        from = end;
+        strip->end.item[k] = kept;
+    }
+    run->n = kept;
+    return n - kept;
+}
