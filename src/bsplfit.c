@@ -30,6 +30,7 @@ static int prepare(void *settings, struct path *in, struct error *error)
     if (!s->common.tolerance_given)
         say("tolerance %g mm (-e)", s->common.tolerance);
     s->common.least = s->common.paper || s->interpolate ? 0 : fitter_least(&s->common, in);
+    s->common.links_stay = s->interpolate;
     if (s->points > 0 && path_set_track(in, (enum path_track)(s->points - 1), error) != 0)
         return -1;
     s->run = (struct spline_run_options){.centre = in->head.track == TRACK_CENTRE,

@@ -4,8 +4,8 @@
  * A new fitter is one file, src/NAME.c, with its table of options, a row `struct fitter`, and a
  * main that calls fitter_run.  The row says how one run is fitted and what is reported; all else
  * is here: the path is read, the scan to keep clear of too, the runs are found and fitted in
- * parallel, what is no run is carried through, the ledger is kept, and the exit status says whether
- * all holds.
+ * parallel, and so are the links between them with the tool down; what is neither is carried
+ * through, the ledger is kept, and the exit status says whether all holds.
  *
  * The mathematics of a fitter is a folder of its own (arcfit, splinefit), which fits a reference
  * (curve/reference.h) and knows nothing of paths.
@@ -23,10 +23,11 @@
 struct fitter_options {
     double tolerance; /* -e, mm: of the tip and the ball's centre */
     bool tolerance_given;
-    double angle; /* --axis-tolerance, degrees */
-    bool paper;   /* --paper: as published */
-    bool report;  /* --report: a table on standard error */
-    double least; /* --min-length: of a piece, mm; 0: any */
+    double angle;    /* --axis-tolerance, degrees */
+    bool paper;      /* --paper: as published */
+    bool links_stay; /* links are not fitted */
+    bool report;     /* --report: a table on standard error */
+    double least;    /* --min-length: of a piece, mm; 0: any */
     bool least_given;
     const char *part_text; /* --part: K/N; NULL: the whole path */
     struct path_part part; /* what it says */
@@ -70,6 +71,7 @@ struct fitted_run {
     size_t from, to;    /* items [from, to) of the path */
     size_t pass;        /* the pass that it is part of */
     size_t number;      /* of the run, for the driver */
+    bool link;          /* it touches nothing */
     struct path fitted; /* the items that take the place of [from + 1, to) */
     struct gouge_refit_result gouge;
     bool swept;   /* all its motions were held against the guard, for `gouge` */

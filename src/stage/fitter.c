@@ -29,10 +29,17 @@ double fitter_least(const struct fitter_options *options, const struct path *in)
     return fmin(blocks * (feed > 0 ? feed : usual), longest);
 }
 
+static const double BESIDE_POLE = RADIANS(2);
+
 /* So many points get the usual work each, more share it. */
 static const double USUAL_POINTS = 12000;
 
 enum { TIMES = 5 }; /* a run is fitted, with other parts each time */
+
+enum { LINK_POINTS = 4 }; /* a link of fewer is as short as it may be */
+
+static const double LINK_OFF =
+    10; /* tolerances: a link's lines are no further off a smooth curve */
 
 static const double LESS_AXIS = 0.3;      /* of the axis tolerance, each time */
 static const double SHORTEST = 0.05;      /* mm: of the tracked point, to be fitted at all */
@@ -57,12 +64,64 @@ struct ranges {
     struct range *item;
 };
 
-static struct fitted_runs find_runs(const struct path *in)
+static bool is_in_link(const struct path_item *item)
+{
+    return item->kind == PATH_POINT && !item->rapid && !item->touches;
+}
+
+/* The axis turns, and comes so near the pole of Z that the least change of it would turn a rotary
+ * axis far: what was planned for it there stays. */
+static bool turns_at_pole(const struct run *run)
+{
+    const struct run_point *p = run->item;
+    bool turns = false, at_pole = false;
+
+    for (size_t i = 0; i < run->n; i++) {
+        turns = turns || vec_distance(p[i].axis, p[0].axis) > 0;
+        at_pole = at_pole || hypot(p[i].axis.x, p[i].axis.y) < BESIDE_POLE;
+    }
+    return turns && at_pole;
+}
+
+/* The straight lines between the points stand for a smooth curve. */
+static bool is_smooth(const struct path *in, size_t from, size_t to, double off)
+{
+    struct run points = path_run_read(in, from, to), dense = {.radius = points.radius};
+    bool smooth = !turns_at_pole(&points) && run_densify(&points, off, &dense) <= off;
+
+    array_free(&points);
+    array_free(&dense);
+    return smooth;
+}
+
+/* Appends the links among the items [from, to) that lead round smoothly, within `off`, each with the
+ * point it begins at. */
+static void find_links(const struct path *in, struct range range, size_t pass, double off,
+                       struct fitted_runs *runs)
+{
+    const struct path_item *item = in->item.item;
+
+    for (size_t i = range.from, end; i < range.to; i = end + 1) {
+        for (end = i; end < range.to && is_in_link(&item[end]);)
+            end++;
+        size_t begin = i > 0 && item[i - 1].kind == PATH_POINT ? i - 1 : i;
+        if (end < begin + LINK_POINTS || !is_smooth(in, begin, end, off))
+            continue;
+        struct fitted_run run = {
+            .from = begin, .to = end, .pass = pass, .number = runs->n, .link = true};
+        *array_push(runs) = run;
+    }
+}
+
+/* The runs, and between them the links unless `off` is 0. */
+static struct fitted_runs find_runs(const struct path *in, double off)
 {
     struct fitted_runs runs = {0};
-    size_t at = 0, pass = 0;
+    size_t at = 0, pass = 0, done = 0;
 
-    for (size_t from = 0, to; path_next_run(in, &from, &to); from = to) {
+    for (size_t from = 0, to; path_next_run(in, &from, &to); from = done = to) {
+        if (off > 0 && runs.n > 0)
+            find_links(in, (struct range){done, from}, pass, off, &runs);
         for (; at < from; at++)
             if (in->item.item[at].kind == PATH_PASS)
                 pass = in->item.item[at].index;
@@ -120,7 +179,8 @@ static void fit_others(const struct workload *w, const struct fitted_run *run, b
                      (struct fitted_run){.from = run->from + from,
                                          .to = run->from + i + 1,
                                          .pass = run->pass,
-                                         .number = run->number},
+                                         .number = run->number,
+                                         .link = run->link},
                      time);
         from = i + 1;
     }
@@ -197,8 +257,11 @@ static void fit_part(const struct workload *w, struct fitted_run run, int time)
         free_run(w->fitter, &run);
         if (!by_axis)
             return;
-        run = (struct fitted_run){
-            .from = run.from, .to = run.to, .pass = run.pass, .number = run.number};
+        run = (struct fitted_run){.from = run.from,
+                                  .to = run.to,
+                                  .pass = run.pass,
+                                  .number = run.number,
+                                  .link = run.link};
     }
 }
 
@@ -239,11 +302,13 @@ static struct fitted_runs fit_all(const struct fitter *fitter, const struct path
                                   struct range range, const struct gouge_refit_options *gouge,
                                   int threads)
 {
-    struct fitted_runs runs = find_runs(in), all = {0};
+    const struct fitter_options *options = fitter->options;
+    bool links = gouge->guard && !options->paper && !options->links_stay;
+    struct fitted_runs runs = find_runs(in, links ? LINK_OFF * options->tolerance : 0), all = {0};
     double points = 1;
 
     for (size_t i = 0; i < runs.n; i++)
-        points += (double)(runs.item[i].to - runs.item[i].from);
+        points += runs.item[i].link ? 0 : (double)(runs.item[i].to - runs.item[i].from);
     keep_runs(&runs, range);
     struct fit_request request = {
         .gouge = gouge, .in = in, .axis_share = 1, .work = fmin(1, USUAL_POINTS / points)};
