@@ -210,6 +210,16 @@ static void say_report(const struct settings *s, const struct path *path,
     note("passes %zu, lines %zu, arcs %zu, splines %zu, rapids %zu; curves chorded %zu", r->passes,
          r->lines, r->arcs, r->splines, r->rapids, r->chorded);
     note("cut %.1f mm, rapid %.1f mm, about %.1f min", r->cut, r->rapid, r->minutes);
+    if (r->fast > 0)
+        say("%zu %s an axis for more than its largest speed, up to %.2f times, first for line %u "
+            "of "
+            "the path",
+            r->fast, r->fast == 1 ? "block asks" : "blocks ask", r->fastest, r->fast_line);
+    else if (r->peaks > 0)
+        note(
+            "%zu %s an axis for more than its largest speed, up to %.2f times, over less than 0.02 "
+            "mm: the control slows down there",
+            r->peaks, r->peaks == 1 ? "block asks" : "blocks ask", r->peak);
     note("kept %.4f mm and %.4f deg; with the stages before %.4f mm", r->point, DEGREES(r->axis),
          r->ledger);
 }
@@ -263,6 +273,8 @@ int main(int argc, char **argv)
     if (s.tolerance > 0 && report.ledger > s.tolerance)
         die_unmet("all stages together spent %.4f mm, expected at most %.4f", report.ledger,
                   s.tolerance);
+    if (report.fast > 0)
+        die_unmet("an axis would be too fast, expected no block beyond its largest speed");
     if (missing)
         die_unmet("%s%s%s%s%s; the program says it where it happens",
                   report.no_spindle_on ? "it cuts without a speed of the spindle (--no-spindle)"

@@ -87,6 +87,11 @@ struct post_report {
     size_t passes, lines, arcs, splines, rapids;
     size_t chorded; /* curves of the path that became straight blocks */
     double cut, rapid, minutes;
+    size_t fast;        /* blocks that ask an axis for more than its largest speed, ... */
+    unsigned fast_line; /* ... the first by its line of the path, ... */
+    double fastest;     /* ... and how many times its speed at most */
+    size_t peaks;       /* blocks where a control that slows down by itself has to, ... */
+    double peak;        /* ... over less than 0.02 mm, and how many times the speed */
     double point, axis; /* deviation of the worst block: mm, radians */
     double ledger;      /* what all stages together spent */
 };

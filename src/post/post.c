@@ -194,6 +194,11 @@ struct post_report post_report(const struct post *post)
         .cut = total->cut * unit,
         .rapid = total->rapid * unit,
         .minutes = total->minutes,
+        .fast = total->fast,
+        .fast_line = total->fast_line,
+        .fastest = total->fastest,
+        .peaks = total->peaks,
+        .peak = total->peak,
         .point = total->spent.point * unit,
         .axis = total->spent.axis,
         .ledger = nc_ledger_sum(p->path, plan)};

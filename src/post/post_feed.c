@@ -6,13 +6,7 @@
 #include "base/array.h"
 #include "base/num.h"
 
-enum {
-    PIECES = 12,
-    PIECES_MOST = 256,
-    SPAN_PIECES = 24,
-    MORE_DIGITS = 3,
-    DIGITS_MAX = 9
-};
+enum { PIECES = 12, PIECES_MOST = 256, SPAN_PIECES = 24, MORE_DIGITS = 3, DIGITS_MAX = 9 };
 
 static const double NOTHING = 1e-6;  /* mm and degrees */
 static const double KEPT = 0.98;     /* of an axis' largest speed: for who looks at other places */
@@ -195,21 +189,40 @@ static double slowest_of(const struct nc_planner *planner, const struct feed_pie
     return most / KEPT;
 }
 
-double post_feed_minutes(const struct nc_planner *planner, const struct machine_pose *to,
-                         double length, const struct nc_along *along, double least)
+/* The same over any way, however short: minutes that a mm, or a degree, takes. */
+static double strictly_slowest(const struct feed_pieces *pieces)
+{
+    const double none = 1e-9;
+    double most = 0;
+    for (size_t i = 0; i < pieces->n; i++)
+        if (pieces->item[i].way > none)
+            most = larger(most, pieces->item[i].minutes / pieces->item[i].way);
+    return most;
+}
+
+/* What the axes need for a block, minutes: as post_feed_minutes has it, and at the even speed at
+ * which none is too fast over any part of it, however short. */
+struct feed_need {
+    double minutes, strict;
+};
+
+static struct feed_need need_of(const struct nc_planner *planner, const struct machine_pose *to,
+                                double length, const struct nc_along *along, double least)
 {
     const struct block_pose *from = &planner->state.at;
     const struct machine *m = planner->machine;
     struct feed_pieces pieces = {.still = !(length > 0)};
-    double minutes = larger(least, post_feed_axes_minutes(planner, from, &to->at)), turn = 0;
+    double axes = post_feed_axes_minutes(planner, from, &to->at), turn = 0;
+    struct feed_need need = {larger(least, axes), axes};
+    double minutes = need.minutes;
     bool curve = along && along->motion->curve;
     for (int i = 0; i < m->chain.n; i++)
         turn += fabs(to->at.q[i] - from->q[i]);
     if (planner->follow.mode == INTERPOLATE_JOINT || m->chain.n == 0)
-        return minutes;
+        return need;
     if (!curve && axes_keep_up(planner, &to->at, minutes) &&
         slides_keep_up(planner, &to->at, length, turn, minutes))
-        return minutes;
+        return need;
     int n = PIECES * (1 + (int)(3 * turn));
     if (planner->follow.mode == INTERPOLATE_VECTOR)
         n = pieces_of_vector(planner, length);
@@ -220,9 +233,17 @@ double post_feed_minutes(const struct nc_planner *planner, const struct machine_
         s = end;
     }
     double way = length > 0 ? length : degrees(from->q, to->at.q);
-    minutes = larger(minutes, way * slowest_of(planner, &pieces, curve ? length : 0.499 * length));
+    double half = curve ? length : 0.499 * length;
+    need.minutes = larger(minutes, way * slowest_of(planner, &pieces, half));
+    need.strict = larger(axes, way * strictly_slowest(&pieces));
     array_free(&pieces);
-    return minutes;
+    return need;
+}
+
+double post_feed_minutes(const struct nc_planner *planner, const struct machine_pose *to,
+                         double length, const struct nc_along *along, double least)
+{
+    return need_of(planner, to, length, along, least).minutes;
 }
 
 /* One span of a curve: where it ends, how long it is, what a mm of it takes at least, minutes. */
@@ -402,6 +423,25 @@ static double turn_length(const struct nc_planner *planner, const struct block_p
                   fabs(planner->follow.ball) * vec_distance(a->a, b->a));
 }
 
+/* Notes a block that asks an axis for more than its largest speed: for `need` minutes' worth of it
+ * in those that the block takes. */
+static void note_fast(const struct nc_planner *planner, struct feed_need need, double takes)
+{
+    const double over = 1.002; /* digits of F, and places between those looked at */
+    struct nc_total *total = &planner->plan->total;
+    bool slows = planner->machine->slows;
+    double asked = slows ? KEPT * need.minutes : need.strict, peak = need.strict;
+    if (!(takes > 0) || !(peak > over * takes))
+        return;
+    bool fast = asked > over * takes;
+    if (fast && total->fast++ == 0)
+        total->fast_line = planner->state.line;
+    if (fast)
+        total->fastest = larger(total->fastest, asked / takes);
+    total->peaks++;
+    total->peak = larger(total->peak, peak / takes);
+}
+
 double post_feed_word(const struct nc_planner *planner, const struct machine_pose *target,
                       double length, const struct nc_along *along, double *minutes)
 {
@@ -416,7 +456,8 @@ double post_feed_word(const struct nc_planner *planner, const struct machine_pos
     double feed = planner->state.feed * planner->state.faster, wished = length / feed;
     if (still) /* else the tip alone says how fast it goes */
         wished = larger(length, turn_length(planner, from, to)) / feed;
-    *minutes = post_feed_minutes(planner, target, length, along, wished);
+    struct feed_need need = need_of(planner, target, length, along, wished);
+    *minutes = need.minutes;
     bool slow = *minutes > wished;
     if (ability->feeds == NC_FEEDS_INVERSE)
         feed = 1 / larger(*minutes, 1e-9);
@@ -434,5 +475,10 @@ double post_feed_word(const struct nc_planner *planner, const struct machine_pos
     double said = num_round(may, digits), least = 1 / num_ten[digits];
     if (said > feed * (1 + 1e-9) && slow)
         said = num_round(said - least, digits);
-    return said > 0 ? said : least;
+    said = said > 0 ? said : least;
+    double way = ability->feeds == NC_FEEDS_INVERSE ? 1
+                 : !tip || stays                    ? joint_length(planner, from, to)
+                                                    : length;
+    note_fast(planner, need, way / said);
+    return said;
 }

@@ -95,6 +95,11 @@ struct nc_total {
     size_t turns;      /* retract, turn, return */
     double cut, rapid; /* length, mm */
     double minutes;
+    size_t fast;                 /* blocks that ask an axis for more than its largest speed, ... */
+    unsigned fast_line;          /* ... the first of them by its line of the path, ... */
+    double fastest;              /* ... and how many times its speed at most */
+    size_t peaks;                /* blocks that do so over less than 0.02 mm, at `slows`, ... */
+    double peak;                 /* ... and how many times there */
     struct pose_deviation spent; /* the worst of all blocks at feed */
     bool feed_assumed, approach_made, retract_made;
 };

@@ -266,6 +266,38 @@ START_TEST(feed_words)
 }
 END_TEST
 
+/* A tip that hardly moves while C makes a quarter of a turn: with so few digits of F that it
+ * stays too fast, the block is counted, and without the turn it is not. */
+START_TEST(blocks_too_fast_are_counted)
+{
+    struct machine m = any_machine(0);
+    struct nc_plan plan = {
+        .ability = {.feed_max = 99999, .unit = 1, .digits = {.linear = 9, .feed = 0}}};
+    struct nc_planner planner = {.machine = &m,
+                                 .plan = &plan,
+                                 .options = {.unit = 1},
+                                 .follow = {.mode = INTERPOLATE_ROTARY, .chain = &m.chain}};
+    struct machine_pose to = {.at = {.p = {1e-6, 0, 0}, .q = {0, 0}}};
+    double minutes;
+    planner.state.feed = 800;
+    planner.state.faster = 1;
+    planner.state.line = 7;
+    to.at.a = planner.state.at.a = chain_axis(&m.chain, to.at.q);
+    for (unsigned turn = 0; turn < 2; turn++) {
+        to.at.q[1] = turn * PI / 2;
+        to.at.a = chain_axis(&m.chain, to.at.q);
+        to.turned = chain_turned(&m.chain, to.at.q);
+        double said = post_feed_word(&planner, &to, 1e-6, NULL, &minutes);
+        ck_assert_uint_eq(plan.total.fast, turn);
+        if (turn == 0)
+            continue;
+        double takes = 1e-6 / said, slowest = 90 / m.rapid[m.letter[1]];
+        ck_assert_double_ge(plan.total.fastest, 0.97 * slowest / takes);
+        ck_assert_uint_eq(plan.total.fast_line, 7);
+    }
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("post_feed");
@@ -273,6 +305,7 @@ int main(void)
 
     tcase_add_loop_test(tests, as_by_small_steps, 0, KINDS);
     tcase_add_test(tests, slow_part_of_a_curve);
+    tcase_add_test(tests, blocks_too_fast_are_counted);
     tcase_add_test(tests, beside_the_singular_direction);
     tcase_add_test(tests, short_past_the_singular_direction);
     tcase_add_test(tests, digits_of_feeds);
