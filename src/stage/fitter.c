@@ -94,8 +94,8 @@ static bool is_smooth(const struct path *in, size_t from, size_t to, double off)
     return smooth;
 }
 
-/* Appends the links among the items [from, to) that lead round smoothly, within `off`, each with the
- * point it begins at. */
+/* Appends the links among the items of the range that lead round smoothly, within `off`, each with
+ * the point it begins at. */
 static void find_links(const struct path *in, struct range range, size_t pass, double off,
                        struct fitted_runs *runs)
 {
