@@ -379,7 +379,8 @@ int main(int argc, char **argv)
     verdict_text(&v, cli.output);
     bool refused = verdict_refused(&v);
     for (size_t i = 0; i < v.finding.n; i++)
-        say("%s: %s", program.file, v.finding.item[i].text);
+        say("%s: %s%s", program.file,
+            v.finding.item[i].fault ? "" : "notice: ", v.finding.item[i].text);
     verdict_free(&v);
     array_free(&points);
     verify_surface_free(&surface);

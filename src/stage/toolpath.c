@@ -571,17 +571,16 @@ static void say_unmet(const struct toolpath *t)
     if (r->unreachable > 0)
         unmet_say(
             uncut,
-            "the ball cannot reach %zu points with a lift of at most %g mm and skips them, worst "
-            "in "
-            "pass %zu by %.3f mm at %.3f %.3f %.3f",
+            "the ball cannot reach %zu points of the path with a lift of at most %g mm and skips "
+            "them, worst in pass %zu by %.3f mm at %.3f %.3f %.3f",
             r->unreachable, t->lift.limit, t->unreachable_pass, r->unreachable_by, at.x, at.y,
             at.z);
     at = t->uncut_at;
     if (t->uncut_places > 0)
         unmet_say(
             uncut,
-            "the ball does not fit at %zu points and leaves material there, worst in pass %zu "
-            "%.3f mm at %.3f %.3f %.3f",
+            "the ball does not fit at %zu points of the path and leaves material there, worst in "
+            "pass %zu, %.3f mm at %.3f %.3f %.3f",
             t->uncut_places, t->uncut_pass, t->uncut_height, at.x, at.y, at.z);
     if ((r->unreachable > 0 || t->uncut_places > 0) && !t->rule.avoid)
         say("a smaller ball must remove it; --avoid accepts it");

@@ -13,6 +13,7 @@ scan="a b/it's.xyz"
 status 0 "a program in one command" cloudmill "$scan" -r 4 -c siemens -o part.mpf -s 0.05 -k kept
 cp err said
 has "ncverify accepts it" '^verdict +accepted' out
+has "and the last line says so" '^cloudmill: part.mpf is written and accepted' err
 ok "picture and page are beside it" test -s part.svg -a -s part.html
 mkdir typed
 sed -n 's/^\$ //p' said | sed -e 's,kept/,typed/,g' -e 's/part\./typed\/part./g' >commands.sh
@@ -34,6 +35,7 @@ status 0 "NURBS surfaces" cloudmill "$SRC/samples/saddle.nurbs" -f points -r 3 -
 awk 'BEGIN { for (x = -10; x <= 10; x += 0.5) for (y = 0; y <= 20; y += 0.5) {
 	r = 16 - x * x; printf "%.3f %.3f %.4f\n", x, y, (r > 0 ? -sqrt(r) : 0) } }' >trough.xyz
 status 3 "what is not kept" cloudmill trough.xyz -r 6 -c siemens -o trough.mpf -s 0.1
+has "is told at the end" '^cloudmill: trough.mpf is written, but not all .* UNMET in its head' err
 ok "is written" test -s trough.mpf
 has "is in its head" 'UNMET: meshnorm: the ball' trough.mpf
 

@@ -164,7 +164,8 @@ int ply_head_read(struct reader *r, struct ply_head *head, struct mesh_origin *o
     if (got == 0)
         return error_at(error, r->name, 0, "is empty, expected a PLY file");
     if (n < 3 || memcmp(line, "ply", 3) != 0 || line[3 + strspn(line + 3, " \t")] != '\0')
-        return error_at(error, r->name, r->line, "no PLY file, expected the line 'ply' first");
+        return error_at(error, r->name, r->line,
+                        "no PLY file, expected the line 'ply' first (planecut reads STL and OFF)");
 
     bool has_format = false;
     while ((got = reader_line(r, &line, &n, error)) > 0) {
