@@ -228,9 +228,11 @@ run ncverify -g "$guard" ${unit:+-u "$unit"} ${control:+-c "$control"} ${machine
 	$partial -r "$radius" -e "$(awk -v e="$tolerance" 'BEGIN { print 2 * e }')" --report "$base.html" "$output"
 [ -z "$dry" ] || exit 0
 if [ "$code" -eq 3 ]; then
-	echo "cloudmill: $output is written, but ncverify refuses it: see \`fault' above, and $base.html" >&2
+	echo "cloudmill: $output is written, but ncverify refuses it:" \
+		"see \`fault' above, and $base.html" >&2
 elif [ $worst -eq 3 ]; then
-	echo "cloudmill: $output is written, but not all that was asked is kept: see UNMET in its head, and $base.html" >&2
+	echo "cloudmill: $output is written, but not all that was asked is kept:" \
+		"see UNMET in its head, and $base.html" >&2
 else
 	echo "cloudmill: $output is written and accepted; look at $base.svg and $base.html" >&2
 fi

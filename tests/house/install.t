@@ -99,6 +99,26 @@ if command -v fish >/dev/null; then
 		"source $prefix/share/fish/vendor_completions.d/ncpost.fish; complete -C 'ncpost -m table-'" >"$TMP/offered" 2>&1
 	has "fish: machines that are installed" '^table-bc' "$TMP/offered"
 fi
+if command -v zsh >/dev/null && zsh -fc 'zmodload zsh/zpty' 2>/dev/null; then
+	# A terminal of its own, as zsh completes in none but such a one.
+	cat >"$TMP/type.zsh" <<'END'
+zmodload zsh/zpty
+zpty z zsh -f
+zpty -w z "TERM=dumb; fpath=($1 \$fpath); autoload -U compinit; compinit -u -D; LISTMAX=500"
+zpty -w -n z "$2"$'\t\t'
+repeat 100; do
+	zpty -r -t z part && print -rn -- "$part"
+	[[ $part == *table-bc* ]] && break
+	sleep 0.1
+done
+zpty -d z
+END
+	elsewhere zsh -f "$TMP/type.zsh" "$prefix/share/zsh/site-functions" \
+		'ncpost -m table-' >"$TMP/offered" 2>&1
+	has "zsh: machines that are installed" 'table-bc' "$TMP/offered"
+else
+	skip "zsh: machines that are installed" "no zsh"
+fi
 
 mine=$prefix/share/cloudmill/machines
 cp "$prefix/share/man/man1/ncpost.1" "$TMP/page"

@@ -48,6 +48,7 @@ fi
 # groff takes other words for its macros than mandoc; packagers look at its messages.
 if command -v groff >/dev/null && command -v man >/dev/null; then
 	for page in "$pages"/*.[157]; do
+		# shellcheck disable=SC2069 # the messages alone
 		LC_ALL=C.UTF-8 man --warnings -E UTF-8 -l -Tutf8 -Z "$page" 2>&1 >/dev/null
 	done >"$TMP/found"
 	empty "groff has nothing to say of them" "$TMP/found"

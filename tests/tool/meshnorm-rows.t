@@ -142,11 +142,13 @@ status 0 "the face, guarded by its scan" meshnorm -v -r 10 --rows mesh --ball-on
 has "lifts" '[1-9][0-9]* points lifted' "$TMP/err"
 below "and does not, anywhere on its way" "$(deepest way "$TMP/f1.cl" --scan "$face")" 0.012
 status 3 "what it leaves standing is not accepted" meshnorm -r 10 --rows mesh --ball-only -j 1 -g "$face" -o "$TMP/f2.cl" "$TMP/face.ply"
-has "and told with its pass, depth and place" "leaves material there, worst in pass [0-9]+, [0-9.]+ mm at" "$TMP/err"
+has "and told with its pass, depth and place" \
+	"leaves material there, worst in pass [0-9]+, [0-9.]+ mm at" "$TMP/err"
 grep -v '^\$\$-> UNMET/' "$TMP/f2.cl" >"$TMP/f3.cl"
 same "but the path is the same, on one thread as on all" "$TMP/f1.cl" "$TMP/f3.cl"
 status 3 "a lift that is not allowed" meshnorm -r 10 --rows mesh --ball-only --limit 0.5 -g "$face" -o "$TMP/f3.cl" "$TMP/face.ply"
-has "is told with its pass and place" "cannot reach [0-9]+ points of the path.* in pass [0-9]+ by [0-9.]+ mm at" "$TMP/err"
+has "is told with its pass and place" \
+	"cannot reach [0-9]+ points of the path.* in pass [0-9]+ by [0-9.]+ mm at" "$TMP/err"
 has "and the path is complete" '^FINI$' "$TMP/f3.cl"
 
 # a scan in inches, turned
