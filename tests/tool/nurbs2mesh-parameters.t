@@ -28,7 +28,7 @@ rectangle() { # U V TO-U TO-V
 	echo "c 110 0 $3,$4,0,$1,$4,0"
 	echo "d 110 0 $1,$4,0,$1,$2,0"
 }
-sides=4,{a},{b},{c},{d}
+sides='4,{a},{b},{c},{d}'
 
 {
 	rectangle 0.25 1 0.75 3
