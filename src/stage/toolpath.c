@@ -588,10 +588,10 @@ static void say_unmet(const struct toolpath *t)
     if (t->blocked > 0)
         unmet_say(
             out,
-            "no way between the clearance plane and %zu runs is clear for the whole tool: left "
-            "out, "
-            "%.1f mm2, the first in pass %zu at %.3f %.3f %.3f",
-            t->blocked, t->blocked_area, t->blocked_pass, at.x, at.y, at.z);
+            "no way between the clearance plane and %zu run%s is clear for the whole tool: left "
+            "out, %.1f mm2, the first in pass %zu at %.3f %.3f %.3f",
+            t->blocked, t->blocked == 1 ? "" : "s", t->blocked_area, t->blocked_pass, at.x, at.y,
+            at.z);
     at = t->skipped_at;
     if (t->skipped > 0)
         unmet_say(
