@@ -81,7 +81,8 @@ zsh_completion() {
 		print "_arguments -s \\" }
 	{ w = words($2, $1, $3); value = ""
 	  if ($3 != "-") {
-		action = w == "@file" ? "_files" : w ~ /^@/ ? "{compadd -- $data/" substr(w, 2) "/*.txt(N\\:t\\:r)}" : \
+		action = w == "@file" ? "_files" : \
+			w ~ /^@/ ? "{compadd -- $data/" substr(w, 2) "/*.txt(N\\:t\\:r)}" : \
 			w != "" ? "(" w ")" : " "
 		value = ":" plain($3) ":" action }
 	  text = "[" plain($4) "]" value
