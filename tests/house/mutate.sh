@@ -1,10 +1,11 @@
 #!/bin/sh
 # mutate.sh - changes a line of src/ at random, N lines (200, or N=...), one change each, and sees
 # whether a test that runs the line notices: the unit tests, the quickest first; then those once
-# more under the sanitizers; then the tool tests, quickest first, as many as TOOL_SECONDS (120)
-# hold.  FOLDERS: those to take lines from (all).  SEED (1) chooses them.  JOBS: how many at a time.
-# Which test runs which line is known from lines.sh; `make mutate` has it made for the unit tests
-# and for TOOL_TESTS, and builds all of them.  A test that fails without a change is left out.
+# more under the sanitizers; then the tool tests, quickest first, as many as TOOL_SECONDS (60)
+# hold; last the jobs of bytes.sh, which say that something changed, not that it is wrong.
+# FOLDERS: those to take lines from (all).  SEED (1) chooses them.  JOBS: how many at a time.
+# Which test runs which line is known from lines.sh; `make mutate` has it made for the unit tests,
+# TOOL_TESTS and the jobs, and builds all of them.  A test that fails without a change is left out.
 #
 #	BUILD=build sh tests/house/mutate.sh [FILE:LINE:CHANGE]...
 #
@@ -55,11 +56,11 @@ candidates() {
 	done | sort -u) | sort | cut -d ' ' -f 2- | head -n "${N:-200}"
 }
 
-# tests of KIND (unit, or what is no unit) that run FILE:LINE and pass as they are, quickest first:
-# SECONDS TEST
+# tests of KIND (tests/unit, tests/tool, bytes) that run FILE:LINE and pass as they are, quickest
+# first: SECONDS TEST
 tests_of() {
-	grep -rlxF "$2" "$MAP" | sed "s,^$MAP/,," | grep -v '^all$' | awk -v kind="$1" '
-		(kind == "unit") == /^tests\/unit\// ' | while read -r test; do
+	[ -d "$MAP/$1" ] || return
+	grep -rlxF "$2" "$MAP/$1" | sed "s,^$MAP/,," | while read -r test; do
 		[ "$(cat "$SECONDS_OF/$test.exit")" -eq 0 ] && echo "$(cat "$SECONDS_OF/$test") $test"
 	done | sort -n
 }
@@ -118,18 +119,27 @@ tools_notice() { # one of $TMP/tests fails
 		own="$BUILD/${tool%.c}.o"
 		[ "$file" != "$tool" ] || own=
 		tool=$(basename "$tool" .c)
+		case $file in
+		src/*/*) ;;
+		*) [ -z "$own" ] || { cp "$BUILD/bin/$tool" "$TMP/bin" && continue; } ;;
+		esac
 		$CC -o "$TMP/bin/$tool" $own "$TMP/changed.o" "$BUILD/libcloudmill.a" -lm -pthread \
-			2>"$TMP/link" || {
-			[ -n "$own" ] && case $file in src/*/*) return 0 ;; esac
-			cp "$BUILD/bin/$tool" "$TMP/bin"
-		}
+			2>"$TMP/link" || return 0
 	done
 	spent=0
 	while read -r seconds test <&3; do
 		spent=$((spent + ${seconds%.*}))
-		[ $spent -le "${TOOL_SECONDS:-120}" ] || return 1
-		BIN=$TMP/bin READBACK=$BUILD/tests/readback/readback CLOUD=$BUILD/tests/accuracy/cloud \
-			timeout $((60 + 60 * ${seconds%.*})) sh "$test" >"$TMP/out" 2>&1 </dev/null || return 0
+		case $test in
+		bytes/*)
+			BIN=$TMP/bin timeout $((20 + 40 * ${seconds%.*})) \
+				sh tests/house/bytes.sh "$BUILD/bytes" "${test#bytes/}" || return 0
+			;;
+		*)
+			[ $spent -le "${TOOL_SECONDS:-60}" ] || continue
+			BIN=$TMP/bin READBACK=$BUILD/tests/readback/readback CLOUD=$BUILD/tests/accuracy/cloud \
+				timeout $((60 + 60 * ${seconds%.*})) sh "$test" >"$TMP/out" 2>&1 </dev/null || return 0
+			;;
+		esac
 	done 3<"$TMP/tests"
 	return 1
 }
@@ -142,8 +152,11 @@ one() { # FILE LINE CHANGE: the verdict
 	# a statement may stand on several lines, of which one is counted
 	counted=$(awk -F: -v f="$file" -v l="$line" '$1 == f && $2 <= l && $2 > b { b = $2 }
 		END { print b }' "$MAP/all")
-	tests_of unit "$file:$counted" >"$TMP/units"
-	tests_of other "$file:$counted" >"$TMP/tests"
+	tests_of tests/unit "$file:$counted" >"$TMP/units"
+	{
+		tests_of tests/tool "$file:$counted"
+		tests_of bytes "$file:$counted"
+	} >"$TMP/tests"
 	# shellcheck disable=SC2086
 	if cmp -s "$file" "$changed"; then
 		verdict='no change'
@@ -175,11 +188,16 @@ if [ "${1:-}" = --one ]; then
 fi
 # shellcheck disable=SC2086
 $CC $FLAGS $SANITIZE -c -o "$fenced" src/base/array.c || exit 1
+[ -n "$(find "$BUILD/bytes/made" -newer "$BUILD/bin/ncpost" 2>/dev/null)" ] ||
+	BIN=$BUILD/bin sh tests/house/bytes.sh --make "$BUILD/bytes"
 if [ $# -gt 0 ]; then printf '%s\n' "$@"; else candidates; fi >"$TMP/candidates"
 tr '\n' '\0' <"$TMP/candidates" |
 	xargs -0 -P "${JOBS:-$(getconf _NPROCESSORS_ONLN)}" -n 1 sh "$0" --one 2>"$TMP/err" |
 	tee "$TMP/results"
-awk -F: '{ n[$1]++; if ($1 == "caught") by[/\(tests\/unit/ ? "unit tests" : "tool tests"]++ }
+awk -F: '{ n[$1]++ }
+	$1 == "caught" {
+		by[/\(tests\/unit/ ? "unit tests" : /\(bytes/ ? "other bytes" : "tool tests"]++
+	}
 	END { for (v in n) printf "%d %s\n", n[v], v
 	for (b in by) printf "%d caught by %s\n", by[b], b
 	all = n["caught"] + n["survived"] + n["no test"]
