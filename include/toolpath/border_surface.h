@@ -27,6 +27,9 @@ double border_surface_step(const struct border_surface *border_surface);
 /* True if a place is near the border of the mesh (within BESIDE spacings). */
 bool border_surface_beside(const struct border_surface *border_surface, struct vec3 p);
 
+/* False: border_surface_move leads to no such place from p, wherever it leads. */
+bool border_surface_may_be_beside(const struct border_surface *border_surface, struct vec3 p);
+
 /* False if a contact of the mesh lies beyond the border of the scan, which is searched near that
  * of the mesh only.  Points nearer than LITTLE spacings, fewer than NEAR points, and points more
  * than a spacing off show no border: the mesh is of more than this scan. */

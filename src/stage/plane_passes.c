@@ -341,18 +341,47 @@ static double add_planes_beyond(const struct plane_passes *p, const struct plane
     }
 }
 
+/* What the threads share that look for planes between others. */
+struct betweens {
+    const struct plane_passes *path;
+    const struct plane_cuts *cuts;
+    struct plane_cut *cut; /* after the i-th of them, where it has a length */
+    double *length;
+};
+
 /* Two planes, of which one ends well before the other where the border runs nearly along them: what
  * goes between. */
-static double add_plane_between(const struct plane_passes *p, const struct plane_cut *low,
-                                const struct plane_cut *high, struct plane_cuts *to)
+static void find_betweens(void *context, size_t from, size_t to)
 {
-    double step = high->height - low->height;
-    struct plane_cut between = {low->height + step / 2, {{0}, {0}}};
-    double length = add_beside(p, low, high, LONG * step, &between) +
-                    add_beside(p, high, low, LONG * step, &between);
+    struct betweens *w = context;
 
-    if (length > 0)
-        *array_push(to) = between;
+    for (size_t i = from; i < to; i++) {
+        const struct plane_cut *low = &w->cuts->item[i], *high = low + 1;
+        double step = high->height - low->height;
+        struct plane_cut between = {low->height + step / 2, {{0}, {0}}};
+        w->length[i] = add_beside(w->path, low, high, LONG * step, &between) +
+                       add_beside(w->path, high, low, LONG * step, &between);
+        w->cut[i] = between;
+    }
+}
+
+/* All planes, and those between them. */
+static double add_planes_between(const struct plane_passes *p, const struct plane_cuts *cuts,
+                                 struct plane_cuts *all)
+{
+    struct betweens w = {p, cuts, mem_alloc(cuts->n, sizeof *w.cut),
+                         mem_alloc(cuts->n, sizeof *w.length)};
+    double length = 0;
+
+    parallel_for(p->threads, cuts->n - 1, find_betweens, &w);
+    for (size_t i = 0; i < cuts->n; i++) {
+        *array_push(all) = cuts->item[i];
+        length += w.length[i];
+        if (w.length[i] > 0)
+            *array_push(all) = w.cut[i];
+    }
+    free(w.cut);
+    free(w.length);
     return length;
 }
 
@@ -381,11 +410,7 @@ static void extend_cuts(const struct plane_passes *p, struct plane_cuts *cuts)
     length += add_planes_beyond(p, &cuts->item[cuts->n - 1], 1, end_step(p, true), &after);
     for (size_t i = before.n; i-- > 0;)
         *array_push(&all) = before.item[i];
-    for (size_t i = 0; i < cuts->n; i++) {
-        if (i > 0)
-            length += add_plane_between(p, &cuts->item[i - 1], &cuts->item[i], &all);
-        *array_push(&all) = cuts->item[i];
-    }
+    length += add_planes_between(p, cuts, &all);
     for (size_t i = 0; i < after.n; i++)
         *array_push(&all) = after.item[i];
     note("rows run out to the border of the scan: %.1f mm more, %zu planes more", length,

@@ -24,6 +24,8 @@ static const double OPEN = 0.005, OPEN_MESH = 0.1;
 static const double STEEP = 0.01; /* sine squared of surface against plane */
 static const double TIGHT = 0.05; /* of the ball's curvature: as much as none is left */
 
+static const double MOVED = 1.001; /* steps: a contact is never moved so far */
+
 struct border_surface {
     struct vec3s point; /* of the scan, near the border of the mesh: first those that are certain */
     struct kdtree *points, *all;
@@ -193,4 +195,9 @@ double border_surface_step(const struct border_surface *b)
 bool border_surface_beside(const struct border_surface *b, struct vec3 p)
 {
     return near_border(b, p, b->beside);
+}
+
+bool border_surface_may_be_beside(const struct border_surface *b, struct vec3 p)
+{
+    return near_border(b, p, b->beside + MOVED * b->step);
 }

@@ -250,8 +250,8 @@ static bool carry_point(const struct border_surface *b, const struct border_surf
     if (!(level2 > 0))
         return false;
     c->p = vec_along(c->p, way / level2, level);
-    return border_surface_move(b, plane, c) && border_surface_beside(b, c->p) &&
-           ends_beyond(b, *plane, *c, way < 0 ? -1 : 1);
+    return border_surface_may_be_beside(b, c->p) && border_surface_move(b, plane, c) &&
+           border_surface_beside(b, c->p) && ends_beyond(b, *plane, *c, way < 0 ? -1 : 1);
 }
 
 static bool is_covered(const struct extensions *all, double at)
