@@ -57,6 +57,10 @@
 #define ARC_JOINT_OFF 0.85
 #define ARC_AXIS_OFF 0.6
 
+/* Radians: an axis that leans little off Z turns a rotary axis about Z by no more, for it comes to
+ * the pole, or leaves it, at one turn. */
+#define ARC_BEARING 0.02
+
 #define ARCFIT_KINK RADIANS(0.01)
 
 /*

@@ -82,10 +82,6 @@ bool arc_window_holds_line(const struct arc_window *w)
 
 /* ---- the axis at the end of a piece */
 
-/* Radians: an axis that leans little off Z turns a rotary axis about Z by no more, for it comes to
- * the pole, or leaves it, at one turn. */
-static const double BEARING = 0.02;
-
 enum { SAMPLES = 8 }; /* points looked at on a piece, at most; more on very short ones */
 
 /* Sideways at point k: across the other point's path and across the axis; only a turn of the axis
@@ -128,7 +124,8 @@ struct vec3 arc_axis_end(const struct reference *reference, const struct arc_pie
         return piece->axis_to;
     double end = sideways_error(reference, piece, to, 1, side), room = part * within->other;
     double shift = clamp(sum / weight, end - room, end + room) / offset;
-    double most = fmin(part * within->axis, BEARING * hypot(piece->axis_to.x, piece->axis_to.y));
+    double most =
+        fmin(part * within->axis, ARC_BEARING * hypot(piece->axis_to.x, piece->axis_to.y));
     shift = clamp(shift, -most, most);
     struct vec3 axis = vec_unit(vec_along(piece->axis_to, shift, side));
     return vec_unit(vec_round(axis, digits));

@@ -35,6 +35,15 @@ void arcspline_set_tangents(struct arcspline *spline, size_t from)
     }
 }
 
+/* The turn of an axis to its side, radians: held where it leans little off Z, so that no rotary
+ * axis about Z turns with it. */
+static double held_turn(struct vec3 axis, double turn)
+{
+    double most = ARC_BEARING * hypot(axis.x, axis.y);
+
+    return fmax(-most, fmin(turn, most));
+}
+
 void arcspline_set_axis(struct arcspline *spline, const struct reference *reference, size_t joint)
 {
     struct joint *j = &spline->joint[joint];
@@ -44,7 +53,8 @@ void arcspline_set_axis(struct arcspline *spline, const struct reference *refere
     struct vec3 ahead = vec_sub(reference->other[k + 1], reference->other[k]);
     struct vec3 side = vec_unit(vec_cross(ahead, j->axis));
     if (reference->offset != 0)
-        j->axis = vec_unit(vec_along(j->axis, j->side / reference->offset, side));
+        j->axis =
+            vec_unit(vec_along(j->axis, held_turn(j->axis, j->side / reference->offset), side));
 }
 
 struct arc arcspline_arc(const struct arcspline *spline, size_t i)

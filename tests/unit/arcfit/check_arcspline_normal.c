@@ -16,7 +16,7 @@ static struct arcspline chain_on(const struct reference *t, size_t n)
     struct arcspline c = arcspline_new(n);
     for (size_t i = 0; i <= n; i++) {
         double place = (double)(i * (t->n - 1)) / (double)n;
-        c.joint[i] = (struct joint){.p = reference_point(t, place), .place = place, .side = 0.003};
+        c.joint[i] = (struct joint){.p = reference_point(t, place), .place = place, .side = 0.0003};
         c.joint[i].p.y += i % 2 ? 0.004 : 0;
         arcspline_set_axis(&c, t, i);
     }
@@ -125,7 +125,7 @@ static void compare(struct arcspline_fit *m, int half, double scale, double held
             size += a[i] * a[i];
             of_right += off[i] * off[i];
         }
-        ck_assert_double_eq_tol(w.right[k], right, 0.05 * sqrt(size * of_right));
+        ck_assert_double_eq_tol(w.right[k], right, 0.05 * sqrt(size * of_right) + 1e-12);
         for (size_t l = 0; l <= k; l++) {
             const double *b = slope + l * rows;
             double product = 0, other = 0;
@@ -133,7 +133,8 @@ static void compare(struct arcspline_fit *m, int half, double scale, double held
                 product += a[i] * b[i];
                 other += b[i] * b[i];
             }
-            ck_assert_double_eq_tol(*band_at(&w.normal, k, l), product, 0.05 * sqrt(size * other));
+            ck_assert_double_eq_tol(*band_at(&w.normal, k, l), product,
+                                    0.05 * sqrt(size * other) + 1e-12);
         }
     }
     free(slope);
