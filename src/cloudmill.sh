@@ -135,10 +135,14 @@ doctor() {
 		# then the one for most of the surface, and what it leaves is for a smaller one.
 		k = !most && main > least ? main : least ? least : n
 		r = most >= spacing ? most : ball[k]
+		if (whole >= spacing && 2 * whole >= r) r = whole
 		if (whole) print "          the largest usual ball that fits everywhere: R " whole
 		else print "          none of these fits everywhere; the others leave material there (--avoid)"
 		print "suggested cloudmill " scan unit " -r " r " -c CONTROL -o part.nc" (whole >= r ? "" : " -- --avoid")
-		if (r != most) print "          R " r " fits " share[k] " % of the surface; what it leaves is for a smaller ball"
+		if (r != most && r != whole) {
+			printf "          R %s fits %s %% of the surface; ", r, share[k]
+			print "what it leaves is for a smaller ball"
+		}
 	}' "$folder/found"
 	exit $code
 }

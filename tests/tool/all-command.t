@@ -43,6 +43,10 @@ status 0 "doctor" cloudmill doctor trough.xyz
 has "the size and the unit that was taken" '20 x 20 x 4 mm, their unit taken as mm' out
 has "which balls fit" 'R 3: 100 %, R 4: .* R 6: ' out
 has "what to begin with" '^suggested cloudmill trough.xyz -r [34] ' out
+awk '{ print $1, $2, $3 }' "$SRC/samples/panel_17036.xyz" | sed -n 'p;n;n' >panel.xyz
+status 0 "doctor, of a panel" cloudmill doctor panel.xyz
+has "a ball that fits everywhere is suggested" \
+	'^suggested cloudmill panel.xyz -r 8 -c CONTROL -o part.nc$' out
 # Hollows everywhere: grooves of radius 2.5 in a slope, a fifth of the surface; none but small balls fit them.
 awk 'BEGIN { for (x = -25; x <= 25; x += 0.5) for (y = 0; y <= 40; y += 0.5) {
 	d = x - 12.5 * int(x / 12.5 + (x < 0 ? -0.5 : 0.5)); r = 6.25 - d * d
