@@ -59,7 +59,8 @@ fi
 shift
 mkdir -p "$COVERED/lines"
 find "$COVERED/src" -name '*.gcno' >"$COVERED/lines/files"
-executed 1 "$COVERED/lines/files" >"$COVERED/lines/all"
+executed 1 "$COVERED/lines/files" >"$COVERED/lines/all.new"
+mv "$COVERED/lines/all.new" "$COVERED/lines/all"
 case " $* " in
 *" bytes/"*)
 	[ -n "$(find "$COVERED/bytes/made" -newer "$COVERED/bin/ncpost" 2>/dev/null)" ] ||

@@ -64,6 +64,24 @@ START_TEST(through_a_link)
 }
 END_TEST
 
+/* Started without standard input, the file gets its number. */
+START_TEST(in_place_of_standard_input)
+{
+    const char *name = scratch_text("older\n");
+    int kept = dup(STDIN_FILENO);
+    close(STDIN_FILENO);
+    struct out *out = out_open(name);
+    ck_assert_int_ge(dup(STDIN_FILENO), 0); /* it is open */
+    out_text(out, "newer\n");
+    is("older\n");
+    out_close(out);
+    is("newer\n");
+    dup2(kept, STDIN_FILENO);
+    out = out_open(name); /* one that is abandoned leaves nothing behind */
+    out_abandon();
+}
+END_TEST
+
 /* Pieces of all lengths around the buffer's, by each way in. */
 START_TEST(all_bytes_in_order)
 {
@@ -131,6 +149,7 @@ int main(void)
 
     tcase_add_test(tests, older_until_complete);
     tcase_add_test(tests, through_a_link);
+    tcase_add_test(tests, in_place_of_standard_input);
     tcase_add_test(tests, all_bytes_in_order);
     tcase_add_test(tests, numbers_read_back);
     suite_add_tcase(suite, tests);

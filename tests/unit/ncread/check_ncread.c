@@ -274,10 +274,30 @@ START_TEST(words_within_a_turn)
 }
 END_TEST
 
+/* Two seconds in the words of each control. */
+START_TEST(dwells)
+{
+    static const char *const word[] = {[FANUC] = "G4 X2.\n",
+                                       [SIEMENS] = "G4 F2\n",
+                                       [HEIDENHAIN] =
+                                           "CYCL DEF 9.0 DWELL TIME\nCYCL DEF 9.1 DWELL 2\n",
+                                       [LINUXCNC] = "G4 P2\n"};
+    for (int i = 0; i < CONTROLS; i++) {
+        struct nc_motion motion;
+        struct error error;
+        ck_assert_msg(read_cut(i, word[i], &motion, &error) == 0, "%s", error.text);
+        ck_assert_double_eq_tol(motion.dwell, 2.0 / 60, 1e-12);
+        nc_motion_free(&motion);
+    }
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("ncread");
     TCase *tcase = tcase_create("ncread");
+
+    tcase_add_test(tcase, dwells);
     tcase_add_loop_test(tcase, motion_is_known, 0, (int)(sizeof move_case / sizeof *move_case));
     tcase_add_loop_test(tcase, inches, 0, CONTROLS);
     tcase_add_loop_test(tcase, refused_with_its_line, 0, (int)(sizeof refused / sizeof *refused));

@@ -47,6 +47,14 @@ START_TEST(chords_keep_the_sagitta)
     ck_assert_double_le(7 * (1 - cos(half)), 0.01);
     ck_assert_double_gt(7 * (1 - cos(2 * half)), 0.01);
     ck_assert_int_ge(arcprint_chords(&piece, 50, 0.01), n); /* the far end turns more */
+    /* an arc that goes on by nothing while its axis turns: of the far end, at 50, all is in that */
+    piece.arc.angle = 1e-9;
+    piece.axis = vec(0, 0, 1);
+    piece.axis_to = vec(sin(0.4), 0, cos(0.4));
+    n = arcprint_chords(&piece, 50, 0.01);
+    ck_assert_double_le(50 * (1 - cos(0.2 / n)), 0.01);
+    ck_assert_double_gt(50 * (1 - cos(0.4 / n)), 0.01);
+    ck_assert_int_eq(arcprint_chords(&piece, 0, 0.01), 1);
 }
 END_TEST
 

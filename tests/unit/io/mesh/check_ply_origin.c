@@ -1,6 +1,7 @@
 /* ply_origin: what a mesh says of itself comes back as it was, each comment by hand, and what is no
  * such comment is told or left alone. */
 #include <check.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -110,6 +111,12 @@ START_TEST(ledger_rounds_up)
         snprintf(want, sizeof want, "comment cloudmill mesh 1\ncomment ledger a %.4f\n", k[i][1]);
         writes(want);
     }
+    mesh.origin.ledger = NAN; /* who spent it is nothing without how much, and the other way */
+    writes("comment cloudmill mesh 1\n");
+    free(mesh.origin.maker);
+    mesh.origin.maker = NULL;
+    mesh.origin.ledger = 0.5;
+    writes("comment cloudmill mesh 1\n");
 }
 END_TEST
 
