@@ -91,6 +91,9 @@ void nurbs_derivatives(const struct nurbs *s, struct uv at, int order, struct ve
  * poles in one place or on one line) the normal is (0, 0, 0). */
 struct nurbs_place nurbs_place(const struct nurbs *s, struct uv at);
 
+/* The normal alone, of the derivatives up to the second order there. */
+struct vec3 nurbs_normal(const struct nurbs *s, struct uv at, struct vec3 d[3][3]);
+
 /* The foot point of q near `at`, within the range (Gauss-Newton). */
 struct uv nurbs_foot(const struct nurbs *s, struct vec3 q, struct uv at);
 

@@ -47,7 +47,7 @@ static double bend_at(const struct nurbs *s, bool flip, double along, double acr
     struct vec3 d[3][3];
     struct uv at = flip ? (struct uv){across, along} : (struct uv){along, across};
     nurbs_derivatives(s, at, 2, d);
-    struct vec3 n = nurbs_place(s, at).normal;
+    struct vec3 n = nurbs_normal(s, at, d);
     struct vec3 second = flip ? d[0][2] : d[2][0], first = vec_unit(flip ? d[0][1] : d[1][0]);
     double straight = fabs(vec_dot(second, n));
     double twist = fabs(vec_dot(d[1][1], n));
@@ -58,20 +58,33 @@ static double bend_at(const struct nurbs *s, bool flip, double along, double acr
     return border ? fmax(straight, vec_length(vec_reject(second, first)) / 2) : straight;
 }
 
-/* Lines between two breaks: equal shares of the integral of the root of the bend. */
-static void lines_between(const struct nurbs *s, bool flip, double from, double to, double factor,
-                          bool border, struct doubles *line)
+/* The root of the largest bend across, at ALONG places of each interval between two breaks. */
+static void measure_roots(const struct nurbs *s, bool flip, bool border, struct doubles *at,
+                          struct doubles *root)
 {
     const struct nurbs_axis *other = flip ? &s->u : &s->v;
-    double sum[ALONG + 1] = {0};
-    for (int i = 0; i < ALONG; i++) {
-        double most = 0, x = from + (to - from) * (i + 0.5) / ALONG;
-        for (int k = 0; k <= ACROSS; k++) {
-            double y = other->from + (other->to - other->from) * k / ACROSS;
-            most = fmax(most, bend_at(s, flip, x, y, border && (k == 0 || k == ACROSS)));
+    break_lines(flip ? &s->v : &s->u, at);
+    root->n = 0;
+    array_reserve(root, (at->n - 1) * ALONG);
+    for (size_t b = 0; b + 1 < at->n; b++)
+        for (int i = 0; i < ALONG; i++) {
+            double from = at->item[b], to = at->item[b + 1];
+            double most = 0, x = from + (to - from) * (i + 0.5) / ALONG;
+            for (int k = 0; k <= ACROSS; k++) {
+                double y = other->from + (other->to - other->from) * k / ACROSS;
+                most = fmax(most, bend_at(s, flip, x, y, border && (k == 0 || k == ACROSS)));
+            }
+            root->item[root->n++] = sqrt(most);
         }
-        sum[i + 1] = sum[i] + sqrt(most) * (to - from) / ALONG * factor;
-    }
+}
+
+/* Lines between two breaks: equal shares of the integral of the root of the bend. */
+static void lines_between(const double *root, double from, double to, double factor,
+                          struct doubles *line)
+{
+    double sum[ALONG + 1] = {0};
+    for (int i = 0; i < ALONG; i++)
+        sum[i + 1] = sum[i] + root[i] * (to - from) / ALONG * factor;
     double cells = fmin(fmax(1, ceil(sum[ALONG])), CELLS_MAX);
     *array_push(line) = from;
     for (int i = 0, k = 1; k < cells; k++) {
@@ -83,23 +96,34 @@ static void lines_between(const struct nurbs *s, bool flip, double from, double 
     }
 }
 
-static void lines_of(const struct nurbs *s, bool flip, double factor, bool border,
+static void lines_of(const struct doubles *at, const struct doubles *root, double factor,
                      struct doubles *line)
 {
-    struct doubles at = {0};
-    break_lines(flip ? &s->v : &s->u, &at);
     line->n = 0;
-    for (size_t i = 0; i + 1 < at.n; i++)
-        lines_between(s, flip, at.item[i], at.item[i + 1], factor, border, line);
-    *array_push(line) = at.item[at.n - 1];
-    array_free(&at);
+    for (size_t i = 0; i + 1 < at->n; i++)
+        lines_between(root->item + i * ALONG, at->item[i], at->item[i + 1], factor, line);
+    *array_push(line) = at->item[at->n - 1];
 }
 
-void isolines_bent(const struct nurbs *s, double tolerance, double finer, bool border,
+void isolines_measure(const struct nurbs *s, bool border, struct isolines_bend *bend)
+{
+    measure_roots(s, false, border, &bend->at_u, &bend->root_u);
+    measure_roots(s, true, border, &bend->at_v, &bend->root_v);
+}
+
+void isolines_bent(const struct isolines_bend *bend, double tolerance, double finer,
                    struct doubles *u, struct doubles *v)
 {
     /* h^2 bend / 8 <= tolerance / 2 in each direction */
     double factor = finer / sqrt(4 * tolerance);
-    lines_of(s, false, factor, border, u);
-    lines_of(s, true, factor, border, v);
+    lines_of(&bend->at_u, &bend->root_u, factor, u);
+    lines_of(&bend->at_v, &bend->root_v, factor, v);
+}
+
+void isolines_bend_free(struct isolines_bend *bend)
+{
+    array_free(&bend->at_u);
+    array_free(&bend->root_u);
+    array_free(&bend->at_v);
+    array_free(&bend->root_v);
 }

@@ -10,14 +10,23 @@
 /* n cells over the range, equal between the breaks (nurbs_axis_breaks); every break is a line. */
 void isolines_equal(const struct nurbs_axis *axis, int n, struct doubles *line);
 
+/* How far a surface bends along lines of u and of v, whatever the tolerance. */
+struct isolines_bend {
+    struct doubles at_u, root_u, at_v, root_v;
+};
+
+/* `border`: the ends of the ranges bound the surface, and their curves keep the tolerance too, where
+ * they bend within the surface (the rim of a disc).  The caller frees it. */
+void isolines_measure(const struct nurbs *s, bool border, struct isolines_bend *bend);
+
 /*
  * As many cells in u and in v as the tolerance needs, denser where the surface bends more: so that
  * the bound of Filip, Magedson and Markot (1986) on the distance between a triangle and the
- * surface, with the second derivatives taken along the normal, is `tolerance` / `finer` squared.  `border`: the ends of the ranges bound
- * the surface, and their curves keep the tolerance too, where they bend within the surface (the rim
- * of a disc).
+ * surface, with the second derivatives taken along the normal, is `tolerance` / `finer` squared.
  */
-void isolines_bent(const struct nurbs *s, double tolerance, double finer, bool border,
+void isolines_bent(const struct isolines_bend *bend, double tolerance, double finer,
                    struct doubles *u, struct doubles *v);
+
+void isolines_bend_free(struct isolines_bend *bend);
 
 #endif

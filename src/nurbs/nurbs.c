@@ -393,15 +393,30 @@ static struct vec3 limit_normal(const struct nurbs *s, struct uv at)
  * digits, from a little way inside. */
 static const double NORMAL_LEAST = 1e-10, CURVATURE_LEAST = 1e-5;
 
+/* The normal and how sound the derivatives are. */
+static double find_normal(const struct nurbs *s, struct uv at, struct vec3 d[3][3],
+                          struct vec3 *normal)
+{
+    double sound = plain_normal(s, d, normal);
+    if (sound <= NORMAL_LEAST && !edge_normal(s, d, at, normal))
+        *normal = limit_normal(s, at);
+    return sound;
+}
+
+struct vec3 nurbs_normal(const struct nurbs *s, struct uv at, struct vec3 d[3][3])
+{
+    struct vec3 normal;
+    find_normal(s, at, d, &normal);
+    return normal;
+}
+
 struct nurbs_place nurbs_place(const struct nurbs *s, struct uv at)
 {
     struct vec3 d[3][3];
     struct nurbs_place p = {0}, inner = {0};
     nurbs_derivatives(s, at, 2, d);
     p.point = d[0][0];
-    double sound = plain_normal(s, d, &p.normal);
-    if (sound <= NORMAL_LEAST && !edge_normal(s, d, at, &p.normal))
-        p.normal = limit_normal(s, at);
+    double sound = find_normal(s, at, d, &p.normal);
     if (sound > CURVATURE_LEAST) {
         principal_curvatures(d, &p);
         return p;

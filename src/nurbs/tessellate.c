@@ -290,13 +290,13 @@ static void make_sheet(const struct patch *patch, const struct uv_polygon *loops
 /* Grids to a tolerance, each finer than the one before it, until one keeps it or finer ones hardly
  * help. */
 static void refine(const struct patch *patch, const struct uv_polygon *loops,
-                   struct tessellate_options how, bool exact, struct sheet *sheet)
+                   const struct isolines_bend *bend, struct tessellate_options how, bool exact,
+                   struct sheet *sheet)
 {
     struct doubles u = {0}, v = {0};
     double finer = 1, last = HUGE_VAL, factor = 1, first = 0;
     for (int round = 0, idle = 0; round < ROUNDS && idle < IDLE; round++) {
-        isolines_bent(&patch->surface, how.tolerance, finer, patch->open || patch->loop.n == 0, &u,
-                      &v);
+        isolines_bent(bend, how.tolerance, finer, &u, &v);
         double cells = (double)u.n * (double)v.n;
         first = round == 0 ? cells : first;
         if (!exact && cells > CROWDED * first)
@@ -319,8 +319,8 @@ static void refine(const struct patch *patch, const struct uv_polygon *loops,
 
 /* Where the parameters rest, at a pole for instance, the bound on the distance is too large,
  * however fine the grid: then the distance itself is sought. */
-static void tessellate_once(const struct patch *patch, struct tessellate_options how,
-                            double trimming, struct sheet *sheet)
+static void tessellate_once(const struct patch *patch, const struct isolines_bend *bend,
+                            struct tessellate_options how, double trimming, struct sheet *sheet)
 {
     struct uv_polygon loops;
     struct doubles u = {0}, v = {0};
@@ -331,9 +331,9 @@ static void tessellate_once(const struct patch *patch, struct tessellate_options
         isolines_equal(&patch->surface.v, how.n, &v);
         make_sheet(patch, &loops, how, false, &u, &v, sheet);
     } else {
-        refine(patch, &loops, how, false, sheet);
+        refine(patch, &loops, bend, how, false, sheet);
         if (sheet->error > how.tolerance)
-            refine(patch, &loops, how, true, sheet);
+            refine(patch, &loops, bend, how, true, sheet);
     }
     array_free(&u);
     array_free(&v);
@@ -344,12 +344,16 @@ static void tessellate_once(const struct patch *patch, struct tessellate_options
 void tessellate(const struct patch *patch, struct tessellate_options how, struct sheet *sheet)
 {
     double trimming = how.tolerance;
-    tessellate_once(patch, how, trimming, sheet);
+    struct isolines_bend bend = {0};
+    if (how.n <= 0)
+        isolines_measure(&patch->surface, patch->open || patch->loop.n == 0, &bend);
+    tessellate_once(patch, &bend, how, trimming, sheet);
     for (int round = 1; round < TRIM_ROUNDS && sheet->unclear > 0; round++) {
         sheet_free(sheet);
         trimming /= TRIM_FINER;
-        tessellate_once(patch, how, trimming, sheet);
+        tessellate_once(patch, &bend, how, trimming, sheet);
     }
+    isolines_bend_free(&bend);
 }
 
 void sheet_free(struct sheet *sheet)

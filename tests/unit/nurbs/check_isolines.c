@@ -58,7 +58,10 @@ START_TEST(bent)
     struct patch p = known_cylinder(10, 50);
     struct doubles u = {0}, v = {0};
     for (int k = 0; k < 4; k++) {
-        isolines_bent(&p.surface, tolerance[k], 1, false, &u, &v);
+        struct isolines_bend bend = {0};
+        isolines_measure(&p.surface, false, &bend);
+        isolines_bent(&bend, tolerance[k], 1, &u, &v);
+        isolines_bend_free(&bend);
         rises(&u, &p.surface.u);
         ck_assert_uint_eq(v.n, 2); /* straight */
         double most = 0, fewest = PI / acos(1 - tolerance[k] / 10);
