@@ -14,9 +14,14 @@ enum { BEST = 24, EACH = 3, ACROSS = 96, LEAST = 6, FEW = 3, MANY = 64, STEPS_MA
 /* By the size of the patch, and in mm: how exactly its trimming is followed. */
 static const double TRIM_TOLERANCE = 1e-6;
 
+/* Curvatures that differ by so much of them, or by so much in 1/mm, are one: of a cylinder, and of
+ * a plane. */
+static const double EVEN = 1e-9, FLAT = 1e-12;
+
 struct search {
     const struct patch *patch;
     const struct uv_polygon *loops;
+    const struct uv_rows *rows; /* of the loops */
     bool flipped;
     struct concave_radius best[BEST]; /* the most concave first */
     struct nurbs span[BEST];
@@ -26,7 +31,7 @@ static double curvature_at(const struct search *s, const struct nurbs *part, str
                            struct vec3 *point)
 {
     bool open = s->patch->open || s->loops->open || s->loops->n == 0;
-    if (s->loops->n > 0 && !uv_polygon_inside(s->loops, open, at))
+    if (s->loops->n > 0 && !uv_rows_inside(s->rows, open, at))
         return -HUGE_VAL;
     struct nurbs_place p = nurbs_place(part, at);
     *point = p.point;
@@ -184,6 +189,11 @@ static struct concave_radius climb_border(const struct search *s, const struct u
         struct concave_radius h = at[1];
         if (h.curvature < at[0].curvature || h.curvature < at[2].curvature)
             continue;
+        double lower = fmin(at[0].curvature, at[2].curvature);
+        if (h.curvature - lower <= fmax(EVEN * fabs(h.curvature), FLAT)) { /* no way up */
+            best = h.curvature > best.curvature ? h : best;
+            continue;
+        }
         double t = (double)i, step = 0.5;
         for (int turn = 0; turn < STEPS_MAX && step > 1e-9; turn++) {
             struct concave_radius low = border_place(s, loop, t - step);
@@ -216,7 +226,9 @@ static struct uvs range_border(const struct nurbs *f)
 static struct concave_radius find_inside(const struct patch *patch, const struct uv_polygon *loops,
                                          bool flipped, int threads)
 {
-    struct search s = {.patch = patch, .loops = loops, .flipped = flipped};
+    struct uv_rows rows;
+    uv_rows_make(loops, &rows);
+    struct search s = {.patch = patch, .loops = loops, .rows = &rows, .flipped = flipped};
     struct spans spans = {.search = &s};
     for (size_t i = 0; i < BEST; i++)
         s.best[i].curvature = -HUGE_VAL;
@@ -248,6 +260,7 @@ static struct concave_radius find_inside(const struct patch *patch, const struct
             best = h;
     }
     array_free(&rim);
+    uv_rows_free(&rows);
     return best;
 }
 

@@ -35,6 +35,21 @@ void trim_loops(const struct patch *patch, double tolerance, struct uv_polygon *
 /* True when an odd number of loops go round the place, or an even number where `open`. */
 bool uv_polygon_inside(const struct uv_polygon *loops, bool open, struct uv at);
 
+/* The sides of all loops by rows of v, for asking about many places. */
+struct uv_rows {
+    double from, height; /* of the first row, and of each */
+    size_t n;
+    size_t *first;        /* [n + 1] in `side` */
+    struct uv (*side)[2]; /* from, to */
+};
+
+void uv_rows_make(const struct uv_polygon *loops, struct uv_rows *rows);
+
+/* As uv_polygon_inside, and the same answer. */
+bool uv_rows_inside(const struct uv_rows *rows, bool open, struct uv at);
+
+void uv_rows_free(struct uv_rows *rows);
+
 /* True when the inside, by the same rule, lies to the right of a loop. */
 bool uv_polygon_backwards(const struct uv_polygon *loops, size_t index, bool open);
 
