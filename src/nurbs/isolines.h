@@ -15,8 +15,8 @@ struct isolines_bend {
     struct doubles at_u, root_u, at_v, root_v;
 };
 
-/* `border`: the ends of the ranges bound the surface, and their curves keep the tolerance too, where
- * they bend within the surface (the rim of a disc).  The caller frees it. */
+/* `border`: the ends of the ranges bound the surface, and their curves keep the tolerance too,
+ * where they bend within the surface (the rim of a disc).  The caller frees it. */
 void isolines_measure(const struct nurbs *s, bool border, struct isolines_bend *bend);
 
 /*
