@@ -217,6 +217,8 @@ static const struct {
     {SIEMENS, "CIP X20 Y0 I1=AC(10) J1=AC(0) K1=AC(50)\n", "on a line"},
     {SIEMENS, "POLY PO[X]=(8) PL=0\n", "PL"},
     {SIEMENS, "G1 PO[X]=(8)\n", "without POLY"},
+    {SIEMENS, "BSPLINE SD=3 X1 PL=2\n", "BSPLINE with tool vectors or PL"},
+    {SIEMENS, "BSPLINE SD=3 X1 A3=0 B3=0 C3=1\n", "BSPLINE with tool vectors or PL"},
     {SIEMENS, "SUPA G0 Z0\n", "TRAORI"},
     {HEIDENHAIN, "L X10 F500\n", "sign"},
     {HEIDENHAIN, "L X+10 X+11 F500\n", "twice"},

@@ -174,6 +174,7 @@ static const struct {
     {"GOTO/1,2,3\001\nFINI\n", "binary"},
     {"GOTO/0,0,0\nMOVNRB/M3AXIS\nMOVNRB/ON,4,8,0,4,1\nMOVNRB/1,0,0,0,0,1,1,1\nFINI\n", "7 knots"},
     {"GOTO/0,0,0\nMOVNRB/M3AXIS\nMOVNRB/ON,4,8,0,4,1\nMOVNRB/1,0,0,0,1,0,1,1,1\nFINI\n", "knot 5"},
+    {"GOTO/0,0,0\nMOVNRB/M3AXIS\nMOVNRB/ON,4,8,0,4,1\nMOVNRB/1,1,0,0,0,1,1,1,1\nFINI\n", "knot 2"},
     {"GOTO/0,0,0\nMOVNRB/M3AXIS\nMOVNRB/ON,4,9,0,4,1\nFINI\n", "knots = poles + order"},
     {"GOTO/0,0,0\nMOVNRB/M3AXIS\nFINI\n", "within MOVNRB"},
     {"GOTO/0,0,0\nMOVNRB/2,1,2,3\nFINI\n", "out of its order"},
