@@ -225,6 +225,11 @@ for page in "$pages"/*.[157]; do
 	file=$(basename "$page")
 	n=1
 	while example "$page" $n >"$TMP/script" && [ -s "$TMP/script" ]; do
+		if grep -q 'parallel\.sh' "$TMP/script" && ! command -v parallel >/dev/null; then
+			skip "$file: example $n runs" "no GNU parallel"
+			n=$((n + 1))
+			continue
+		fi
 		rm -rf "$TMP/root" "$TMP/codes"
 		mkdir "$TMP/root"
 		ln -s "$SRC/samples" "$SRC/machines" "$TMP/root"
