@@ -39,6 +39,7 @@ for play in 15 0; do
 done
 below "least time is no more than 1.25 times length by feed" "$(figure ratio play-15)" 1.25
 below "no block asks an axis for more than its largest speed" "$(figure over play-15)" 0
+below "links are a few arcs each" "$(figure motions play-15)" 320
 below "A and C turn less than half as far as by the rule" \
 	"$(awk -v a="$(figure turn-A play-15)" -v b="$(figure turn-C play-15)" 'BEGIN { print a + b }')" \
 	"$(awk -v a="$(figure turn-A play-0)" -v b="$(figure turn-C play-0)" 'BEGIN { print (a + b) / 2 }')"
