@@ -274,6 +274,8 @@ START_TEST(inside_by_angles)
         for (int k = 0; k < 3; k++)
             *array_push(&loops) = star((struct uv){uniform(-1, 1), uniform(-1, 1)}, 0.3, 2,
                                        3 + (int)uniform(0, 20), uniform(0, 1) < 0.5);
+        struct uv_rows rows;
+        uv_rows_make(&loops, &rows);
         for (int i = 0; i < 200; i++) {
             struct uv p = {uniform(-3, 3), uniform(-3, 3)};
             int n = 0;
@@ -281,9 +283,37 @@ START_TEST(inside_by_angles)
                 n += abs(turns(&loops.item[k], p));
             ck_assert(uv_polygon_inside(&loops, false, p) == (n % 2 == 1));
             ck_assert(uv_polygon_inside(&loops, true, p) == (n % 2 == 0));
+            ck_assert(uv_rows_inside(&rows, false, p) == (n % 2 == 1));
+            ck_assert(uv_rows_inside(&rows, true, p) == (n % 2 == 0));
         }
+        /* at the heights of corners, where a side more or less counts twice */
+        for (size_t i = 0; i < loops.item[0].n; i++) {
+            struct uv p = {uniform(-3, 3), loops.item[0].item[i].v};
+            ck_assert(uv_rows_inside(&rows, false, p) == uv_polygon_inside(&loops, false, p));
+        }
+        uv_rows_free(&rows);
         uv_polygon_free(&loops);
     }
+}
+END_TEST
+
+/* Sides that all reach from below to above: no more room than some for each of them. */
+START_TEST(rows_of_long_sides)
+{
+    struct uv_polygon loops = {0};
+    struct uvs *comb = array_push(&loops);
+    *comb = (struct uvs){0};
+    for (int i = 0; i < 20000; i++)
+        *array_push(comb) = (struct uv){i, i % 2};
+    struct uv_rows rows;
+    uv_rows_make(&loops, &rows);
+    ck_assert_uint_le(rows.first[rows.n], 20 * comb->n);
+    for (int i = 0; i < 50; i++) {
+        struct uv p = {uniform(0, 20000), uniform(-0.1, 1.1)};
+        ck_assert(uv_rows_inside(&rows, false, p) == uv_polygon_inside(&loops, false, p));
+    }
+    uv_rows_free(&rows);
+    uv_polygon_free(&loops);
 }
 END_TEST
 
@@ -316,6 +346,7 @@ int main(void)
     tcase_add_test(tests, seek);
     tcase_add_test(tests, over_the_seam);
     tcase_add_test(tests, inside_by_angles);
+    tcase_add_test(tests, rows_of_long_sides);
     tcase_add_test(tests, hands);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);
