@@ -343,7 +343,7 @@ static int add_next_point(struct path_parse *p, const double *v, size_t n)
         return -1;
     if (p->path->item.n == p->path->item.cap)
         make_room(p);
-    struct path_item *item = &p->path->item.item[p->path->item.n++];
+    struct path_item *item = array_push(&p->path->item);
     *item = (struct path_item){.kind = PATH_POINT, .line = p->apt.line, .to = to};
     if (p->touches)
         path_attach_contact(p, item);
