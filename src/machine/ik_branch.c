@@ -88,8 +88,12 @@ bool ik_branch_end(const struct kinematic_chain *chain, const struct chain_solut
 
 double ik_branch_step(const struct kinematic_chain *chain, struct vec3 axis)
 {
+    const double tilted = 0.12, most = 0.035; /* sine: beyond it the step is the largest */
+    struct vec3 across = vec_cross(chain->rotary[0].axis, axis);
+    if (chain->n && vec_dot(across, across) > tilted * tilted)
+        return most;
     double off = chain->n ? vec_angle(chain->rotary[0].axis, axis) : 1;
-    return fmax(5e-4, fmin(0.035, 0.3 * fmin(off, PI - off)));
+    return fmax(5e-4, fmin(most, 0.3 * fmin(off, PI - off)));
 }
 
 struct ik_branch_target ik_branch_target(const struct kinematic_chain *chain, double cone,

@@ -197,13 +197,21 @@ static void add_ends_of_travel(struct lookahead *ahead, const struct kinematic_c
     ahead->found = b;
 }
 
+/* Two directions are no further apart than a small angle; mostly their sine says it. */
+static bool is_close(struct vec3 a, struct vec3 b, double angle)
+{
+    struct vec3 across = vec_cross(a, b);
+    return (vec_dot(a, b) > 0 && vec_dot(across, across) < 0.98 * angle * angle) ||
+           vec_angle(a, b) <= angle;
+}
+
 /* Places of a motion after s0, where the direction is a0, up to s1. */
 static void add_places(struct lookahead *ahead, const struct kinematic_chain *chain,
                        const struct motion *motion, double s0, struct vec3 a0, double s1, int depth)
 {
     struct pose to = motion_at(motion, s1);
     double close = fmin(ik_branch_step(chain, a0), ik_branch_step(chain, to.a));
-    if (vec_angle(a0, to.a) <= close || depth == DEPTH || ahead->n > PLACES_MAX) {
+    if (is_close(a0, to.a, close) || depth == DEPTH || ahead->n > PLACES_MAX) {
         add_ends_of_travel(ahead, chain, motion, s0, s1, to.a);
         add_place_found(ahead, to, s1, false, &ahead->found);
         return;
