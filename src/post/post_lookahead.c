@@ -410,6 +410,8 @@ static bool look_ahead_over(struct lookahead *ahead, const struct nc_planner *pl
     *ahead = (struct lookahead){.planner = planner};
     if (planner->follow.mode == INTERPOLATE_VECTOR || planner->machine->chain.n == 0)
         return false;
+    array_reserve(ahead, to - from + (to - from) / 16); /* most items have one place */
+    array_reserve(&ahead->s, ahead->cap);
     add_items(ahead, from, to);
     struct ik_plan plan = {.chain = &planner->machine->chain,
                            .cone = planner->allowed.axis / 2,
