@@ -129,7 +129,8 @@ if wanted fit; then
 	n=$(sed -n 's/^element face //p' "$tmp/part.ply")
 	ours "planecut -r 6 -s 3, $n facets" 'linear' "$BIN/planecut" -q -r 6 -s 3 "$tmp/part.ply"
 	awk 'BEGIN {
-		print "UNITS/MM\nMULTAX/ON\nLOADTL/1\nSPINDL/8000,CLW\nCUTTER/8,4,0,4,0,0,60\nRAPID\nGOTO/0,0,60,0,0,1\nFEDRAT/MMPM,500"
+		print "UNITS/MM\nMULTAX/ON\nLOADTL/1\nSPINDL/8000,CLW\nCUTTER/8,4,0,4,0,0,60"
+		print "RAPID\nGOTO/0,0,60,0,0,1\nFEDRAT/MMPM,500"
 		for (i = 0; i < 13033; i++) {
 			x = i / 130
 			printf "GOTO/%.6f,%.6f,%.6f,0,0,1\n", x, 3 * sin(x / 7), 5 * sin(x / 20) + 0.4 * sin(x)
@@ -148,7 +149,8 @@ fi
 if wanted post; then
 # a million places with a tool axis that turns all the time, as CL text
 awk 'BEGIN {
-	print "UNITS/MM\nMULTAX/ON\nLOADTL/1\nSPINDL/8000,CLW\nCUTTER/8,4,0,4,0,0,60\nRAPID\nGOTO/0,0,60,0,0,1\nFEDRAT/MMPM,500"
+	print "UNITS/MM\nMULTAX/ON\nLOADTL/1\nSPINDL/8000,CLW\nCUTTER/8,4,0,4,0,0,60"
+	print "RAPID\nGOTO/0,0,60,0,0,1\nFEDRAT/MMPM,500"
 	for (i = 0; i < 1000000; i++) {
 		t = i / 5000; a = 0.3 * sin(t); b = 0.25 * cos(t * 1.3) + 0.05; x = i % 2000 / 10
 		printf "GOTO/%.6f,%.6f,%.6f,%.9f,%.9f,%.9f\n", x, int(i / 2000) * 0.3, 5 * sin(x / 20), a, b,
