@@ -161,6 +161,32 @@ START_TEST(home_and_clear)
 }
 END_TEST
 
+/* Seconds, or turns at the speed that is on, which become seconds. */
+START_TEST(delays)
+{
+    static const struct {
+        const char *text, *kept, *found; /* found: refused */
+    } k[] = {{"DELAY/2.5", "DELAY/2.5", NULL},
+             {"SPINDL/RPM,600\nDELAY/REV,5", "DELAY/0.500000", NULL},
+             {"SPINDL/RPM,900\nDELAY/1,REV", "DELAY/0.066667", NULL},
+             {"DELAY/REV,5", NULL, "found DELAY by turns, expected SPINDL"},
+             {"DELAY/-1", NULL, "found `DELAY/-1`, expected DELAY/ and seconds"},
+             {"DELAY/ON", NULL, "expected DELAY/ and seconds"}};
+    for (size_t i = 0; i < sizeof k / sizeof *k; i++) {
+        struct path path = {0};
+        struct error error = {.text = ""};
+        char text[200];
+        snprintf(text, sizeof text, "UNITS/MM\nGOTO/0,0,0\n%s\nFINI\n", k[i].text);
+        ck_assert_int_eq(read_text(text, &path, &error), k[i].found ? -1 : 0);
+        if (k[i].found)
+            ck_assert_msg(strstr(error.text, k[i].found) != NULL, "%s", error.text);
+        else
+            ck_assert_str_eq(path.text.item[path.text.n - 1], k[i].kept);
+        path_free(&path);
+    }
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("path_tool");
@@ -168,6 +194,7 @@ int main(void)
     tcase_add_loop_test(tests, feeds_in_all_units, 0, sizeof feeds / sizeof *feeds);
     tcase_add_loop_test(tests, speeds_in_all_words, 0, sizeof speeds / sizeof *speeds);
     tcase_add_loop_test(tests, speeds_that_follow, 0, sizeof later / sizeof *later);
+    tcase_add_test(tests, delays);
     tcase_add_loop_test(tests, home_and_clear, 0, sizeof homes / sizeof *homes);
     suite_add_tcase(suite, tests);
     SRunner *runner = srunner_create(suite);
