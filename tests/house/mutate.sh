@@ -187,7 +187,7 @@ if [ "${1:-}" = --one ]; then
 	exit 0
 fi
 # shellcheck disable=SC2086
-$CC $FLAGS $SANITIZE -c -o "$fenced" src/base/array.c || exit 1
+$CC $FLAGS $SANITIZE -DARRAY_FENCE -c -o "$fenced" src/base/array.c || exit 1
 [ -n "$(find "$BUILD/bytes/made" -newer "$BUILD/bin/ncpost" 2>/dev/null)" ] ||
 	BIN=$BUILD/bin sh tests/house/bytes.sh --make "$BUILD/bytes"
 if [ $# -gt 0 ]; then printf '%s\n' "$@"; else candidates; fi >"$TMP/candidates"
