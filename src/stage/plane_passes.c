@@ -198,12 +198,14 @@ double plane_passes_best(const struct mesh *mesh, double radius, double h, doubl
     *length = HUGE_VAL;
     for (int i = 0; i < DIRECTIONS; i++) {
         double angle = PI * i / DIRECTIONS, now = length_at(mesh, angle, radius, h);
-        if (now < *length * (1 - 1e-9)) {
+        /* planes that run along what is to be cut, and cross nothing of it, are no way to cut it */
+        if (now > 0 && now < *length * (1 - 1e-9)) {
             *length = now;
             best = angle;
         }
         progress("directions", (size_t)i + 1, DIRECTIONS);
     }
+    *length = *length < HUGE_VAL ? *length : 0;
     return best;
 }
 

@@ -49,6 +49,16 @@ every "--steep 0:45: the top" flat '$6 > 0.707'
 contacts steep --steep 45:90
 every "--steep 45:90: the walls" steep '$6 < 0.707 && $6 > -1e-6'
 
+# Options together, and planes of which some run along what is cut.
+contacts both --faces "$(surface 2),$(surface 7)" --box 0,0,5,15,20,11 --steep 0:45
+every "--faces, --box and --steep together" both '$6 > 0.707 && $1 < 15 + 1e-6 && $3 > 10 - 1e-6'
+ok "reach the sides of the box" awk '$1 > 15 - 1e-5 { a++ } END { exit !(a > 5) }' "$TMP/both"
+contacts wall --faces "$(surface 3)" --up 0,-1,0 -a auto
+every "a wall from its side: planes that cross it are found" wall '$2 < 1e-6 && $5 < -1 + 1e-6'
+ok "and go over all of it" awk 'NR == 1 { a = A = $1; c = C = $3 }
+	{ if ($1 < a) a = $1; if ($1 > A) A = $1; if ($3 < c) c = $3; if ($3 > C) C = $3 }
+	END { exit !(a < 0.6 && A > 29.4 && c < 0.6 && C > 9.4) }' "$TMP/wall"
+
 # The exact border of a slope: a ball, of which 30 to 60 degrees are cut, on a cone.
 cat <<'END2' | { cat; echo "REP ADVANCED_BREP_SHAPE_REPRESENTATION('',({SOLID}),{CONTEXT})"; } |
 s1 SPHERICAL_SURFACE('',{a 0,0,0 0,0,1 1,0,0},10.)
