@@ -3,9 +3,10 @@
  * throws the ball up where everything beside it is cut.
  *
  * Looked at are curves (B-splines, and polynomials one after the other), which are made to follow
- * the part, and pairs of straight blocks that go up and come back at a sharp angle.  A curve also
- * counts if it ends over the part, up the tool or up Z, and a straight block comes down again, and
- * so does the end of any block there if a curve comes down from it at a sharp angle.
+ * the part, and pairs of straight blocks that go up and come back at a sharp angle, amid a link,
+ * too.  A curve also counts if it ends over the part, up the tool or up Z, and a straight block
+ * comes down again, and so does the end of any block there if a curve comes down from it at a sharp
+ * angle.
  * Links from pass to pass, up, across and down in blocks of their own, do not count, nor does a
  * pass that goes out beside the part.  Lengths in mm.
  */

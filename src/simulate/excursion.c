@@ -6,6 +6,7 @@
 #define RISES 0.5    /* cosine between the tool axis and the way up, at least */
 #define OVER 0.9     /* the same between up and what the end of a curve stands over */
 #define NEAR_END 0.1 /* of a piece, from its end: how it goes there */
+#define MOST 0.5     /* of its height: so far a spike amid a link rises over both its feet */
 
 struct search {
     const struct nc_motion *motion;
@@ -130,6 +131,31 @@ static void look_at_last_line(struct search *s, size_t from, size_t to)
         look_at_end(s, to);
 }
 
+/* Straight blocks off the part, two of which go up and come back amid the others: a link with one
+ * place thrown up. */
+static void look_at_spikes(struct search *s, size_t from, size_t to)
+{
+    const struct centre_segment *segment = s->path->item;
+    struct vec3 before = segment[from].a;
+    double band = s->options->band;
+
+    for (size_t i = from; i < to; i++) {
+        if (segment[i].piece == segment[i + 1].piece)
+            continue;
+        size_t end = i + 1;
+        while (end < to && segment[end + 1].piece == segment[i + 1].piece)
+            end++;
+        struct vec3 corner = segment[i].b, after = segment[end].b;
+        if (vec_dot(vec_sub(before, corner), vec_sub(after, corner)) > 0) {
+            double height = clearance(s, corner);
+            double over = height - fmax(clearance(s, before), clearance(s, after));
+            if (over > fmax(band, MOST * height))
+                add_excursion(s, i, height);
+        }
+        before = corner;
+    }
+}
+
 /* From the straight line between two places to a third, at right angles. */
 static struct vec3 rise_over_line(struct vec3 from, struct vec3 to, struct vec3 p)
 {
@@ -144,6 +170,7 @@ static void look_at_stretch(struct search *s, size_t from, size_t to)
     size_t top = from;
     double most = 0, band = s->options->band;
     if (s->motion->piece.item[segment[from].piece].shape == SHAPE_LINE && !is_spike(s, from, to)) {
+        look_at_spikes(s, from, to);
         look_at_last_line(s, from, to);
         return;
     }

@@ -120,6 +120,20 @@ START_TEST(a_spike_of_two_blocks)
 }
 END_TEST
 
+/* In a link, which is off the part at both ends of the spike, up or askew; but no low arch. */
+START_TEST(a_spike_amid_a_link)
+{
+    const double high[PIECES + 1] = {0, 0, 2, 100, 2, 0, 0},
+                               low[PIECES + 1] = {0, 0, 2, 3, 2, 0, 0},
+                               askew[PIECES + 1] = {0, 2, 2, 100, 30, 2, 0};
+    ck_assert_uint_eq(over(high, level, SHAPE_LINE).count, 1);
+    ck_assert_double_eq_tol(over(high, level, SHAPE_LINE).height, 100, 1e-6);
+    ck_assert_uint_eq(over(high, level, SHAPE_LINE).piece, 2);
+    ck_assert_uint_eq(over(askew, level, SHAPE_LINE).count, 1);
+    ck_assert_uint_eq(over(low, level, SHAPE_LINE).count, 0);
+}
+END_TEST
+
 START_TEST(up_across_and_down_is_a_way)
 {
     const double high[PIECES + 1] = {0, 0, 30, 30, 0, 0, 0};
@@ -150,6 +164,7 @@ int main(void)
     tcase_add_test(tcase, a_curve_that_begins_high);
     tcase_add_test(tcase, less_than_the_band_is_none);
     tcase_add_test(tcase, a_spike_of_two_blocks);
+    tcase_add_test(tcase, a_spike_amid_a_link);
     tcase_add_test(tcase, up_across_and_down_is_a_way);
     tcase_add_test(tcase, beside_the_part_is_none);
     tcase_add_test(tcase, a_layer_above_the_part_is_none);
