@@ -13,10 +13,12 @@
  *      at a tip where they meet a third flank; no further than REACH spacings from a point of the
  *      scan.
  *   3. Where the ball would sink in between points of a flank, points are put on it, up to its
- *      edges, where points or edges of the flank are on all sides; for no surface of all nearest
- *      points goes through there.
+ *      edges and into sharp hollows, where points or edges of the flank are on all sides; for no
+ *      surface of all nearest points goes through there.
  *   4. The tip of a cone is put where its straight lines, continued, meet (cone_tip.h), and places
  *      round it as far as all neighbours know.
+ * On scan lines (scan_lines.h) flanks are those of neighbours on several lines, for through three
+ * lines a smooth surface goes whatever is between; where these do not tell, of neighbours on few.
  * No edge is put where points near to it lie off both flanks, and on no flank of their own: there
  * the scan knows a rounding.  Flanks are seen from above: their normals point up.
  */

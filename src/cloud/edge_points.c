@@ -17,6 +17,7 @@
 enum {
     NEAR = 40,
     SMOOTH = 24,
+    LINED = 36, /* the same on scan lines: on five of them */
     TRIED = 12,
     MEETING = 16,
     FEWEST = 6,
@@ -28,7 +29,8 @@ enum {
 /* In spacings: a surface off its points by less is smooth or a flank; so far beyond the points an
  * edge may be; so narrow a flank is none; a point so far from all others is on none of theirs. */
 static const double EVEN = 0.012, FLAT = 0.02, BENT = 0.015, REACH = 2.8, NARROW = 0.25, APART = 2,
-                    LONE = 1; /* in cells of the grid */
+                    LONE = 1, /* in cells of the grid */
+    LINES = 3;                /* the most that lines are taken to be apart */
 
 static const double SIGMAS = 3;
 static const double SHARP = 0.94; /* cosine of two flanks' normals: 20 degrees */
@@ -46,6 +48,7 @@ struct flank {
 struct edge_work {
     const struct edge_points_options *options;
     bool lines; /* the scan is on lines, far apart against the points on them */
+    bool wide;  /* neighbours on many of them are looked at, or those on few */
     struct flank *flank, *chosen;
     struct vec3s *found;   /* places of edges, of each point */
     struct vec3s *between; /* and of its flank */
@@ -59,25 +62,39 @@ struct hood {
     struct vec3 point[NEAR];
 };
 
-/* Of MANY nearest points those that are no nearer to each other than half of what they are apart on
- * average: on more scan lines than the nearest alone, and no denser along them than across. */
-static void thin_hood(const struct point_grid *b, size_t i, struct hood *near)
+/* How far the scan lines about a place are apart: so many mean spacings as the nearest points are
+ * nearer. */
+static double line_distance(const double *distance2, double spacing)
 {
-    enum { MANY = 4 * NEAR };
-    const double apart = 0.5;
+    enum { NEXT = 4 }; /* two to each side on the line */
+
+    return spacing * spacing / fmax(sqrt(distance2[NEXT]) / 2, spacing / LINES);
+}
+
+/* Of MANY nearest points those that are not too near to each other: no denser along lines than a
+ * half of the mean spacing, or `wide`, than a good half of what the lines are apart, and so on more
+ * lines than the nearest alone.  Through the nearest alone, on three lines, a smooth surface goes
+ * whatever is between; but across a narrow flank only many on a line tell of it. */
+static void thin_hood(const struct point_grid *b, size_t i, bool wide, struct hood *near)
+{
+    enum { MANY = 8 * NEAR };
+    const double half = 0.5, good_half = 0.7;
     uint32_t index[MANY];
     double distance2[MANY];
-    size_t n = point_grid_nearest(b, b->point[i], MANY, index, distance2);
-    double least2 = n > 0 ? apart * apart * PI * distance2[n - 1] / (double)n : 0;
+    size_t n = point_grid_nearest(b, b->point[i], wide ? MANY : MANY / 2, index, distance2);
 
     near->n = 0;
     near->spacing = n >= NEAR ? sqrt(PI * distance2[NEAR - 1] / NEAR) : 0;
+    if (n < NEAR)
+        return;
+    double least =
+        wide ? good_half * line_distance(distance2, near->spacing) : half * near->spacing;
     for (size_t k = 0; k < n && near->n < NEAR; k++) {
         struct vec3 p = b->point[index[k]];
         bool apart_from_all = true;
         for (size_t j = 0; j < near->n && apart_from_all; j++) {
             struct vec3 to = vec_sub(p, near->point[j]);
-            apart_from_all = vec_dot(to, to) >= least2;
+            apart_from_all = vec_dot(to, to) >= least * least;
         }
         if (!apart_from_all)
             continue;
@@ -92,7 +109,7 @@ static void find_hood(const struct edge_work *work, size_t i, struct hood *near)
     const struct point_grid *b = work->options->point_grid;
 
     if (work->lines) {
-        thin_hood(b, i, near);
+        thin_hood(b, i, work->wide, near);
         return;
     }
     near->n = point_grid_nearest(b, b->point[i], NEAR, near->index, near->distance2);
@@ -134,16 +151,17 @@ static bool is_smooth(const struct edge_work *work, const struct hood *near, dou
                       struct quadric *q, bool *bent)
 {
     double least = even(work, spacing);
+    size_t some = work->lines ? LINED : SMOOTH;
     struct quadric cubic;
 
     *bent = true;
-    if (quadric_fit_free(near->point, SMOOTH, near->point[0], q) != 0)
+    if (quadric_fit_free(near->point, some, near->point[0], q) != 0)
         return false;
-    *bent = quadric_spread(q, near->point, SMOOTH, 6) > least;
+    *bent = quadric_spread(q, near->point, some, 6) > least;
     if (!*bent)
         return true;
-    if (cubic_fit(near->point, NULL, SMOOTH, near->point[0], quadric_normal(q), &cubic) != 0 ||
-        quadric_spread(&cubic, near->point, SMOOTH, 10) > least)
+    if (cubic_fit(near->point, NULL, some, near->point[0], quadric_normal(q), &cubic) != 0 ||
+        quadric_spread(&cubic, near->point, some, 10) > least)
         return false;
     *q = cubic;
     return true;
@@ -281,6 +299,23 @@ static void find_flanks(void *context, size_t from, size_t to)
     }
 }
 
+/* Those that were not confirmed, from other neighbours. */
+static void find_flanks_again(void *context, size_t from, size_t to)
+{
+    const struct edge_work *work = context;
+    struct hood near;
+
+    for (size_t i = from; i < to; i++) {
+        struct flank *flank = &work->flank[i];
+        if (!flank->rough || flank->confirmed)
+            continue;
+        find_hood(work, i, &near);
+        flank->valid = false;
+        if (near.n == NEAR)
+            find_flank(work, &near, flank);
+    }
+}
+
 /* A plane through points of several sides is on none of them: their own flanks run across it. */
 static bool is_confirmed(const struct edge_work *work, const struct hood *near,
                          const struct flank *flank)
@@ -343,7 +378,7 @@ static void confirm_flanks(void *context, size_t from, size_t to)
     struct hood near;
 
     for (size_t i = from; i < to; i++)
-        if (work->flank[i].valid) {
+        if (work->flank[i].valid && !work->flank[i].confirmed) {
             find_hood(work, i, &near);
             work->flank[i].confirmed = is_confirmed(work, &near, &work->flank[i]);
         }
@@ -601,7 +636,18 @@ struct flank_patch {
     bool on[NEAR], hollow[NEAR];
     struct vec3s side; /* points and places of edges on it */
     size_t edges;      /* of these, places of edges */
+    size_t sharp;      /* neighbours in a hollow that is sharp */
 };
+
+/* The flank of a point in a hollow turns up sharply from this one. */
+static bool is_sharp(const struct flank_patch *patch, const struct flank *other, struct vec3 p)
+{
+    struct vec3 normal[2];
+
+    above(patch->flank, p, &normal[0]);
+    above(other, p, &normal[1]);
+    return vec_dot(normal[0], normal[1]) < SHARP;
+}
 
 static struct flank_patch find_patch(const struct edge_work *work, const struct hood *near,
                                      size_t i)
@@ -624,6 +670,7 @@ static struct flank_patch find_patch(const struct edge_work *work, const struct 
                 *array_push(&patch.side) = edge->item[e];
                 patch.edges++;
             }
+        patch.sharp += patch.hollow[k] && other->valid && is_sharp(&patch, other, near->point[k]);
     }
     return patch;
 }
@@ -708,7 +755,7 @@ static void fill_flanks(void *context, size_t from, size_t to)
             continue;
         find_hood(work, i, &near);
         struct flank_patch patch = find_patch(work, &near, i);
-        if (patch.edges > 0) /* elsewhere it is rough, and nothing sharp */
+        if (patch.edges > 0 || patch.sharp >= FEWEST) /* elsewhere it is rough */
             fill_patch(work, &near, &patch, &work->between[i]);
         array_free(&patch.side);
     }
@@ -743,26 +790,42 @@ static size_t append_all(struct vec3s *found, size_t n, struct vec3s *to)
     return to->n - before;
 }
 
+/* The flanks of all points; on scan lines from neighbours on many of these, and where these do not
+ * tell, on few. */
+static void find_all_flanks(struct edge_work *work, size_t n)
+{
+    int threads = work->options->threads;
+
+    work->wide = work->lines;
+    parallel_for(threads, n, find_flanks, work);
+    parallel_for(threads, n, confirm_flanks, work);
+    work->wide = false;
+    if (work->lines) {
+        parallel_for(threads, n, find_flanks_again, work);
+        parallel_for(threads, n, confirm_flanks, work);
+    }
+    parallel_for(threads, n, choose_flanks, work);
+    free(work->flank);
+    work->flank = work->chosen;
+}
+
 size_t edge_points(const struct edge_points_options *options, struct vec3s *to)
 {
     size_t n = options->point_grid->n;
-    struct edge_work work = {options,
-                             scan_lines_found(options->point_grid),
-                             mem_alloc(n, sizeof *work.flank),
-                             mem_alloc(n, sizeof *work.chosen),
-                             mem_alloc(n, sizeof *work.found),
-                             mem_alloc(n, sizeof *work.between)};
+    struct edge_work work = {.options = options,
+                             .lines = scan_lines_found(options->point_grid),
+                             .flank = mem_alloc(n, sizeof *work.flank),
+                             .chosen = mem_alloc(n, sizeof *work.chosen),
+                             .found = mem_alloc(n, sizeof *work.found),
+                             .between = mem_alloc(n, sizeof *work.between)};
 
     for (size_t i = 0; i < n; i++) {
         work.flank[i] = (struct flank){.valid = false};
         work.found[i] = work.between[i] = (struct vec3s){0};
     }
-    parallel_for(options->threads, n, find_flanks, &work);
-    parallel_for(options->threads, n, confirm_flanks, &work);
-    parallel_for(options->threads, n, choose_flanks, &work);
-    free(work.flank);
-    work.flank = work.chosen;
+    find_all_flanks(&work, n);
     parallel_for(options->threads, n, find_edges, &work);
+    work.wide = work.lines;
     if (options->fill)
         parallel_for(options->threads, n, fill_flanks, &work);
     append_all(work.between, n, to);

@@ -336,11 +336,12 @@ START_TEST(on_scan_lines)
         struct vec3 p = points.point.item[i];
         above = fmax(above, (p.z - height(p.x, p.y)) / hypot(1, steep));
     }
-    ck_assert_msg(above <= (_i == 0 ? TOLERANCE : 0.25), "%d: %.4f mm above", _i, above);
+    /* a flank so steep is on too few lines: the one over it is continued to the next of them */
+    ck_assert_msg(above <= (_i == 2 ? 0.5 : TOLERANCE), "%d: %.4f mm above", _i, above);
     struct gouge_check *guard = gouge_new(points.point, 2);
     for (double y = -9; _i == 0 && y <= 9; y += 0.07) {
         struct vec3 p = vec(-y * sin(turn), y * cos(turn), 12);
-        ck_assert_double_le(gouge_depth(guard, vec_along(p, RADIUS, vec(0, 0, 1)), RADIUS), 1e-3);
+        ck_assert_double_le(gouge_depth(guard, vec_along(p, RADIUS, vec(0, 0, 1)), RADIUS), 2e-3);
         ck_assert_double_ge(
             gouge_depth(guard, vec_along(p, RADIUS - 1.5 * TOLERANCE, vec(0, 0, 1)), RADIUS), 0);
     }
