@@ -3,7 +3,9 @@
 
 #include "math/plane_fit.h"
 
-enum { SAMPLE = 500, NEXT = 7 };
+/* NEXT: with two to each side.  Up a flank points on a line are further apart in space, while lines
+ * along it are as near as in plan. */
+enum { SAMPLE = 500, NEXT = 5 };
 
 /* Width by length of the nearest points. */
 static const double SLENDER = 0.25;

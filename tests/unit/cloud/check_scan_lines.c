@@ -17,6 +17,12 @@ static double flat(double x, double y)
     return 0 * x * y;
 }
 
+/* Flanks of a slope on which points of a line are 1.7 times as far apart as in plan. */
+static double pyramid(double x, double y)
+{
+    return -1.4 * fmax(fabs(x - 0.3 * y), fabs(y + 0.3 * x));
+}
+
 static bool on_lines(double (*height)(double, double), int n, enum noisy_pattern pattern,
                      double sigma)
 {
@@ -43,6 +49,9 @@ START_TEST(patterns)
             ck_assert(i == 0 || !on_lines(waves, number[i], NOISY_RANDOM, sigma[k]));
             ck_assert(i == 0 || on_lines(flat, number[i], NOISY_LINES, sigma[k]));
             ck_assert(i < 2 || on_lines(waves, number[i], NOISY_LINES, sigma[k]));
+            ck_assert(i < 2 || on_lines(pyramid, number[i], NOISY_LINES, sigma[k]));
+            ck_assert(i < 2 || !on_lines(pyramid, number[i], NOISY_GRID, sigma[k]));
+            ck_assert(i < 2 || !on_lines(pyramid, number[i], NOISY_RANDOM, sigma[k]));
         }
 }
 END_TEST
