@@ -15,7 +15,12 @@
  *   3. Where the ball would sink in between points of a flank, points are put on it, up to its
  *      edges and into sharp hollows, where points or edges of the flank are on all sides; for no
  *      surface of all nearest points goes through there.
- *   4. The tip of a cone is put where its straight lines, continued, meet (cone_tip.h), and places
+ *   4. Where points lie below a flank, so steeply that a wall must be between, or as far below it
+ *      as it is above their own surface, nobody knows where the wall is: the flank goes on up to
+ *      these points, and down to them goes a wall, so that a ball is kept off whatever may be
+ *      there.  Only flanks are continued that are certain: their points are off them by no more
+ *      than noise, or than a ball may sink.
+ *   5. The tip of a cone is put where its straight lines, continued, meet (cone_tip.h), and places
  *      round it as far as all neighbours know.
  * On scan lines (scan_lines.h) flanks are those of neighbours on several lines, for through three
  * lines a smooth surface goes whatever is between; where these do not tell, of neighbours on few.
@@ -33,6 +38,7 @@ struct edge_points_options {
     const struct point_grid *point_grid; /* the scan, without outliers */
     double noise;                        /* standard deviation of its points, mm */
     double along;                        /* distance of points along an edge, mm */
+    double sink;                         /* how far off a flank that is certain may be, mm */
     bool fill;                           /* flanks, too, get points as dense, up to their edges */
     int threads;
 };
@@ -41,7 +47,16 @@ struct edge_points_options {
  * apart from them. */
 bool edge_flank_holds(const struct point_grid *point_grid, double noise, size_t i);
 
-/* Appends the points, those on edges last; returns how many these are. */
-size_t edge_points(const struct edge_points_options *options, struct vec3s *to);
+/* Points of flanks that were continued to the points below, and the widest way to these. */
+struct edge_gaps {
+    size_t n;
+    double widest; /* mm, seen from above */
+    struct vec3 at;
+};
+
+/* Appends the points, those on edges last; returns how many these are.  *gaps: edges that the scan
+ * does not resolve. */
+size_t edge_points(const struct edge_points_options *options, struct vec3s *to,
+                   struct edge_gaps *gaps);
 
 #endif

@@ -11,6 +11,7 @@
 #define CLOUDMILL_GUARD_POINTS_H
 
 #include "base/array.h"
+#include "cloud/edge_points.h"
 #include "math/point_grid.h"
 #include "mesh/mesh.h"
 
@@ -27,7 +28,8 @@ struct guard_points {
     struct vec3s point;
     struct vec3s certain, doubtful; /* points of the scan: does noise leave doubt of the surface? */
     size_t moved, added;            /* points moved to their surfaces, points put between */
-    size_t edges; /* points put on sharp edges that the scan has none on (edge_points.h) */
+    size_t edges;          /* points put on sharp edges that the scan has none on (edge_points.h) */
+    struct edge_gaps gaps; /* edges that it does not resolve */
     size_t vague; /* of a scan without noise: points near which the surface is vague, ... */
     double worst; /* ... the most that it is off, mm, and where */
     struct vec3 at;

@@ -73,6 +73,15 @@ void coverage_cut(struct coverage *coverage, const struct coverage_options *opti
 /* Forgets what has been cut, for another path over the same points; what can be reached is kept. */
 void coverage_restart(struct coverage *coverage);
 
+/*
+ * How many of the points that are KEPT who judges a program by the points alone takes for left: a
+ * ball that is clear of these touches one, and does not stand in the material below, which it does
+ * where points that face up go on over it.  Of these only with more than the limit, which may be
+ * another than that of coverage_cut.  Counts to `enough` and no further.
+ */
+size_t coverage_seen_left(const struct coverage *coverage, const struct coverage_options *options,
+                          size_t enough);
+
 const struct coverage_point *coverage_points(const struct coverage *coverage, size_t *n);
 struct coverage_report coverage_report(const struct coverage *coverage);
 

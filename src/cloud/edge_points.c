@@ -34,7 +34,11 @@ static const double EVEN = 0.012, FLAT = 0.02, BENT = 0.015, REACH = 2.8, NARROW
 
 static const double SIGMAS = 3;
 static const double SHARP = 0.94; /* cosine of two flanks' normals: 20 degrees */
-static const double UPRIGHT = 0.02;
+static const double UPRIGHT = 0.004;
+/* A point so far below a flank, by its distance, is down a wall; where the other side is known, too,
+ * and lies as far below: down a step. */
+static const double WALL = 0.9, STEP = 0.1;
+static const double FACING = 0.35; /* least z of a flank that is continued over its wall */
 
 /* The surface of a point's own side. */
 struct flank {
@@ -52,6 +56,7 @@ struct edge_work {
     struct flank *flank, *chosen;
     struct vec3s *found;   /* places of edges, of each point */
     struct vec3s *between; /* and of its flank */
+    double *gap;           /* so far its flank goes on to points below; 0: it does not */
 };
 
 struct hood {
@@ -148,7 +153,7 @@ static double even(const struct edge_work *work, double spacing)
 }
 
 static bool is_smooth(const struct edge_work *work, const struct hood *near, double spacing,
-                      struct quadric *q, bool *bent)
+                      struct quadric *q, double *rms, bool *bent)
 {
     double least = even(work, spacing);
     size_t some = work->lines ? LINED : SMOOTH;
@@ -157,13 +162,17 @@ static bool is_smooth(const struct edge_work *work, const struct hood *near, dou
     *bent = true;
     if (quadric_fit_free(near->point, some, near->point[0], q) != 0)
         return false;
-    *bent = quadric_spread(q, near->point, some, 6) > least;
+    *rms = quadric_spread(q, near->point, some, 6);
+    *bent = *rms > least;
     if (!*bent)
         return true;
-    if (cubic_fit(near->point, NULL, some, near->point[0], quadric_normal(q), &cubic) != 0 ||
-        quadric_spread(&cubic, near->point, some, 10) > least)
+    if (cubic_fit(near->point, NULL, some, near->point[0], quadric_normal(q), &cubic) != 0)
+        return false;
+    double less = quadric_spread(&cubic, near->point, some, 10);
+    if (less > least)
         return false;
     *q = cubic;
+    *rms = less;
     return true;
 }
 
@@ -291,7 +300,8 @@ static void find_flanks(void *context, size_t from, size_t to)
         if (near.n < NEAR)
             continue;
         flank->spacing = near.spacing;
-        flank->rough = !is_smooth(work, &near, flank->spacing, &flank->q, &flank->bent);
+        flank->rough =
+            !is_smooth(work, &near, flank->spacing, &flank->q, &flank->rms, &flank->bent);
         if (flank->rough)
             find_flank(work, &near, flank);
         else
@@ -608,12 +618,179 @@ static void add_cone(const struct edge_work *work, const struct hood *near,
     }
 }
 
+/* ---- cliffs */
+
+/* What is seen from above about a point of a flank: points of the flank, those so steeply below it
+ * that a wall is between, and points whose flank meets it in a known edge. */
+struct cliff {
+    struct vec3 from;
+    const struct quadric *q;
+    struct vec3s on, below;
+    struct sizes beyond;
+};
+
+/* The points of the flank are no further off it than a ball may sink, or noise is: continued as far
+ * as it goes it is where they tell. */
+static bool is_certain(const struct edge_work *work, const struct flank *flank)
+{
+    return has_surface(flank) &&
+           flank->rms <= fmax(1.4 * work->options->noise, work->options->sink);
+}
+
+/* A place of the flank over (x, y). */
+static struct vec3 place_above(const struct cliff *cliff, double x, double y)
+{
+    struct vec3 n = quadric_normal_at(cliff->q, cliff->from), p = cliff->from;
+
+    p.z -= (n.x * (x - p.x) + n.y * (y - p.y)) / n.z;
+    p.x = x;
+    p.y = y;
+    return quadric_nearest(cliff->q, p);
+}
+
+/* Points below the flank whose own surface the point is not above are beyond an edge. */
+static void sort_by_height(const struct edge_work *work, size_t i, size_t k, struct cliff *cliff)
+{
+    const struct flank *own = &work->flank[i], *other = &work->flank[k];
+    const struct vec3 p = work->options->point_grid->point[k];
+    double least = within(work, fmax(own->spacing, other->spacing));
+    struct vec3 normal;
+    double off = above(own, p, &normal), far = vec_distance(p, cliff->from);
+    double down = has_surface(other) ? above(other, cliff->from, &normal) : 0;
+
+    if (fabs(off) <= least)
+        *array_push(&cliff->on) = p;
+    else if (off < 0 && has_surface(other) && down <= least)
+        *array_push(&cliff->beyond) = k;
+    else if (off < -WALL * far ||
+             (off < -STEP * far && is_certain(work, other) && down > STEP * far))
+        *array_push(&cliff->below) = p;
+}
+
+/* The points within REACH of point i as seen from above. */
+static struct cliff find_cliff(const struct edge_work *work, size_t i)
+{
+    const struct point_grid *b = work->options->point_grid;
+    struct cliff cliff = {.from = b->point[i], .q = &work->flank[i].q};
+    double reach = fmin(REACH * point_grid_spacing(b), b->cell);
+    size_t column = point_grid_column(b, cliff.from.x), row = point_grid_row(b, cliff.from.y);
+    size_t c0 = column > 0 ? column - 1 : 0, c1 = column + 1 < b->columns ? column + 1 : column;
+
+    for (size_t r = row > 0 ? row - 1 : 0; r <= row + 1 && r < b->rows; r++)
+        for (size_t k = b->first[r * b->columns + c0]; k < b->first[r * b->columns + c1 + 1]; k++)
+            if (k != i && hypot(b->point[k].x - cliff.from.x, b->point[k].y - cliff.from.y) < reach)
+                sort_by_height(work, i, k, &cliff);
+    return cliff;
+}
+
+/* The wall may be beyond the place: this is on the way to a point below it, before all others of
+ * these, and no other point of the flank is nearer. */
+static bool is_before_wall(const struct cliff *cliff, double u, double v)
+{
+    const double beside = 0.7; /* cosine of 45 degrees */
+    bool before = false;
+
+    for (size_t k = 0; k < cliff->on.n; k++) {
+        double x = cliff->on.item[k].x - cliff->from.x, y = cliff->on.item[k].y - cliff->from.y;
+        if (2 * (u * x + v * y) > x * x + y * y)
+            return false;
+    }
+    for (size_t k = 0; k < cliff->below.n; k++) {
+        double x = cliff->below.item[k].x - cliff->from.x;
+        double y = cliff->below.item[k].y - cliff->from.y, ahead = u * x + v * y;
+        if (ahead > x * x + y * y)
+            return false;
+        before = before || ahead > beside * sqrt((u * u + v * v) * (x * x + y * y));
+    }
+    return before;
+}
+
+/* The place is no further than the edges that are known. */
+static bool is_before_edges(const struct edge_work *work, const struct cliff *cliff, struct vec3 at)
+{
+    struct vec3 normal;
+
+    for (size_t k = 0; k < cliff->beyond.n; k++) {
+        const struct flank *other = &work->flank[cliff->beyond.item[k]];
+        if (above(other, at, &normal) > within(work, other->spacing))
+            return false;
+    }
+    return true;
+}
+
+/* The flank of point i goes on up to the points below: where the wall between is nobody knows. */
+static void fill_cliff(const struct edge_work *work, const struct cliff *cliff, double reach,
+                       struct vec3s *to)
+{
+    const double dense = 0.65, triangle = 0.8660254037844386;
+    double pitch = dense * work->options->along;
+    int rings = (int)fmin(reach / pitch, RINGS);
+
+    for (int j = -rings; j <= rings; j++)
+        for (int k = -rings; k <= rings; k++) {
+            double u = pitch * (k + j / 2.0), v = pitch * j * triangle;
+            if (!is_before_wall(cliff, u, v))
+                continue;
+            struct vec3 at = place_above(cliff, cliff->from.x + u, cliff->from.y + v);
+            if (is_before_edges(work, cliff, at))
+                *array_push(to) = at;
+        }
+}
+
+/* The wall itself may go down from there to a point below, without points that were seen. */
+static void fill_wall(const struct edge_work *work, const struct cliff *cliff, struct vec3s *to)
+{
+    enum { MOST = 60 };
+    const double nearly = 0.9;
+
+    for (size_t k = 0; k < cliff->below.n; k++) {
+        struct vec3 foot = cliff->below.item[k];
+        double u = nearly * (foot.x - cliff->from.x), v = nearly * (foot.y - cliff->from.y);
+        if (!is_before_wall(cliff, u, v))
+            continue;
+        struct vec3 at = place_above(cliff, cliff->from.x + u, cliff->from.y + v);
+        double parts = fmin(ceil((at.z - foot.z) / work->options->along), MOST);
+        for (double part = 1; part < parts && is_before_edges(work, cliff, at); part++)
+            *array_push(to) = vec(at.x, at.y, at.z + part / parts * (foot.z - at.z));
+    }
+}
+
+/* From the point to the nearest of those below, seen from above. */
+static double width_of(const struct cliff *cliff)
+{
+    double least = HUGE_VAL;
+
+    for (size_t k = 0; k < cliff->below.n; k++)
+        least = fmin(least, hypot(cliff->below.item[k].x - cliff->from.x,
+                                  cliff->below.item[k].y - cliff->from.y));
+    return least;
+}
+
+static void add_cliff(const struct edge_work *work, size_t i)
+{
+    struct cliff cliff = find_cliff(work, i);
+    struct vec3s *to = &work->between[i];
+    size_t before = to->n;
+
+    if (cliff.below.n > 0) {
+        fill_cliff(work, &cliff, REACH * work->flank[i].spacing, to);
+        fill_wall(work, &cliff, to);
+    }
+    if (to->n > before)
+        work->gap[i] = width_of(&cliff);
+    array_free(&cliff.on);
+    array_free(&cliff.below);
+    array_free(&cliff.beyond);
+}
+
 static void find_edges(void *context, size_t from, size_t to)
 {
     const struct edge_work *work = context;
     struct hood near;
 
     for (size_t i = from; i < to; i++) {
+        if (is_certain(work, &work->flank[i]) && quadric_normal(&work->flank[i].q).z > FACING)
+            add_cliff(work, i);
         if (!work->flank[i].bent)
             continue;
         find_hood(work, i, &near);
@@ -809,7 +986,22 @@ static void find_all_flanks(struct edge_work *work, size_t n)
     work->flank = work->chosen;
 }
 
-size_t edge_points(const struct edge_points_options *options, struct vec3s *to)
+static struct edge_gaps sum_gaps(const struct edge_work *work)
+{
+    struct edge_gaps gaps = {.n = 0};
+
+    for (size_t i = 0; i < work->options->point_grid->n; i++) {
+        gaps.n += work->gap[i] > 0;
+        if (work->gap[i] > gaps.widest) {
+            gaps.widest = work->gap[i];
+            gaps.at = work->options->point_grid->point[i];
+        }
+    }
+    return gaps;
+}
+
+size_t edge_points(const struct edge_points_options *options, struct vec3s *to,
+                   struct edge_gaps *gaps)
 {
     size_t n = options->point_grid->n;
     struct edge_work work = {.options = options,
@@ -817,11 +1009,13 @@ size_t edge_points(const struct edge_points_options *options, struct vec3s *to)
                              .flank = mem_alloc(n, sizeof *work.flank),
                              .chosen = mem_alloc(n, sizeof *work.chosen),
                              .found = mem_alloc(n, sizeof *work.found),
-                             .between = mem_alloc(n, sizeof *work.between)};
+                             .between = mem_alloc(n, sizeof *work.between),
+                             .gap = mem_alloc(n, sizeof *work.gap)};
 
     for (size_t i = 0; i < n; i++) {
         work.flank[i] = (struct flank){.valid = false};
         work.found[i] = work.between[i] = (struct vec3s){0};
+        work.gap[i] = 0;
     }
     find_all_flanks(&work, n);
     parallel_for(options->threads, n, find_edges, &work);
@@ -829,6 +1023,8 @@ size_t edge_points(const struct edge_points_options *options, struct vec3s *to)
     if (options->fill)
         parallel_for(options->threads, n, fill_flanks, &work);
     append_all(work.between, n, to);
+    *gaps = sum_gaps(&work);
+    free(work.gap);
     free(work.flank);
     return append_all(work.found, n, to);
 }

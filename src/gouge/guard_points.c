@@ -244,12 +244,13 @@ static void add_edges(const struct guard_work *work, struct guard_points *surfac
     struct edge_points_options edges = {.point_grid = work->point_grid,
                                         .noise = rule->noise,
                                         .along = sqrt(8 * rule->radius * rule->sink),
+                                        .sink = rule->sink,
                                         /* flanks of few points are as rough as these */
                                         .fill = work->filled && rule->noise == 0,
                                         .threads = rule->threads};
     size_t before = surface->point.n;
 
-    surface->edges = edge_points(&edges, &surface->point);
+    surface->edges = edge_points(&edges, &surface->point, &surface->gaps);
     surface->added += surface->point.n - before - surface->edges;
 }
 

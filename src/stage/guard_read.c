@@ -198,6 +198,12 @@ static struct gouge_check *gouge_of(struct vec3s *points, const struct mesh *mes
          surface.added);
     if (surface.edges > 0)
         note("and by %zu points on sharp edges that its surfaces meet in", surface.edges);
+    if (surface.gaps.n > 0)
+        say("edge not resolved at %.3f %.3f %.3f, one of %zu such points: the nearest points below "
+            "are up to %.3f mm beside; guarded as if the upper side went on as far, and so much of "
+            "the lower side may stay",
+            surface.gaps.at.x, surface.gaps.at.y, surface.gaps.at.z, surface.gaps.n,
+            surface.gaps.widest);
     if (mesh)
         add_edges(mesh, sqrt(8 * rule->radius * how.sink), &point_grid, &surface.point);
     point_grid_free(&point_grid);

@@ -21,10 +21,6 @@ static const double USUAL = 0.02;
 /* Noises by which the surface that the points stand for may be off them. */
 static const double SIGMAS = 1.5;
 
-/* Of the points that what is assumed between points keeps the ball off: so many who judges by the
- * points alone may take for left (ncverify, which knows walls without points: 4 of 17 on a mesa). */
-static const double TAKEN_FOR_LEFT = 0.33;
-
 /* Points on a mesh that are looked at, at most. */
 static const double MOST = 300000;
 
@@ -154,15 +150,19 @@ int path_coverage_conclude(const struct path_coverage *c, struct unmets *unmet)
     double percent = 100.0 / (double)(r.points > 0 ? r.points : 1);
     double most = path_options.left_share, left = percent * (double)r.left.n;
     double kept = percent * (double)r.kept.n;
+    size_t spare = (size_t)fmax(0, (most - left) / percent) + 1;
 
     if (r.out.n > 0)
         say("out of reach of ball and tool: %zu of %zu points, %.1f mm2, where up to %.3f mm "
             "stays, "
             "worst at %.3f %.3f %.3f",
             r.out.n, r.points, r.out.area, r.out.highest, at.x, at.y, at.z);
-    /* A ball that is clear of the points alone may be in the part between them: most of what is
-     * kept off is out of reach, but who judges by the points takes some of it for left. */
-    bool unmet_left = left + kept * TAKEN_FOR_LEFT > most && c->scallop > 0;
+    struct coverage_options judge = c->options;
+    judge.limit += judge.tolerance; /* the stages to come add theirs */
+    /* A ball that is clear of the points alone may be in the part between them; but who judges by
+     * the points takes for left what such a ball could cut, unless they tell of the part over it. */
+    size_t seen = coverage_seen_left(c->coverage, &judge, spare);
+    bool unmet_left = left + percent * (double)seen > most && c->scallop > 0;
     at = r.kept.at;
     if (r.kept.n > 0)
         unmet_say(

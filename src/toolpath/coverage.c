@@ -279,7 +279,7 @@ void coverage_cut(struct coverage *coverage, const struct coverage_options *opti
     kdtree_free(path);
 }
 
-/* ---- the report */
+/* ---- what is taken for left */
 
 /* The area that a point stands for: that of the disc with its nearest neighbours, by their number.
  */
@@ -291,6 +291,87 @@ static double area_of(const struct coverage *coverage, struct vec3 p)
 
     return n > 1 ? PI * distance2[n - 1] / (double)(n - 1) : 0;
 }
+
+/* Cosines: between a ball's direction and the normal, at least; Z of a normal that faces up, and of
+ * one that may be either side's. */
+static const double AHEAD = 0.75, FACES_UP = 0.5, UPRIGHT = 0.3;
+
+/* Mean distances of points that a ball may be beside them; of the radius, where that may be more
+ * nothing is known; in radii how far over the ball's centre points count. */
+static const double BESIDE = 0.75, SPARSE = 0.6, OVERHEAD = 4;
+
+/* The points that face up. */
+static struct kdtree *find_roof(const struct covering *w)
+{
+    struct vec3s roof = {0};
+
+    for (size_t i = 0; i < w->coverage->n; i++) {
+        struct vec3 p = w->coverage->point[i].p;
+        if (guess_normal(w, p).z > FACES_UP)
+            *array_push(&roof) = p;
+    }
+    struct kdtree *tree = kdtree_new_by(roof.item, roof.n, w->options->threads);
+    array_free(&roof);
+    return tree;
+}
+
+/* A ball that touches point i along d is clear of the points, in the open, and its tool can come. */
+static bool is_open_along(const struct covering *w, const struct kdtree *roof, size_t i,
+                          struct vec3 d)
+{
+    const struct coverage_options *o = w->options;
+    struct vec3 p = w->coverage->point[i].p, c = vec_along(p, o->radius, d);
+    double lift = gouge_least_lift(o->guard, c, d, o->radius, TOUCHED * o->limit, NULL);
+    double smaller = TOUCHED * o->limit + BESIDE * sqrt(area_of(w->coverage, p));
+
+    if (lift < 0)
+        return false;
+    c = vec_along(c, lift, d);
+    if (smaller <= SPARSE * o->radius &&
+        kdtree_any_beside(roof, vec_along(c, o->radius, vec(0, 0, 1)),
+                          vec_along(c, OVERHEAD * o->radius, vec(0, 0, 1)), o->radius - smaller))
+        return false;
+    return has_axis(o, c, d);
+}
+
+static bool is_seen_left(const struct covering *w, const struct kdtree *roof, size_t i)
+{
+    struct vec3 normal = guess_normal(w, w->coverage->point[i].p);
+
+    if (is_open_along(w, roof, i, normal) ||
+        is_open_along(w, roof, i, w->coverage->point[i].normal))
+        return true;
+    for (int k = 0; k < 2 * AXES; k++) {
+        struct vec3 d = axis_of(k / 2);
+        d.z = k % 2 ? -d.z : d.z;
+        double share = vec_dot(d, normal);
+        if ((normal.z < UPRIGHT ? fabs(share) : share) >= AHEAD && is_open_along(w, roof, i, d))
+            return true;
+    }
+    return false;
+}
+
+size_t coverage_seen_left(const struct coverage *coverage, const struct coverage_options *options,
+                          size_t enough)
+{
+    struct covering work = {(struct coverage *)coverage, options, NULL};
+    struct kdtree *roof = NULL;
+    size_t n = 0;
+
+    for (size_t i = 0; i < coverage->n && n < enough; i++) {
+        if (coverage->point[i].state != COVERAGE_KEPT ||
+            coverage->point[i].height <= options->limit)
+            continue;
+        if (!roof)
+            roof = find_roof(&work);
+        n += is_seen_left(&work, roof, i);
+    }
+    if (roof)
+        kdtree_free(roof);
+    return n;
+}
+
+/* ---- the report */
 
 struct coverage_report coverage_report(const struct coverage *coverage)
 {
