@@ -32,7 +32,7 @@ static double pyramid(double x, double y)
 static double plateau(double x, double y)
 {
     turned(&x, &y);
-    return fmax(0, fmin(6, 6 - 1.7 * (fmax(fabs(x) - 14, fabs(y) - 9))));
+    return fmax(0, fmin(6, 6 - 1.7 * (fmax(fabs(x) - 9, fabs(y) - 6))));
 }
 
 /* A blade of 44 degrees, both sides bent, its edge curved. */
@@ -107,7 +107,7 @@ static double highest_over(double (*height)(double, double), const struct vec3s 
     for (size_t i = 0; i < points->n; i++) {
         struct vec3 p = points->item[i];
         double off = p.z - height(p.x, p.y);
-        if (fabs(p.x) > 27 || fabs(p.y) > 20 || off <= over)
+        if (fabs(p.x) > 19 || fabs(p.y) > 15 || off <= over)
             continue;
         struct vec3s near = sample(height, p.x, p.y, 0.3, 0.06);
         for (size_t k = 0; k < near.n; k++)
@@ -124,7 +124,7 @@ static struct result measure(double (*height)(double, double), const struct vec3
     struct gouge_check *guard = gouge_from_points(points->item, points->n);
 
     for (int i = 0; i < 60; i++) {
-        double x = 44 * noisy_uniform() - 22, y = 30 * noisy_uniform() - 15;
+        double x = 28 * noisy_uniform() - 14, y = 20 * noisy_uniform() - 10;
         /* near to where it is sharp: the highest of places about it off their mean */
         double best = -1, bx = x, by = y;
         for (int k = 0; k < 200; k++) {
@@ -177,7 +177,7 @@ static struct result guard_scan(double (*height)(double, double), enum noisy_pat
     struct error error;
 
     noisy_scan(&scan, height, POINTS, pattern, sigma);
-    crop(&scan, 29, 23);
+    crop(&scan, 21, 17);
     ck_assert_int_eq(point_grid_make(scan.item, scan.n, 0.48, 2, &grid, &error), 0);
     struct guard_points_options options = {.radius = RADIUS,
                                            .sink = TOLERANCE / 5,
@@ -259,7 +259,7 @@ START_TEST(steep_flanks)
     turn = 0.3 * _i;
     noisy_seed(60 + (unsigned)_i);
     noisy_scan(&scan, frustum, POINTS, NOISY_RANDOM, 0);
-    crop(&scan, 23, 23);
+    crop(&scan, 21, 21);
     ck_assert_int_eq(point_grid_make(scan.item, scan.n, 0.48, 2, &grid, &error), 0);
     struct guard_points_options options = {
         .radius = RADIUS, .sink = TOLERANCE / 5, .vague = TOLERANCE, .effort = 1, .threads = 2};
@@ -385,6 +385,7 @@ START_TEST(unseen_walls)
     turn = 0.25 + 0.2 * _i;
     noisy_seed(70 + (unsigned)_i);
     noisy_scan(&scan, mesa, POINTS, NOISY_RANDOM, 0);
+    crop(&scan, 14, 14);
     ck_assert_int_eq(point_grid_make(scan.item, scan.n, 0.48, 2, &grid, &error), 0);
     struct guard_points_options options = {
         .radius = RADIUS, .sink = TOLERANCE / 5, .vague = TOLERANCE, .effort = 1, .threads = 2};
@@ -397,7 +398,7 @@ START_TEST(unseen_walls)
     }
     struct gouge_check *guard = gouge_new(points.point, 2);
     for (int i = 0; i < PLACES; i++) {
-        double v = 16 * noisy_uniform() - 8, level = noisy_uniform(), deep = RADIUS - 2 * TOLERANCE;
+        double v = 12 * noisy_uniform() - 6, level = noisy_uniform(), deep = RADIUS - 5 * TOLERANCE;
         double x = 6 + deep * level, z = 5 + deep * sqrt(1 - level * level);
         if (i % 2) { /* beside the wall, under its rim */
             x = 6 + RADIUS - 0.1;
