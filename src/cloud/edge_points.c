@@ -35,8 +35,8 @@ static const double EVEN = 0.012, FLAT = 0.02, BENT = 0.015, REACH = 2.8, NARROW
 static const double SIGMAS = 3;
 static const double SHARP = 0.94; /* cosine of two flanks' normals: 20 degrees */
 static const double UPRIGHT = 0.004;
-/* A point so far below a flank, by its distance, is down a wall; where the other side is known, too,
- * and lies as far below: down a step. */
+/* A point so far below a flank, by its distance, is down a wall; where the other side is known,
+ * too, and lies as far below: down a step. */
 static const double WALL = 0.9, STEP = 0.1;
 static const double FACING = 0.35; /* least z of a flank that is continued over its wall */
 

@@ -160,7 +160,8 @@ int path_coverage_conclude(const struct path_coverage *c, struct unmets *unmet)
     struct coverage_options judge = c->options;
     judge.limit += judge.tolerance; /* the stages to come add theirs */
     /* A ball that is clear of the points alone may be in the part between them; but who judges by
-     * the points takes for left what such a ball could cut, unless they tell of the part over it. */
+     * the points takes for left what such a ball could cut, unless they tell of the part over
+     * it. */
     size_t seen = coverage_seen_left(c->coverage, &judge, spare);
     bool unmet_left = left + percent * (double)seen > most && c->scallop > 0;
     at = r.kept.at;

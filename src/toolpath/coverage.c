@@ -315,7 +315,7 @@ static struct kdtree *find_roof(const struct covering *w)
     return tree;
 }
 
-/* A ball that touches point i along d is clear of the points, in the open, and its tool can come. */
+/* A ball that touches point i along d is clear of the points, in the open, and its tool comes. */
 static bool is_open_along(const struct covering *w, const struct kdtree *roof, size_t i,
                           struct vec3 d)
 {
