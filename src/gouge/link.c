@@ -19,6 +19,7 @@ static const double OFF = 0.3;       /* of the radius: where one ends, for a sca
 static const double OFF_MOST = 0.9;  /* ... but of the approach distance, which was asked for */
 static const double SHORTEST = 0.02; /* mm: a holder that is followed moves no less at a time */
 static const double ABOVE = 1;       /* mm: of the whole tool over the guard's top */
+static const double UNDER = 0.7;     /* of the radius: what of a ball must come up from a link */
 
 /* ---- with the tool down */
 
@@ -114,6 +115,11 @@ static double end_of_part(const struct axis_way *way, size_t parts, size_t k)
     return (double)k == before + 1 ? pole : (double)(k - 1) / (double)parts;
 }
 
+static bool is_free_above(const struct link_options *options, struct vec3 ball)
+{
+    return gouge_free_above(options->lift->guard, ball, UNDER * options->lift->offset);
+}
+
 /* The arch in `parts` equal parts; false if its ball is not clear. */
 static bool try_arch(const struct link_options *options, const struct run_point *from,
                      const struct run_point *to, const struct arch *arch, size_t parts,
@@ -126,6 +132,8 @@ static bool try_arch(const struct link_options *options, const struct run_point 
     struct axis_way way = axis_way(options, from->axis, to->axis);
     struct base_curve base = base_curve(options, from, to, arch);
     struct run_point before = *from;
+    /* A scan is a shell: beside its border there is a way under it, in the part. */
+    bool open = is_free_above(options, from->ball) || is_free_above(options, to->ball);
     double s = 0;
 
     for (size_t i = 1; s < 1; i++) {
@@ -138,7 +146,8 @@ static bool try_arch(const struct link_options *options, const struct run_point 
         p.ball = vec_along(p.ball, rise, up);
         p.tip = vec_along(p.ball, -link->radius, p.axis);
         gone += vec_distance(before.ball, p.ball);
-        if (rise > options->limit || (options->longest > 0 && gone > options->longest) ||
+        if (rise > options->limit || (open && s < 1 && !is_free_above(options, p.ball)) ||
+            (options->longest > 0 && gone > options->longest) ||
             gouge_depth_along(lift->guard, before.ball, p.ball, lift->offset) >
                 FEED * lift->tolerance)
             return false;
