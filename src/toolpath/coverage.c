@@ -6,7 +6,7 @@
 #include "base/parallel.h"
 #include "math/quadric.h"
 
-enum { ABOUT = 12, WIDE = 30, TURNS = 60, AXES = 120 };
+enum { ABOUT = 12, WIDE = 30, TURNS = 60, AXES = 120 }; /* AXES: over the upper half */
 
 /* By how much the centre may be nearer between two samples of the path than at them, mm. */
 static const double SAGITTA = 0.001;
@@ -154,10 +154,10 @@ static double find_touch(const struct coverage_options *o, struct vec3 p, struct
     return lift < 0 ? HUGE_VAL : lift;
 }
 
-/* Direction k of AXES, evenly over the upper half of the sphere. */
-static struct vec3 axis_of(int k)
+/* Direction k of n, evenly over the sphere from the top down. */
+static struct vec3 spread(int k, int n)
 {
-    double z = 1 - (k + 0.5) / AXES, r = sqrt(1 - z * z), turn = 2.399963229728653 * k;
+    double z = 1 - (2 * k + 1.0) / n, r = sqrt(1 - z * z), turn = 2.399963229728653 * k;
 
     return vec(r * cos(turn), r * sin(turn), z);
 }
@@ -182,7 +182,7 @@ static bool has_axis(const struct coverage_options *o, struct vec3 c, struct vec
     if (d.z >= 0 && comes_along(o, c, d))
         return true;
     for (int k = 0; k < AXES; k++) {
-        struct vec3 axis = axis_of(k);
+        struct vec3 axis = spread(k, 2 * AXES);
         if (vec_dot(axis, d) > flattest && comes_along(o, c, axis))
             return true;
     }
@@ -334,16 +334,17 @@ static bool is_open_along(const struct covering *w, const struct kdtree *roof, s
     return has_axis(o, c, d);
 }
 
+/* Balls along the normal and BALLS directions evenly over the sphere: who looks for them so finds
+ * fewer than there are. */
 static bool is_seen_left(const struct covering *w, const struct kdtree *roof, size_t i)
 {
+    enum { BALLS = 160 };
     struct vec3 normal = guess_normal(w, w->coverage->point[i].p);
 
-    if (is_open_along(w, roof, i, normal) ||
-        is_open_along(w, roof, i, w->coverage->point[i].normal))
+    if (is_open_along(w, roof, i, normal))
         return true;
-    for (int k = 0; k < 2 * AXES; k++) {
-        struct vec3 d = axis_of(k / 2);
-        d.z = k % 2 ? -d.z : d.z;
+    for (int k = 0; k < BALLS; k++) {
+        struct vec3 d = spread(k, BALLS);
         double share = vec_dot(d, normal);
         if ((normal.z < UPRIGHT ? fabs(share) : share) >= AHEAD && is_open_along(w, roof, i, d))
             return true;
