@@ -47,8 +47,8 @@ size_t outliers_twice(const struct point_grid *point_grid, unsigned char *out);
  * and more within that are over it, and in three eighths of the turn there are none, so that the
  * surface ends and its wall, undercut by up to half a spacing, was seen at a few places only.  So a
  * clump of up to OUTLIERS_CLUMP points floating anywhere is found, an edge or a wall is none.
- * Only points that are off a quadric over a block of two by two cells and off a robust one over their
- * cell and the eight around it, or have no other point of their cell near them, are tested.
+ * Only points that are off a quadric over a block of two by two cells and off a robust one over
+ * their cell and the eight around it, or have no other point of their cell near them, are tested.
  */
 size_t outliers_isolated(const struct point_grid *point_grid, double sigma, int threads,
                          unsigned char *out);

@@ -24,10 +24,10 @@ void axis_smooth_play(struct run *run, double play);
 double axis_smooth_rate(struct run *run, double rate);
 
 /*
- * The directions `rule` of n points, each the mean over `half` mm of the ball's path before and after
- * it, less beyond the ends, and that twice: what turns back within it is of single contact points and
- * not of the surface.  Between points a direction goes straight, so that the mean has no step where a
- * point comes into reach.  Points that touch nothing have no say, and keep theirs.
+ * The directions `rule` of n points, each the mean over `half` mm of the ball's path before and
+ * after it, less beyond the ends, and that twice: what turns back within it is of single contact
+ * points and not of the surface.  Between points a direction goes straight, so that the mean has no
+ * step where a point comes into reach.  Points that touch nothing have no say, and keep theirs.
  */
 void axis_smooth_rules(const struct run_point *point, size_t n, double half, struct vec3 *rule);
 

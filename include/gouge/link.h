@@ -28,14 +28,15 @@ struct link_options {
 };
 
 /*
- * Appends the points between two to `link`.  With `leave` and `arrive` known first a curve that goes
- * on as the path does at both ends, a turn from row to row about as wide as the rows are apart, and
- * rises from there to a tenth of its chord.  Where that is not clear: an arch from centre to centre (a tenth of its length
- * high, for there may be material just outside the border of the guard), lifted where that is not
- * clear, so that the ball rolls over what is between; then with a higher arch, and lifted along the
- * axis instead of the normal.  They touch nothing; the ends themselves are not appended.  Without a
- * guard it is a straight line.  False if all of them need a lift above the limit, come out longer
- * than `longest`, are not clear for the whole tool within the tolerance, or turn the axis too fast.
+ * Appends the points between two to `link`.  With `leave` and `arrive` known first a curve that
+ * goes on as the path does at both ends, a turn from row to row about as wide as the rows are
+ * apart, and rises from there to a tenth of its chord.  Where that is not clear: an arch from
+ * centre to centre (a tenth of its length high, for there may be material just outside the border
+ * of the guard), lifted where that is not clear, so that the ball rolls over what is between; then
+ * with a higher arch, and lifted along the axis instead of the normal.  They touch nothing; the
+ * ends themselves are not appended.  Without a guard it is a straight line.  False if all of them
+ * need a lift above the limit, come out longer than `longest`, are not clear for the whole tool
+ * within the tolerance, or turn the axis too fast.
  */
 bool link_low(const struct link_options *options, const struct run_point *from,
               const struct run_point *to, struct run *link);

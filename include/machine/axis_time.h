@@ -2,11 +2,11 @@
  * axis_time - how long the axes of a machine take along a way at feed, from standstill to
  * standstill: no axis is faster, or speeds up or slows down more, than it can.
  *
- * The way is given at places along it, straight between.  Where it bends, the control rounds it over
- * a length; there the speed is no more than the acceleration, and the jerk of the change of
+ * The way is given at places along it, straight between.  Where it bends, the control rounds it
+ * over a length; there the speed is no more than the acceleration, and the jerk of the change of
  * acceleration over that length, allow.  Speeds are found forth and back along the way (Bobrow,
- * Dubowsky and Gibson 1985, on a way with limits of each axis).  The jerk of a change of speed along
- * a straight way is not counted.
+ * Dubowsky and Gibson 1985, on a way with limits of each axis).  The jerk of a change of speed
+ * along a straight way is not counted.
  */
 #ifndef CLOUDMILL_AXIS_TIME_H
 #define CLOUDMILL_AXIS_TIME_H

@@ -31,8 +31,8 @@ int machine_options_read(const struct machine_options *options, struct machine *
 /*
  * What a program's head says of control and machine, where the user chose none: names of files, in
  * capitals where the control's comments are.  True if each of them that is named (not "") was taken
- * or the user chose one; *missing is otherwise what is not there.  The texts are kept, and changed to
- * the case that is there.
+ * or the user chose one; *missing is otherwise what is not there.  The texts are kept, and changed
+ * to the case that is there.
  */
 bool machine_options_adopt(struct machine_options *options, char *control, char *machine,
                            const char **missing);

@@ -78,8 +78,8 @@ int ncread_read(const char *file, const struct ncread_options *options, struct n
                 struct error *error);
 
 /*
- * What the comments at the head of a program say, without running it: of its first lines, of which a
- * head has fewer.  -1: the file can't be read.
+ * What the comments at the head of a program say, without running it: of its first lines, of which
+ * a head has fewer.  -1: the file can't be read.
  */
 int ncread_head_of(const char *file, struct ncread_head *head, struct error *error);
 

@@ -17,8 +17,8 @@ struct skin_close_count {
 /*
  * On patches that are joined and turned (orient.h).  Slivers no wider than the gap that lie over
  * each other, so that more than two facets share an edge or two are turned differently, are taken
- * out, and what is open then is filled, up to four gaps wide where less does not help; and what is open
- * between several surfaces in any case up to `most` mm (of eight gaps).
+ * out, and what is open then is filled, up to four gaps wide where less does not help; and what is
+ * open between several surfaces in any case up to `most` mm (of eight gaps).
  */
 struct skin_close_count skin_close(struct patch_mesh *mesh, double gap, double most);
 

@@ -62,8 +62,8 @@ struct fitter_options {
 /* As they are when none is given, with this tolerance. */
 struct fitter_options fitter_defaults(double tolerance);
 
-/* The least length of a piece, mm: the one that was asked for; else what the path's largest feed goes
- * in three blocks of 2 ms, which any control can read ahead, without one 800 mm/min. */
+/* The least length of a piece, mm: the one that was asked for; else what the path's largest feed
+ * goes in three blocks of 2 ms, which any control can read ahead, without one 800 mm/min. */
 double fitter_least(const struct fitter_options *options, const struct path *in);
 
 /* One cutting run, and what became of it. */

@@ -22,7 +22,8 @@ struct tool_file {
  * overrules an earlier one, key by key. */
 int tool_file_read(struct tool_file *tool, const char *name, struct error *error);
 
-/* The tool above the centre of its ball, of this radius.  -1: what the files say does not make one. */
+/* The tool above the centre of its ball, of this radius.  -1: what the files say does not make one.
+ */
 int tool_file_body(const struct tool_file *tool, double radius, struct tool_body *body,
                    struct error *error);
 

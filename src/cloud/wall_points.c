@@ -152,8 +152,8 @@ static void grow_walls(void *context, size_t from, size_t to)
     }
 }
 
-/* Marks the cells near to points of walls: the WIDER points nearest to those of others are as near as
- * WITHIN cells, so that none of them is on a wall. */
+/* Marks the cells near to points of walls: the WIDER points nearest to those of others are as near
+ * as WITHIN cells, so that none of them is on a wall. */
 static void mark_steep(struct raster *r, const struct candidates *l, size_t n)
 {
     r->steep = mem_alloc(r->columns * r->rows, 1);

@@ -9,8 +9,8 @@ enum { SWEEPS = 60 };
 
 static const double RELAX = 1.5, SHORTEST = 1e-3; /* mm: points nearer than that count as so far */
 
-/* The curve bends at point i by a[i][0] p[i - 1] + a[i][1] p[i] + a[i][2] p[i + 1], over a length of
- * `along`. */
+/* The curve bends at point i by a[i][0] p[i - 1] + a[i][1] p[i] + a[i][2] p[i + 1], over a length
+ * of `along`. */
 struct bend {
     double a[3], along;
     struct vec3 curvature;

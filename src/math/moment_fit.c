@@ -221,9 +221,9 @@ int moment_fit_ball(const struct point_grid *scan, struct vec3 place, struct vec
     return 0;
 }
 
-/* The quadric's slopes are off by a bias and less uncertain: the cubic's are nearer to the truth where
- * the squared difference is more than four times its variance (Hausman 1978: that of the cubic's less
- * that of the quadric's). */
+/* The quadric's slopes are off by a bias and less uncertain: the cubic's are nearer to the truth
+ * where the squared difference is more than four times its variance (Hausman 1978: that of the
+ * cubic's less that of the quadric's). */
 static bool cubic_is_nearer(const struct moment_fit *fit)
 {
     double du = fit->cubic.c[1] - fit->quadric.c[1], dv = fit->cubic.c[2] - fit->quadric.c[2];

@@ -772,7 +772,8 @@ struct sew_count sew(struct patch_mesh *q, const struct patches *patches, double
         if (s.gap >= gap)
             break;
     }
-    /* A vertex of a trimmed border lies on a chord of it, off the neighbour's surface by the slack. */
+    /* A vertex of a trimmed border lies on a chord of it, off the neighbour's surface by the slack.
+     */
     count.inserted += close_slits(&s, gap + slack);
     count.moved = move_to_middles(q, s.same);
     return count;

@@ -74,7 +74,8 @@ struct dialect {
 
     /* -1: a name or number that the control does not take */
     int (*check_name)(const char *name, struct error *error);
-    /* of this program, NC_NAME_MAX long with its end: what is asked for, or follows from the path */
+    /* of this program, NC_NAME_MAX long with its end: what is asked for, or follows from the path
+     */
     void (*name)(const struct nc_program *p, char *name);
     void (*line)(struct nc_program *p, const struct nc_move *move); /* rapids too */
     void (*arc)(struct nc_program *p, const struct nc_move *move);

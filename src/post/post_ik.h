@@ -26,7 +26,8 @@ int post_ik_reach(struct nc_planner *planner, struct pose to, double s,
 bool post_ik_reach_near(const struct nc_planner *planner, const struct pose *to,
                         struct machine_pose *target, struct pose_deviation *off);
 
-/* How far a tool axis may be off the singular direction to be said as it, radians; 0: it may not. */
+/* How far a tool axis may be off the singular direction to be said as it, radians; 0: it may not.
+ */
 double post_ik_near_pole(const struct nc_planner *planner);
 
 /*

@@ -344,8 +344,8 @@ static void look_at_cells(void *context, size_t from, size_t to)
 
 /* ---- all */
 
-/* The area that a point stands for, which its neighbours share by the circle that they reach, and its
- * side */
+/* The area that a point stands for, which its neighbours share by the circle that they reach, and
+ * its side */
 static void measure_areas(void *context, size_t from, size_t to)
 {
     struct reach *r = context;

@@ -333,8 +333,8 @@ static void search_with(const struct reference *reference, const struct splinefi
     search_free(&s);
 }
 
-/* With knot spans of any length first: as a rule none of them is too short.  Knots that grow look to
- * it themselves. */
+/* With knot spans of any length first: as a rule none of them is too short.  Knots that grow look
+ * to it themselves. */
 void splinefit_search(const struct reference *reference, const struct splinefit_options *options,
                       struct splinefit *fit)
 {

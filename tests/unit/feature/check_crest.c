@@ -39,7 +39,8 @@ static void crosses(double high, double noise)
         ck_assert_int_ge(c.n, 1);
         ck_assert_int_ge(c.top, 0);
         double slope = 6 * 1.7 * noise / 0.4 / sqrt(48), curvature = 2 * 0.8 / 0.36;
-        /* the neighbourhood is about the edge's own place, and the curve of the rib's flanks adds */
+        /* the neighbourhood is about the edge's own place, and the curve of the rib's flanks adds
+         */
         ck_assert_double_le(fabs(rib_off(c.place[c.top])), 0.1 + 5 * slope / curvature);
         ck_assert_double_le(fabs(c.place[c.top].z - high), 0.02 + fit_noise(noise));
         ck_assert_double_ge(vec_dot(c.normal[c.top], vec(0, 0, 1)), cos(atan(0.36 + slope)));

@@ -62,7 +62,8 @@ static struct axis_planner *planner_of(const struct gouge_check *guard, double p
     return axis_planner_new(&options);
 }
 
-/* How deep any of the points is in the flute, at poses not more than 0.1 mm and 0.5 degrees apart. */
+/* How deep any of the points is in the flute, at poses not more than 0.1 mm and 0.5 degrees apart.
+ */
 static double deepest(const struct axis_plan *plan, const struct vec3s *points)
 {
     double deep = -HUGE_VAL;

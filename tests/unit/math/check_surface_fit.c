@@ -50,7 +50,8 @@ static bool is_inside(struct vec3 p)
 }
 
 /* The bend of the wave that no cubic follows: over a disc of radius r the best cubic lies A
- * (kx^2 + ky^2)^2 / 64 * r^4 / 6 off at the middle, for r^4 is r^2 R^2 - R^4 / 6 by least squares. */
+ * (kx^2 + ky^2)^2 / 64 * r^4 / 6 off at the middle, for r^4 is r^2 R^2 - R^4 / 6 by least squares.
+ */
 static double wave_off(double r)
 {
     double kx = 2 * PI / 20, ky = 2 * PI / 30, k2 = kx * kx + ky * ky;

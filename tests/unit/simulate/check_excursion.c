@@ -91,7 +91,8 @@ START_TEST(a_curve_that_ends_high)
 }
 END_TEST
 
-/* A straight block that ends high, and a curve that comes down from there at a sharp angle or not. */
+/* A straight block that ends high, and a curve that comes down from there at a sharp angle or not.
+ */
 START_TEST(a_curve_that_begins_high)
 {
     const unsigned char l = SHAPE_LINE, p = SHAPE_POLYNOMIAL, shape[PIECES] = {l, l, l, p, p, p};

@@ -117,7 +117,8 @@ START_TEST(as_far_as_the_axes_turn)
 }
 END_TEST
 
-/* A floor up to x = 0 and a step 6 high beyond it, whose upright wall has points `apart`, or none. */
+/* A floor up to x = 0 and a step 6 high beyond it, whose upright wall has points `apart`, or none.
+ */
 static struct vec3s step(double apart)
 {
     struct vec3s points = {0};
