@@ -156,8 +156,10 @@ static void set_foot(const struct arc *arc, struct vec3 end, struct arc_foot *q)
 /* How the axis turns on arc k; where there is no other point nothing. */
 static struct great_circle turn_of(const struct arcspline *spline, size_t k, double offset)
 {
-    return offset == 0 ? (struct great_circle){.angle = 0}
-                       : great_circle_of(spline->joint[k].axis, spline->joint[k + 1].axis);
+    const struct great_circle none = {.angle = 0};
+    if (offset == 0)
+        return none;
+    return great_circle_of(spline->joint[k].axis, spline->joint[k + 1].axis);
 }
 
 void arcspline_residual(const struct arcspline *spline, double offset, struct arc_feet *feet,

@@ -163,8 +163,9 @@ static bool take_step(struct axis_check *check, struct stretch step, int axis, b
         return false;
     if (s.way < narrow)
         s = stretch_add(s, check->before);
-    check->before = last ? (struct stretch){0} : s;
-    check->stretch = (struct stretch){0};
+    const struct stretch none = {0};
+    check->before = last ? none : s;
+    check->stretch = none;
     bool fast = s.time > 0 && s.least > OVER * s.time;
     if (fast)
         note_peak(&check->use->speed, s.least / s.time, axis, index);

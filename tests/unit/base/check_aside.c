@@ -21,7 +21,7 @@ START_TEST(in_order)
     for (int threads = 0; threads < 4; threads++) {
         struct aside *aside = aside_begin(threads);
         static struct piece piece[TIMES];
-        int done[TIMES], n = 0;
+        int done[TIMES] = {0}, n = 0;
         for (int i = 0; i < TIMES; i++) {
             piece[i] = (struct piece){i, done, &n};
             aside_do(aside, note_piece, &piece[i]);
