@@ -412,7 +412,7 @@ programs() {
 			wave-arcs --rotary
 			wave-splines --from 3
 		END
-		for limit in 70 110 4k; do
+		for limit in 70 200 4k; do
 			for path in holes spiral leaning wave-splines; do
 				echo "split-$path-$limit.$end also 'split-$path-$limit-$end-*' -- ncpost -q -c $control --split $limit -o split-$path-$limit-$end $path.cl"
 			done

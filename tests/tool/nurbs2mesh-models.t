@@ -263,8 +263,7 @@ END
 nurbs2mesh -v -e 0.003 "$TMP/lidless.step" 2>"$TMP/report" >/dev/null
 has "a side taken out is a loop" 'open: [0-9]* edges, 80\.0000 mm long' "$TMP/report"
 
-# The same twice in an assembly, one turned and moved; the sum is twice the box.
-{
+two_places() { # the box, and where an assembly has it twice
 	box
 	cat <<'END'
 A SHAPE_REPRESENTATION('',({a1},{a2}),{CONTEXT})
@@ -273,6 +272,13 @@ a0 AXIS2_PLACEMENT_3D('',{p 0 0 0},{d 0 0 1},{d 1 0 0})
 a1 AXIS2_PLACEMENT_3D('',{p 100 0 0},{d 0 1 0},{d 1 0 0})
 a2 AXIS2_PLACEMENT_3D('',{p -100 5 5},{d 0 0 1},{d 0 1 0})
 same SHAPE_REPRESENTATION_RELATIONSHIP('','',{P},{REP})
+END
+}
+
+# The same twice in an assembly, one turned and moved; the sum is twice the box.
+{
+	two_places
+	cat <<'END'
 r1 (REPRESENTATION_RELATIONSHIP('','',{P},{A})REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION({t1})SHAPE_REPRESENTATION_RELATIONSHIP())
 r2 (REPRESENTATION_RELATIONSHIP('','',{P},{A})REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION({t2})SHAPE_REPRESENTATION_RELATIONSHIP())
 t1 ITEM_DEFINED_TRANSFORMATION('','',{a0},{a1})
@@ -289,14 +295,8 @@ ok "placed where it says" test "$(awk '/end_header/ { on = 1; next } on && NF ==
 structure() { # FIRST SECOND AXES-OF-FIRST AXES-OF-SECOND
 	same=SHAPE_REPRESENTATION_RELATIONSHIP
 	with=REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION
-	box
+	two_places
 	cat <<END
-A SHAPE_REPRESENTATION('',({a1},{a2}),{CONTEXT})
-P SHAPE_REPRESENTATION('',({a0}),{CONTEXT})
-a0 AXIS2_PLACEMENT_3D('',{p 0 0 0},{d 0 0 1},{d 1 0 0})
-a1 AXIS2_PLACEMENT_3D('',{p 100 0 0},{d 0 1 0},{d 1 0 0})
-a2 AXIS2_PLACEMENT_3D('',{p -100 5 5},{d 0 0 1},{d 0 1 0})
-same SHAPE_REPRESENTATION_RELATIONSHIP('','',{P},{REP})
 r1 (REPRESENTATION_RELATIONSHIP('','',{$1},{$2})${with}({t1})$same())
 r2 (REPRESENTATION_RELATIONSHIP('','',{$1},{$2})${with}({t2})$same())
 t1 ITEM_DEFINED_TRANSFORMATION('','',{$(echo "$3" | sed s/k/1/)},{$(echo "$4" | sed s/k/1/)})

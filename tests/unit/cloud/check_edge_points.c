@@ -167,33 +167,61 @@ static void crop(struct vec3s *scan, double x, double y)
     scan->n = n;
 }
 
-/* The guard of a scan of it; *over: how far what was put on edges is off. */
-static struct result guard_scan(double (*height)(double, double), enum noisy_pattern pattern,
-                                double sigma, double *over)
-{
-    enum { POINTS = 17000 };
-    struct vec3s scan = {0};
+/* A scan and what guards a ball by it. */
+struct guarded {
+    struct vec3s scan;
     struct point_grid grid;
-    struct error error;
+    struct guard_points points;
+};
 
-    noisy_scan(&scan, height, POINTS, pattern, sigma);
-    crop(&scan, 21, 17);
-    ck_assert_int_eq(point_grid_make(scan.item, scan.n, 0.48, 2, &grid, &error), 0);
+/* Of g->scan, in cells so wide, mm. */
+static void guarded_make(struct guarded *g, double cell, double sigma)
+{
     struct guard_points_options options = {.radius = RADIUS,
                                            .sink = TOLERANCE / 5,
                                            .noise = sigma,
                                            .vague = TOLERANCE,
                                            .effort = 1,
                                            .threads = 2};
-    struct guard_points guard = guard_points_of_scan(&grid, &options);
-    struct result r = measure(height, &guard.point);
-    struct vec3s edges = {guard.edges, 0, guard.point.item + guard.point.n - guard.edges};
+    struct error error;
+
+    ck_assert_int_eq(point_grid_make(g->scan.item, g->scan.n, cell, 2, &g->grid, &error), 0);
+    g->points = guard_points_of_scan(&g->grid, &options);
+}
+
+/* Takes the points. */
+static struct gouge_check *guarded_gouge(struct guarded *g)
+{
+    struct gouge_check *guard = gouge_new(g->points.point, 2);
+
+    g->points.point = (struct vec3s){0};
+    return guard;
+}
+
+static void guarded_free(struct guarded *g)
+{
+    array_free(&g->points.point);
+    array_free(&g->points.certain);
+    array_free(&g->points.doubtful);
+    point_grid_free(&g->grid);
+    array_free(&g->scan);
+}
+
+/* The guard of a scan of it; *over: how far what was put on edges is off. */
+static struct result guard_scan(double (*height)(double, double), enum noisy_pattern pattern,
+                                double sigma, double *over)
+{
+    enum { POINTS = 17000 };
+    struct guarded g = {0};
+
+    noisy_scan(&g.scan, height, POINTS, pattern, sigma);
+    crop(&g.scan, 21, 17);
+    guarded_make(&g, 0.48, sigma);
+    struct result r = measure(height, &g.points.point);
+    struct vec3s edges = {g.points.edges, 0,
+                          g.points.point.item + g.points.point.n - g.points.edges};
     *over = highest_over(height, &edges);
-    array_free(&guard.point);
-    array_free(&guard.certain);
-    array_free(&guard.doubtful);
-    point_grid_free(&grid);
-    array_free(&scan);
+    guarded_free(&g);
     return r;
 }
 
@@ -249,22 +277,17 @@ static double frustum(double x, double y)
 START_TEST(steep_flanks)
 {
     enum { POINTS = 17000, PLACES = 400 };
-    struct vec3s scan = {0};
-    struct point_grid grid;
-    struct error error;
+    struct guarded g = {0};
     double worst = 0;
 
     top = _i % 2 ? 12 : 0;
     steep = _i % 2 ? 3 : 1.3;
     turn = 0.3 * _i;
     noisy_seed(60 + (unsigned)_i);
-    noisy_scan(&scan, frustum, POINTS, NOISY_RANDOM, 0);
-    crop(&scan, 21, 21);
-    ck_assert_int_eq(point_grid_make(scan.item, scan.n, 0.48, 2, &grid, &error), 0);
-    struct guard_points_options options = {
-        .radius = RADIUS, .sink = TOLERANCE / 5, .vague = TOLERANCE, .effort = 1, .threads = 2};
-    struct guard_points points = guard_points_of_scan(&grid, &options);
-    struct gouge_check *guard = gouge_new(points.point, 2);
+    noisy_scan(&g.scan, frustum, POINTS, NOISY_RANDOM, 0);
+    crop(&g.scan, 21, 21);
+    guarded_make(&g, 0.48, 0);
+    struct gouge_check *guard = guarded_gouge(&g);
     for (int i = 0; i < PLACES; i++) {
         double u = top + (0.3 + 5 * noisy_uniform()) / steep, v = 1.8 * (noisy_uniform() - 0.5);
         double side = i % 4 * PI / 2 + turn, down = steep / sqrt(1 + steep * steep);
@@ -281,10 +304,7 @@ START_TEST(steep_flanks)
     }
     ck_assert_double_le(worst, 2.5 * TOLERANCE);
     gouge_free(guard);
-    array_free(&points.certain);
-    array_free(&points.doubtful);
-    point_grid_free(&grid);
-    array_free(&scan);
+    guarded_free(&g);
 }
 END_TEST
 
@@ -297,28 +317,19 @@ static double roof(double x, double y)
 
 START_TEST(points_on_a_ridge)
 {
-    struct vec3s scan = {0};
-    struct point_grid grid;
-    struct error error;
+    struct guarded g = {0};
 
     turn = 0.2094395 + 0.2 * _i; /* of 12 degrees: z is 12 less 0.0016 at (0.6, -2.8) */
     for (int i = -37; i <= 37; i++)
         for (int j = -30; j <= 30; j++)
-            *array_push(&scan) = vec(0.4 * i + 0.2, 0.4 * j, roof(0.4 * i + 0.2, 0.4 * j));
-    ck_assert_int_eq(point_grid_make(scan.item, scan.n, 0.8, 2, &grid, &error), 0);
-    struct guard_points_options options = {
-        .radius = RADIUS, .sink = TOLERANCE / 5, .vague = TOLERANCE, .effort = 1, .threads = 2};
-    struct guard_points points = guard_points_of_scan(&grid, &options);
-    ck_assert_uint_gt(points.point.n, scan.n); /* there are places at all */
-    for (size_t i = 0; i < points.point.n; i++) {
-        struct vec3 p = points.point.item[i];
+            *array_push(&g.scan) = vec(0.4 * i + 0.2, 0.4 * j, roof(0.4 * i + 0.2, 0.4 * j));
+    guarded_make(&g, 0.8, 0);
+    ck_assert_uint_gt(g.points.point.n, g.scan.n); /* there are places at all */
+    for (size_t i = 0; i < g.points.point.n; i++) {
+        struct vec3 p = g.points.point.item[i];
         ck_assert_double_le(p.z - roof(p.x, p.y), TOLERANCE);
     }
-    array_free(&points.point);
-    array_free(&points.certain);
-    array_free(&points.doubtful);
-    point_grid_free(&grid);
-    array_free(&scan);
+    guarded_free(&g);
 }
 END_TEST
 
@@ -328,9 +339,7 @@ START_TEST(on_scan_lines)
 {
     static double (*const of[])(double, double) = {roof, frustum, frustum};
     double (*height)(double, double) = of[_i], above = 0;
-    struct vec3s scan = {0};
-    struct point_grid grid;
-    struct error error;
+    struct guarded g = {0};
 
     turn = 0.35;
     top = _i == 2 ? 6 : 0;
@@ -338,20 +347,17 @@ START_TEST(on_scan_lines)
     for (int line = -15; line <= 15; line++)
         for (int k = -80; k <= 80; k++) {
             double x = 0.2 * k + 0.03 * line, y = 0.8 * line + 0.1 * x;
-            *array_push(&scan) = vec(x, y, height(x, y));
+            *array_push(&g.scan) = vec(x, y, height(x, y));
         }
-    ck_assert_int_eq(point_grid_make(scan.item, scan.n, 0.8, 2, &grid, &error), 0);
-    struct guard_points_options options = {
-        .radius = RADIUS, .sink = TOLERANCE / 5, .vague = TOLERANCE, .effort = 1, .threads = 2};
-    struct guard_points points = guard_points_of_scan(&grid, &options);
-    ck_assert_uint_gt(points.point.n, 2 * scan.n);
-    for (size_t i = 0; i < points.point.n; i++) {
-        struct vec3 p = points.point.item[i];
+    guarded_make(&g, 0.8, 0);
+    ck_assert_uint_gt(g.points.point.n, 2 * g.scan.n);
+    for (size_t i = 0; i < g.points.point.n; i++) {
+        struct vec3 p = g.points.point.item[i];
         above = fmax(above, (p.z - height(p.x, p.y)) / hypot(1, steep));
     }
     /* a flank so steep is on too few lines: the one over it is continued to the next of them */
     ck_assert_msg(above <= (_i == 2 ? 0.5 : TOLERANCE), "%d: %.4f mm above", _i, above);
-    struct gouge_check *guard = gouge_new(points.point, 2);
+    struct gouge_check *guard = guarded_gouge(&g);
     for (double y = -9; _i == 0 && y <= 9; y += 0.07) {
         struct vec3 p = vec(-y * sin(turn), y * cos(turn), 12);
         ck_assert_double_le(gouge_depth(guard, vec_along(p, RADIUS, vec(0, 0, 1)), RADIUS), 2e-3);
@@ -359,10 +365,7 @@ START_TEST(on_scan_lines)
             gouge_depth(guard, vec_along(p, RADIUS - 1.5 * TOLERANCE, vec(0, 0, 1)), RADIUS), 0);
     }
     gouge_free(guard);
-    array_free(&points.certain);
-    array_free(&points.doubtful);
-    point_grid_free(&grid);
-    array_free(&scan);
+    guarded_free(&g);
 }
 END_TEST
 
@@ -378,25 +381,20 @@ START_TEST(unseen_walls)
 {
     enum { POINTS = 12000, PLACES = 300 };
     const double gap = 1.4; /* mm: the reach, 2.8 spacings */
-    struct vec3s scan = {0};
-    struct point_grid grid;
-    struct error error;
+    struct guarded g = {0};
 
     turn = 0.25 + 0.2 * _i;
     noisy_seed(70 + (unsigned)_i);
-    noisy_scan(&scan, mesa, POINTS, NOISY_RANDOM, 0);
-    crop(&scan, 14, 14);
-    ck_assert_int_eq(point_grid_make(scan.item, scan.n, 0.48, 2, &grid, &error), 0);
-    struct guard_points_options options = {
-        .radius = RADIUS, .sink = TOLERANCE / 5, .vague = TOLERANCE, .effort = 1, .threads = 2};
-    struct guard_points points = guard_points_of_scan(&grid, &options);
-    for (size_t i = 0; i < points.point.n; i++) {
-        struct vec3 p = points.point.item[i];
+    noisy_scan(&g.scan, mesa, POINTS, NOISY_RANDOM, 0);
+    crop(&g.scan, 14, 14);
+    guarded_make(&g, 0.48, 0);
+    for (size_t i = 0; i < g.points.point.n; i++) {
+        struct vec3 p = g.points.point.item[i];
         double x = p.x, y = p.y;
         turned(&x, &y);
         ck_assert(p.z < 5 + TOLERANCE && (p.z < TOLERANCE || fabs(x) < 6 + gap));
     }
-    struct gouge_check *guard = gouge_new(points.point, 2);
+    struct gouge_check *guard = guarded_gouge(&g);
     for (int i = 0; i < PLACES; i++) {
         double v = 12 * noisy_uniform() - 6, level = noisy_uniform(), deep = RADIUS - 5 * TOLERANCE;
         double x = 6 + deep * level, z = 5 + deep * sqrt(1 - level * level);
@@ -408,10 +406,7 @@ START_TEST(unseen_walls)
         ck_assert_double_gt(gouge_depth(guard, c, RADIUS), 0);
     }
     gouge_free(guard);
-    array_free(&points.certain);
-    array_free(&points.doubtful);
-    point_grid_free(&grid);
-    array_free(&scan);
+    guarded_free(&g);
 }
 END_TEST
 

@@ -47,6 +47,26 @@ static void join(const struct patches *patches, double gap, struct patch_mesh *m
     free(sheet);
 }
 
+/* The box, sewn. */
+struct sewn {
+    struct patches patches;
+    struct patch_mesh mesh;
+};
+
+static struct sewn sewn_box(double slit, bool lid)
+{
+    struct sewn s = {.patches = box(slit, lid)};
+    join(&s.patches, 0.001, &s.mesh);
+    return s;
+}
+
+static void sewn_free(struct sewn *s, struct skin *skin)
+{
+    skin_free(skin);
+    patch_mesh_free(&s->mesh);
+    patches_free(&s->patches);
+}
+
 static void is_box(const struct skin *skin)
 {
     ck_assert_uint_eq(skin->body.n, 1);
@@ -60,70 +80,54 @@ static void is_box(const struct skin *skin)
 
 START_TEST(tight)
 {
-    struct patches p = box(0, true);
-    struct patch_mesh mesh;
-    join(&p, 0.001, &mesh);
-    struct skin_close_count closed = skin_close(&mesh, 0.01, 0.08);
+    struct sewn sewn = sewn_box(0, true);
+    struct skin_close_count closed = skin_close(&sewn.mesh, 0.01, 0.08);
     ck_assert_uint_eq(closed.filled, 0);
     ck_assert_uint_eq(closed.folded, 0);
-    struct skin skin = skin_of(&mesh);
+    struct skin skin = skin_of(&sewn.mesh);
     is_box(&skin);
-    skin_free(&skin);
-    patch_mesh_free(&mesh);
-    patches_free(&p);
+    sewn_free(&sewn, &skin);
 }
 END_TEST
 
 START_TEST(slit)
 {
-    struct patches p = box(0.02, true);
-    struct patch_mesh mesh;
-    join(&p, 0.001, &mesh);
-    struct skin skin = skin_of(&mesh);
+    struct sewn sewn = sewn_box(0.02, true);
+    struct skin skin = skin_of(&sewn.mesh);
     ck_assert_uint_gt(skin.open, 0); /* sewing alone leaves it */
     skin_free(&skin);
-    struct skin_close_count closed = skin_close(&mesh, 0.05, 0.4);
+    struct skin_close_count closed = skin_close(&sewn.mesh, 0.05, 0.4);
     ck_assert_uint_ge(closed.filled, 1);
     ck_assert_uint_ge(closed.facets, 1);
     ck_assert_double_lt(closed.width, 0.05);
-    skin = skin_of(&mesh);
+    skin = skin_of(&sewn.mesh);
     is_box(&skin);
-    skin_free(&skin);
-    patch_mesh_free(&mesh);
-    patches_free(&p);
+    sewn_free(&sewn, &skin);
 }
 END_TEST
 
 START_TEST(wide)
 {
-    struct patches p = box(2, true);
-    struct patch_mesh mesh;
-    join(&p, 0.001, &mesh);
-    struct skin_close_count closed = skin_close(&mesh, 0.05, 0.4);
+    struct sewn sewn = sewn_box(2, true);
+    struct skin_close_count closed = skin_close(&sewn.mesh, 0.05, 0.4);
     ck_assert_uint_eq(closed.filled, 0);
-    struct skin skin = skin_of(&mesh);
+    struct skin skin = skin_of(&sewn.mesh);
     ck_assert(!skin_body_closed(&skin.body.item[0]));
     ck_assert_uint_eq(skin.loop.n, 1);
     ck_assert_double_lt(fabs(skin.loop.item[0].length - 2 * (Y + 2)), 1e-9);
-    skin_free(&skin);
-    patch_mesh_free(&mesh);
-    patches_free(&p);
+    sewn_free(&sewn, &skin);
 }
 END_TEST
 
 START_TEST(lidless)
 {
-    struct patches p = box(0, false);
-    struct patch_mesh mesh;
-    join(&p, 0.001, &mesh);
-    skin_close(&mesh, 0.05, 0.4);
-    struct skin skin = skin_of(&mesh);
+    struct sewn sewn = sewn_box(0, false);
+    skin_close(&sewn.mesh, 0.05, 0.4);
+    struct skin skin = skin_of(&sewn.mesh);
     ck_assert_uint_eq(skin.loop.n, 1);
     ck_assert_double_lt(fabs(skin.loop.item[0].length - 2 * (X + Y)), 1e-9);
     ck_assert_double_lt(fabs(skin.body.item[0].area - (X * Y + 2 * Y * Z + 2 * Z * X)), 1e-9);
-    skin_free(&skin);
-    patch_mesh_free(&mesh);
-    patches_free(&p);
+    sewn_free(&sewn, &skin);
 }
 END_TEST
 

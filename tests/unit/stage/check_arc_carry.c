@@ -69,32 +69,49 @@ static struct pieces pieces_of(size_t n, const double *from)
     return pieces;
 }
 
+struct carried {
+    struct run before, after;
+    struct pieces old, now;
+    struct arc_moves windows;
+};
+
+static void carry(struct carried *c, size_t beside)
+{
+    c->now.n = 0;
+    arc_carry(&c->before, &c->after, &c->old, beside, &c->now, &c->windows);
+}
+
+static void carried_free(struct carried *c)
+{
+    array_free(&c->before);
+    array_free(&c->after);
+    array_free(&c->old);
+    array_free(&c->now);
+    array_free(&c->windows);
+}
+
 /* Intervals of 5 become 10, 5, 5, 1 long: places keep their part of the interval. */
 START_TEST(places)
 {
     static const double from[] = {0, 2.5, 5, 7, 12, 15, 17.5},
                         want[] = {0, 5, 10, 12, 17, 20, 20.5, 21};
-    struct run a = run_of((const size_t[]){4, 4, 4, 4}), b = run_of((const size_t[]){9, 4, 4, 0});
-    struct pieces old = pieces_of(7, from), now = {0};
-    struct arc_moves windows = {0};
-    arc_carry(&a, &b, &old, 0, &now, &windows);
-    ck_assert_uint_eq(now.n, 7);
+    struct carried c = {.before = run_of((const size_t[]){4, 4, 4, 4}),
+                        .after = run_of((const size_t[]){9, 4, 4, 0}),
+                        .old = pieces_of(7, from)};
+    carry(&c, 0);
+    ck_assert_uint_eq(c.now.n, 7);
     for (size_t i = 0; i < 7; i++) {
-        ck_assert_double_eq_tol(now.item[i].from, want[i], 1e-12);
-        ck_assert_double_eq_tol(now.item[i].to, want[i + 1], 1e-12);
+        ck_assert_double_eq_tol(c.now.item[i].from, want[i], 1e-12);
+        ck_assert_double_eq_tol(c.now.item[i].to, want[i + 1], 1e-12);
     }
     /* the first two are in the interval that changed, the third begins at its end, the last in the
      * last one; the piece from 12 to 15 ends where it begins */
-    ck_assert_uint_eq(windows.n, 2);
-    ck_assert_uint_eq(windows.item[0].from, 0);
-    ck_assert_uint_eq(windows.item[0].to, 2);
-    ck_assert_uint_eq(windows.item[1].from, 4);
-    ck_assert_uint_eq(windows.item[1].to, 7);
-    array_free(&old);
-    array_free(&now);
-    array_free(&windows);
-    array_free(&a);
-    array_free(&b);
+    ck_assert_uint_eq(c.windows.n, 2);
+    ck_assert_uint_eq(c.windows.item[0].from, 0);
+    ck_assert_uint_eq(c.windows.item[0].to, 2);
+    ck_assert_uint_eq(c.windows.item[1].from, 4);
+    ck_assert_uint_eq(c.windows.item[1].to, 7);
+    carried_free(&c);
 }
 END_TEST
 
@@ -106,25 +123,19 @@ START_TEST(what_touches_it)
         size_t point, beside, from, to;
     } k[] = {{7, 0, 2, 5}, {7, 1, 1, 6}, {7, 3, 0, 8}, {2, 0, 0, 3}, {18, 0, 6, 9}, {18, 2, 4, 9}};
     for (size_t i = 0; i < sizeof k / sizeof *k; i++) {
-        struct run a = run_of((const size_t[]){4, 4, 4, 4}),
-                   b = run_of((const size_t[]){4, 4, 4, 4});
-        struct pieces old = pieces_of(9, from), now = {0};
-        struct arc_moves windows = {0};
-        arc_carry(&a, &b, &old, k[i].beside, &now, &windows);
-        ck_assert_uint_eq(windows.n, 0);
-        b.item[k[i].point].ball.z += 1e-9;
-        now.n = 0;
-        arc_carry(&a, &b, &old, k[i].beside, &now, &windows);
-        ck_assert_uint_eq(windows.n, 1);
-        ck_assert_uint_eq(windows.item[0].from, k[i].from);
-        ck_assert_uint_eq(windows.item[0].to, k[i].to);
+        struct carried c = {.before = run_of((const size_t[]){4, 4, 4, 4}),
+                            .after = run_of((const size_t[]){4, 4, 4, 4}),
+                            .old = pieces_of(9, from)};
+        carry(&c, k[i].beside);
+        ck_assert_uint_eq(c.windows.n, 0);
+        c.after.item[k[i].point].ball.z += 1e-9;
+        carry(&c, k[i].beside);
+        ck_assert_uint_eq(c.windows.n, 1);
+        ck_assert_uint_eq(c.windows.item[0].from, k[i].from);
+        ck_assert_uint_eq(c.windows.item[0].to, k[i].to);
         for (size_t j = 0; j < 9; j++)
-            ck_assert_double_eq(now.item[j].from, from[j]);
-        array_free(&old);
-        array_free(&now);
-        array_free(&windows);
-        array_free(&a);
-        array_free(&b);
+            ck_assert_double_eq(c.now.item[j].from, from[j]);
+        carried_free(&c);
     }
 }
 END_TEST
