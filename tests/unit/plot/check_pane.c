@@ -53,7 +53,9 @@ static struct vec3s path_of(const char *ink, int k)
     for (int i = 0; s && i <= k; i++)
         s = strstr(s + (i > 0), ink);
     s = s ? strstr(s, "d=\"") : NULL;
-    for (s = s ? s + 3 : "\""; *s != '"';) {
+    if (!s)
+        return found;
+    for (s += 3; *s != '"';) {
         char *end;
         if (strchr("Mmlhz", *s)) {
             command = *s++;
