@@ -212,14 +212,12 @@ static void say_report(const struct settings *s, const struct path *path,
     note("cut %.1f mm, rapid %.1f mm, about %.1f min", r->cut, r->rapid, r->minutes);
     if (r->fast > 0)
         say("%zu %s an axis for more than its largest speed, up to %.2f times, first for line %u "
-            "of "
-            "the path",
+            "of the path",
             r->fast, r->fast == 1 ? "block asks" : "blocks ask", r->fastest, r->fast_line);
     else if (r->peaks > 0)
-        note(
-            "%zu %s an axis for more than its largest speed, up to %.2f times, over less than 0.02 "
-            "mm: the control slows down there",
-            r->peaks, r->peaks == 1 ? "block asks" : "blocks ask", r->peak);
+        note("%zu %s an axis for more than its largest speed, up to %.2f times, over less than "
+             "0.02 mm: the control slows down there",
+             r->peaks, r->peaks == 1 ? "block asks" : "blocks ask", r->peak);
     note("kept %.4f mm and %.4f deg; with the stages before %.4f mm", r->point, DEGREES(r->axis),
          r->ledger);
 }

@@ -19,6 +19,10 @@ struct sphere_grid {
     struct vec3 *at;                  /* unit */
 };
 
+/* The unit direction at height z that is the k-th of a spiral turning by the golden angle: with
+ * heights evenly apart they are spread evenly. */
+struct vec3 sphere_spiral(int k, double z);
+
 struct sphere_grid sphere_grid_new(struct vec3 pole);
 void sphere_grid_free(struct sphere_grid *grid);
 

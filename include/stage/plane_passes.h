@@ -42,8 +42,8 @@ struct pass_options plane_passes_along(const struct mesh_part *part, double radi
 int plane_passes_bounded(const struct mesh *mesh, struct vec3 normal, double step,
                          struct error *error);
 
-/* What they cut is no longer than TOOLPATH_MOST_CUT allows, as far as the areas of the facets tell.
- * -1: it is, the error says about how long. */
+/* What they cut is no longer than toolpath_length_bounded allows, as far as the areas of the facets
+ * tell.  -1: it is, the error says about how long. */
 int plane_passes_short(const struct plane_passes *p, const struct mesh *mesh, struct error *error);
 
 /* How far apart the planes are in the mean, mm; infinite for one. */

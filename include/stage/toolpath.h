@@ -151,11 +151,11 @@ struct toolpath {
 void toolpath_strip(struct toolpath *t, size_t pass, const struct contact *contact, size_t n,
                     struct vec3 along);
 
-/* Radii of the ball: all strips together. */
-#define TOOLPATH_MOST_CUT 5e5
+/* A path of this length, mm, can be made in reasonable time: half a million radii of the ball, 2 km
+ * for one of 4 mm.  -1: it is longer, the error says so, and the length in the words of `said`. */
+int toolpath_length_bounded(double length, double radius, const char *said, struct error *error);
 
-/* The strips are not longer than a path can be made in reasonable time: half a million radii of the
- * ball, 2 km for one of 4 mm.  -1: they are, the error says by how much. */
+/* The same of the strips. */
 int toolpath_bounded(const struct toolpath *t, struct error *error);
 
 /* Lifts the strips that wait; more of them may follow.  Where they take the ball's centre is in

@@ -76,9 +76,10 @@ static void fill_caps(struct caps *caps, struct holder holder, double span)
     caps->span = span > 0 ? fmin(caps->reach, span) : caps->reach;
     for (int i = 0; i < BINS; i++)
         caps->most[0][i] = widest_in(&holder, caps->span * i / BINS, caps->span / BINS, 1);
-    double beyond = widest_in(&holder, caps->span, (caps->reach - caps->span) / BINS, BINS);
-    if (caps->span < caps->reach)
+    if (caps->span < caps->reach) {
+        double beyond = widest_in(&holder, caps->span, (caps->reach - caps->span) / BINS, BINS);
         caps->most[0][BINS - 1] = fmax(caps->most[0][BINS - 1], beyond);
+    }
     for (int level = 1; level < LEVELS; level++)
         for (int i = 0; i < BINS; i++) {
             int other = i + (1 << (level - 1));

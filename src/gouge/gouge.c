@@ -6,6 +6,7 @@
 #include "math/box.h"
 #include "math/height_pyramid.h"
 #include "math/kdtree.h"
+#include "math/sphere_grid.h"
 
 struct gouge_check {
     struct kdtree *tree;
@@ -151,10 +152,7 @@ bool gouge_open(const struct gouge_check *guard, struct vec3 c, struct vec3 up, 
 /* Direction k of n, evenly over the sphere down to ten degrees above the level. */
 static struct vec3 direction_of(int k, int n)
 {
-    double z = 1 - (1 - sin(PI / 18)) * (k + 0.5) / n, r = sqrt(1 - z * z),
-           turn = 2.399963229728653 * k;
-
-    return vec(r * cos(turn), r * sin(turn), z);
+    return sphere_spiral(k, 1 - (1 - sin(PI / 18)) * (k + 0.5) / n);
 }
 
 bool gouge_open_anyhow(const struct gouge_check *guard, struct vec3 c, struct vec3 normal,

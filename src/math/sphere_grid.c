@@ -5,6 +5,13 @@
 
 #include "base/array.h"
 
+struct vec3 sphere_spiral(int k, double z)
+{
+    double r = sqrt(1 - z * z), turn = 2.399963229728653 * k;
+
+    return vec(r * cos(turn), r * sin(turn), z);
+}
+
 static int ring_size(int ring)
 {
     double around = 2 * PI * sin((ring + 0.5) * SPHERE_GRID_STEP) / SPHERE_GRID_STEP;

@@ -9,6 +9,7 @@
 #include "math/box.h"
 #include "math/kdtree.h"
 #include "math/quadric.h"
+#include "math/sphere_grid.h"
 #include "simulate/holder_collision.h"
 
 enum {
@@ -22,8 +23,7 @@ enum {
     GROUP = 16    /* cells that one thread looks at, at a time */
 };
 
-#define GOLDEN 2.39996322972865332 /* radians: the golden angle */
-#define CELL 0.25                  /* of the radius: width of a cell */
+#define CELL 0.25    /* of the radius: width of a cell */
 #define SPARSE 0.34  /* of the radius: the points that stand for all are so far apart */
 #define STEEP 0.3    /* a normal is upright with less than this of Z */
 #define AHEAD 0.75   /* cosine between the normal and the ball's direction, at least */
@@ -40,8 +40,7 @@ enum {
 /* The k-th of n directions spread evenly over the sphere, from the top down. */
 static struct vec3 spread(int k, int n)
 {
-    double z = 1 - (2 * k + 1.0) / n, r = sqrt(1 - z * z);
-    return vec(r * cos(GOLDEN * k), r * sin(GOLDEN * k), z);
+    return sphere_spiral(k, 1 - (2 * k + 1.0) / n);
 }
 
 static bool machine_reaches(const struct verify_kinematics *kinematics, struct vec3 axis)

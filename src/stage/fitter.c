@@ -164,6 +164,13 @@ static void mark_motions(const struct run *points, const struct gouges *gouges, 
 
 static void fit_part(const struct workload *w, struct fitted_run run, int time);
 
+/* A part of the run that is not fitted yet. */
+static struct fitted_run part_of(const struct fitted_run *run, size_t from, size_t to)
+{
+    return (struct fitted_run){
+        .from = from, .to = to, .pass = run->pass, .number = run->number, .link = run->link};
+}
+
 /* The run without the motions that stay as they came, part by part; n motions. */
 static void fit_others(const struct workload *w, const struct fitted_run *run, bool *stays,
                        size_t n, int time)
@@ -175,13 +182,7 @@ static void fit_others(const struct workload *w, const struct fitted_run *run, b
         if (!stays[i])
             continue;
         if (i > from)
-            fit_part(w,
-                     (struct fitted_run){.from = run->from + from,
-                                         .to = run->from + i + 1,
-                                         .pass = run->pass,
-                                         .number = run->number,
-                                         .link = run->link},
-                     time);
+            fit_part(w, part_of(run, run->from + from, run->from + i + 1), time);
         from = i + 1;
     }
 }
@@ -257,11 +258,7 @@ static void fit_part(const struct workload *w, struct fitted_run run, int time)
         free_run(w->fitter, &run);
         if (!by_axis)
             return;
-        run = (struct fitted_run){.from = run.from,
-                                  .to = run.to,
-                                  .pass = run.pass,
-                                  .number = run.number,
-                                  .link = run.link};
+        run = part_of(&run, run.from, run.to);
     }
 }
 

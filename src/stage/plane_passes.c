@@ -1,6 +1,7 @@
 /* plane_passes - see plane_passes.h. */
 #include "stage/plane_passes.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -111,7 +112,8 @@ int plane_passes_bounded(const struct mesh *mesh, struct vec3 normal, double ste
 int plane_passes_short(const struct plane_passes *p, const struct mesh *mesh, struct error *error)
 {
     const double sure = 1.1; /* what is cut in fact is looked at again */
-    double length = 0, most = TOOLPATH_MOST_CUT * p->rule.radius;
+    double length = 0;
+    char said[400];
 
     for (size_t f = 0; f < mesh->face.n; f++) {
         struct vec3 cross = mesh_face_cross(mesh, f);
@@ -119,13 +121,8 @@ int plane_passes_short(const struct plane_passes *p, const struct mesh *mesh, st
             length += vec_length(vec_cross(cross, p->rule.normal)) / 2;
     }
     length /= plane_passes_apart(p);
-    if (length <= sure * most)
-        return 0;
-    return error_set(error,
-                     "would cut about %.0f m, expected at most %.0f m with a ball of radius %g: is "
-                     "the unit of the part right? A larger ball, rows farther apart or a part of "
-                     "the mesh make less",
-                     length / 1e3, most / 1e3, p->rule.radius);
+    snprintf(said, sizeof said, "about %.0f m", length / 1e3);
+    return toolpath_length_bounded(length / sure, p->rule.radius, said, error);
 }
 
 double plane_passes_apart(const struct plane_passes *p)

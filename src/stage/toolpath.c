@@ -4,6 +4,7 @@
  */
 #include "stage/toolpath.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "base/cli.h"
@@ -29,23 +30,31 @@ void toolpath_strip(struct toolpath *t, size_t pass, const struct contact *conta
     *array_push(&t->strip) = strip;
 }
 
+int toolpath_length_bounded(double length, double radius, const char *said, struct error *error)
+{
+    const double most = 5e5 * radius;
+
+    if (length <= most)
+        return 0;
+    return error_set(error,
+                     "would cut %s, expected at most %.0f m with a ball of radius %g: is the unit "
+                     "of the part right? A larger ball, rows farther apart or a part of the mesh "
+                     "make less",
+                     said, most / 1e3, radius);
+}
+
 int toolpath_bounded(const struct toolpath *t, struct error *error)
 {
-    double length = 0, most = TOOLPATH_MOST_CUT * t->rule.radius;
+    double length = 0;
+    char said[400];
 
     for (size_t k = 0; k < t->strip.n; k++) {
         const struct contact *c = t->strip.item[k].contact.item;
         for (size_t i = 1; i < t->strip.item[k].contact.n; i++)
             length += vec_distance(c[i - 1].p, c[i].p);
     }
-    if (length <= most)
-        return 0;
-    return error_set(
-        error,
-        "would cut %.0f m in %zu strips, expected at most %.0f m with a ball of radius "
-        "%g: is the unit of the part right? A larger ball, rows farther apart or a "
-        "part of the mesh make less",
-        length / 1e3, t->strip.n, most / 1e3, t->rule.radius);
+    snprintf(said, sizeof said, "%.0f m in %zu strips", length / 1e3, t->strip.n);
+    return toolpath_length_bounded(length, t->rule.radius, said, error);
 }
 
 /* A point of the path, and of what is looked at when it is done. */

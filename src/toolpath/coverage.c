@@ -5,6 +5,7 @@
 
 #include "base/parallel.h"
 #include "math/quadric.h"
+#include "math/sphere_grid.h"
 
 enum { ABOUT = 12, WIDE = 30, TURNS = 60, AXES = 120 }; /* AXES: over the upper half */
 
@@ -157,9 +158,7 @@ static double find_touch(const struct coverage_options *o, struct vec3 p, struct
 /* Direction k of n, evenly over the sphere from the top down. */
 static struct vec3 spread(int k, int n)
 {
-    double z = 1 - (2 * k + 1.0) / n, r = sqrt(1 - z * z), turn = 2.399963229728653 * k;
-
-    return vec(r * cos(turn), r * sin(turn), z);
+    return sphere_spiral(k, 1 - (2 * k + 1.0) / n);
 }
 
 static bool comes_along(const struct coverage_options *o, struct vec3 c, struct vec3 axis)

@@ -29,6 +29,29 @@ END_TEST
 
 /* A cell is a step high and, where there are more than the least in a ring, a step wide: its
  * corners are no farther than its diagonal. */
+/* Evenly: every direction is near to one of them, and no two are near to each other. */
+START_TEST(spiral)
+{
+    enum { N = 400 };
+    const double apart = sqrt(4 * PI / N); /* the side of the square that one has to itself */
+    struct vec3 at[N];
+    for (int k = 0; k < N; k++) {
+        at[k] = sphere_spiral(k, 1 - (2 * k + 1.0) / N);
+        ck_assert_double_eq_tol(vec_length(at[k]), 1, 1e-12);
+        ck_assert_double_eq_tol(at[k].z, 1 - (2 * k + 1.0) / N, 1e-15);
+        for (int j = 0; j < k; j++)
+            ck_assert_double_gt(vec_distance(at[j], at[k]), 0.8 * apart);
+    }
+    for (int i = 0; i < 200; i++) {
+        double z = 2 * noisy_uniform() - 1, turn = 2 * PI * noisy_uniform(), least = HUGE_VAL;
+        struct vec3 d = vec(sqrt(1 - z * z) * cos(turn), sqrt(1 - z * z) * sin(turn), z);
+        for (int k = 0; k < N; k++)
+            least = fmin(least, vec_distance(d, at[k]));
+        ck_assert_double_lt(least, apart);
+    }
+}
+END_TEST
+
 START_TEST(corners)
 {
     struct sphere_grid g = sphere_grid_new(vec(0, 0, 1));
@@ -69,6 +92,7 @@ int main(void)
     TCase *tests = tcase_create("sphere_grid");
     SRunner *runner = srunner_create(suite);
     tcase_add_test(tests, all_round);
+    tcase_add_test(tests, spiral);
     tcase_add_test(tests, corners);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);

@@ -120,17 +120,26 @@ static void runs_on(const struct patch *patch, off_fn *off, double least)
         }
 }
 
-/* Part of a surface without ends, by its parameters. */
-static void rectangle(const char *units, const char *surface, const char *range, off_fn *off)
+/* A surface that is #102, and what it is made of. */
+static struct patches read_surface(const char *units, const char *of)
 {
     char data[3000];
     snprintf(data, sizeof data,
              "#100=GEOMETRICALLY_BOUNDED_SURFACE_SHAPE_REPRESENTATION('',(#101),#1);\n"
-             "#101=GEOMETRIC_SET('',(#102));\n"
-             "#102=RECTANGULAR_TRIMMED_SURFACE('',#110,%s,.T.,.T.);\n#110=%s",
-             range, surface);
+             "#101=GEOMETRIC_SET('',(#102));\n%s",
+             of);
     struct patches patches = read_step(units, data);
     ck_assert_uint_eq(patches.n, 1);
+    return patches;
+}
+
+/* Part of a surface without ends, by its parameters. */
+static void rectangle(const char *units, const char *surface, const char *range, off_fn *off)
+{
+    char data[2000];
+    snprintf(data, sizeof data, "#102=RECTANGULAR_TRIMMED_SURFACE('',#110,%s,.T.,.T.);\n#110=%s",
+             range, surface);
+    struct patches patches = read_surface(units, data);
     lies_on(&patches.item[0], off, 1e-9);
     runs_on(&patches.item[0], off, 1e-9);
     patches_free(&patches);
@@ -151,14 +160,12 @@ END_TEST
 /* A swept surface as far as a polygon through these points needs it. */
 static void bounded(const char *surface, const char *corners, off_fn *off)
 {
-    char data[3000];
+    char data[2000];
     snprintf(data, sizeof data,
-             "#100=GEOMETRICALLY_BOUNDED_SURFACE_SHAPE_REPRESENTATION('',(#101),#1);\n"
-             "#101=GEOMETRIC_SET('',(#102));\n#102=CURVE_BOUNDED_SURFACE('',#110,(#103),.F.);\n"
+             "#102=CURVE_BOUNDED_SURFACE('',#110,(#103),.F.);\n"
              "#103=POLYLINE('',(#104,#105,#106,#104));\n%s#110=%s",
              corners, surface);
-    struct patches patches = read_step(MM, data);
-    ck_assert_uint_eq(patches.n, 1);
+    struct patches patches = read_surface(MM, data);
     lies_on(&patches.item[0], off, 1e-9);
     patches_free(&patches);
 }
