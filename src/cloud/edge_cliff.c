@@ -1,0 +1,165 @@
+/* edge_cliff - see edge_steps.h. */
+#include "edge_steps.h"
+
+/* A point so far below a flank, by its distance, is down a wall; where the other side is known,
+ * too, and lies as far below: down a step. */
+static const double WALL = 0.9, STEP = 0.1;
+static const double FACING = 0.35; /* least z of a flank that is continued over its wall */
+
+/* What is seen from above about a point of a flank: points of the flank, those so steeply below it
+ * that a wall is between, and points whose flank meets it in a known edge. */
+struct cliff {
+    struct vec3 from;
+    const struct quadric *q;
+    struct vec3s on, below;
+    struct sizes beyond;
+};
+
+/* A place of the flank over (x, y). */
+static struct vec3 place_above(const struct cliff *cliff, double x, double y)
+{
+    struct vec3 n = quadric_normal_at(cliff->q, cliff->from), p = cliff->from;
+
+    p.z -= (n.x * (x - p.x) + n.y * (y - p.y)) / n.z;
+    p.x = x;
+    p.y = y;
+    return quadric_nearest(cliff->q, p);
+}
+
+/* Points below the flank whose own surface the point is not above are beyond an edge. */
+static void sort_by_height(const struct edge_work *work, size_t i, size_t k, struct cliff *cliff)
+{
+    const struct edge_flank *own = &work->flank[i], *other = &work->flank[k];
+    const struct vec3 p = work->options->point_grid->point[k];
+    double least = edge_within(work, fmax(own->spacing, other->spacing));
+    struct vec3 normal;
+    double off = edge_flank_above(own, p, &normal), far = vec_distance(p, cliff->from);
+    double down = edge_flank_known(other) ? edge_flank_above(other, cliff->from, &normal) : 0;
+
+    if (fabs(off) <= least)
+        *array_push(&cliff->on) = p;
+    else if (off < 0 && edge_flank_known(other) && down <= least)
+        *array_push(&cliff->beyond) = k;
+    else if (off < -WALL * far ||
+             (off < -STEP * far && edge_flank_certain(work, other) && down > STEP * far))
+        *array_push(&cliff->below) = p;
+}
+
+/* The points within EDGE_REACH of point i as seen from above. */
+static struct cliff find_cliff(const struct edge_work *work, size_t i)
+{
+    const struct point_grid *b = work->options->point_grid;
+    struct cliff cliff = {.from = b->point[i], .q = &work->flank[i].q};
+    double reach = fmin(EDGE_REACH * point_grid_spacing(b), b->cell);
+    size_t column = point_grid_column(b, cliff.from.x), row = point_grid_row(b, cliff.from.y);
+    size_t c0 = column > 0 ? column - 1 : 0, c1 = column + 1 < b->columns ? column + 1 : column;
+
+    for (size_t r = row > 0 ? row - 1 : 0; r <= row + 1 && r < b->rows; r++)
+        for (size_t k = b->first[r * b->columns + c0]; k < b->first[r * b->columns + c1 + 1]; k++)
+            if (k != i && hypot(b->point[k].x - cliff.from.x, b->point[k].y - cliff.from.y) < reach)
+                sort_by_height(work, i, k, &cliff);
+    return cliff;
+}
+
+/* The wall may be beyond the place: this is on the way to a point below it, before all others of
+ * these, and no other point of the flank is nearer. */
+static bool is_before_wall(const struct cliff *cliff, double u, double v)
+{
+    const double beside = 0.7; /* cosine of 45 degrees */
+    bool before = false;
+
+    for (size_t k = 0; k < cliff->on.n; k++) {
+        double x = cliff->on.item[k].x - cliff->from.x, y = cliff->on.item[k].y - cliff->from.y;
+        if (2 * (u * x + v * y) > x * x + y * y)
+            return false;
+    }
+    for (size_t k = 0; k < cliff->below.n; k++) {
+        double x = cliff->below.item[k].x - cliff->from.x;
+        double y = cliff->below.item[k].y - cliff->from.y, ahead = u * x + v * y;
+        if (ahead > x * x + y * y)
+            return false;
+        before = before || ahead > beside * sqrt((u * u + v * v) * (x * x + y * y));
+    }
+    return before;
+}
+
+/* The place is no further than the edges that are known. */
+static bool is_before_edges(const struct edge_work *work, const struct cliff *cliff, struct vec3 at)
+{
+    struct vec3 normal;
+
+    for (size_t k = 0; k < cliff->beyond.n; k++) {
+        const struct edge_flank *other = &work->flank[cliff->beyond.item[k]];
+        if (edge_flank_above(other, at, &normal) > edge_within(work, other->spacing))
+            return false;
+    }
+    return true;
+}
+
+/* The flank of point i goes on up to the points below: where the wall between is nobody knows. */
+static void fill_cliff(const struct edge_work *work, const struct cliff *cliff, double reach,
+                       struct vec3s *to)
+{
+    const double dense = 0.65, triangle = 0.8660254037844386;
+    double pitch = dense * work->options->along;
+    int rings = (int)fmin(reach / pitch, EDGE_RINGS);
+
+    for (int j = -rings; j <= rings; j++)
+        for (int k = -rings; k <= rings; k++) {
+            double u = pitch * (k + j / 2.0), v = pitch * j * triangle;
+            if (!is_before_wall(cliff, u, v))
+                continue;
+            struct vec3 at = place_above(cliff, cliff->from.x + u, cliff->from.y + v);
+            if (is_before_edges(work, cliff, at))
+                *array_push(to) = at;
+        }
+}
+
+/* The wall itself may go down from there to a point below, without points that were seen. */
+static void fill_wall(const struct edge_work *work, const struct cliff *cliff, struct vec3s *to)
+{
+    enum { MOST = 60 };
+    const double nearly = 0.9;
+
+    for (size_t k = 0; k < cliff->below.n; k++) {
+        struct vec3 foot = cliff->below.item[k];
+        double u = nearly * (foot.x - cliff->from.x), v = nearly * (foot.y - cliff->from.y);
+        if (!is_before_wall(cliff, u, v))
+            continue;
+        struct vec3 at = place_above(cliff, cliff->from.x + u, cliff->from.y + v);
+        double parts = fmin(ceil((at.z - foot.z) / work->options->along), MOST);
+        for (double part = 1; part < parts && is_before_edges(work, cliff, at); part++)
+            *array_push(to) = vec(at.x, at.y, at.z + part / parts * (foot.z - at.z));
+    }
+}
+
+/* From the point to the nearest of those below, seen from above. */
+static double width_of(const struct cliff *cliff)
+{
+    double least = HUGE_VAL;
+
+    for (size_t k = 0; k < cliff->below.n; k++)
+        least = fmin(least, hypot(cliff->below.item[k].x - cliff->from.x,
+                                  cliff->below.item[k].y - cliff->from.y));
+    return least;
+}
+
+double edge_cliff_add(const struct edge_work *work, size_t i, struct vec3s *to)
+{
+    if (!edge_flank_certain(work, &work->flank[i]) || quadric_normal(&work->flank[i].q).z <= FACING)
+        return 0;
+    struct cliff cliff = find_cliff(work, i);
+    size_t before = to->n;
+    double width = 0;
+
+    if (cliff.below.n > 0) {
+        fill_cliff(work, &cliff, EDGE_REACH * work->flank[i].spacing, to);
+        fill_wall(work, &cliff, to);
+    }
+    if (to->n > before)
+        width = width_of(&cliff);
+    array_free(&cliff.on);
+    array_free(&cliff.below);
+    array_free(&cliff.beyond);
+    return width;
+}

@@ -1,0 +1,129 @@
+/* edge_fill - see edge_steps.h. */
+#include "edge_steps.h"
+
+/* What is known about a flank at point i: which of the neighbours are on it, which are in a hollow
+ * with it, each above the other's surface, and places of its edges. */
+struct flank_patch {
+    const struct edge_flank *flank;
+    bool on[EDGE_NEAR], hollow[EDGE_NEAR];
+    struct vec3s side; /* points and places of edges on it */
+    size_t edges;      /* of these, places of edges */
+    size_t sharp;      /* neighbours in a hollow that is sharp */
+};
+
+/* The flank of a point in a hollow turns up sharply from this one. */
+static bool is_sharp(const struct flank_patch *patch, const struct edge_flank *other, struct vec3 p)
+{
+    struct vec3 normal[2];
+
+    edge_flank_above(patch->flank, p, &normal[0]);
+    edge_flank_above(other, p, &normal[1]);
+    return vec_dot(normal[0], normal[1]) < EDGE_SHARP;
+}
+
+static struct flank_patch find_patch(const struct edge_work *work, const struct edge_hood *near,
+                                     size_t i)
+{
+    struct flank_patch patch = {.flank = &work->flank[i]};
+    double least = edge_within(work, patch.flank->spacing);
+    struct vec3 normal;
+
+    for (size_t k = 0; k < near->n; k++) {
+        const struct vec3s *edge = &work->found[near->index[k]];
+        const struct edge_flank *other = &work->flank[near->index[k]];
+        double h = edge_flank_above(patch.flank, near->point[k], &normal);
+        patch.on[k] = fabs(h) <= least;
+        patch.hollow[k] = h > least && edge_flank_known(other) &&
+                          edge_flank_above(other, near->point[0], &normal) > least;
+        if (patch.on[k])
+            *array_push(&patch.side) = near->point[k];
+        for (size_t e = 0; e < edge->n; e++)
+            if (fabs(edge_flank_above(patch.flank, edge->item[e], &normal)) <= least) {
+                *array_push(&patch.side) = edge->item[e];
+                patch.edges++;
+            }
+        patch.sharp += patch.hollow[k] && other->valid && is_sharp(&patch, other, near->point[k]);
+    }
+    return patch;
+}
+
+/* No point that knows the flank is nearer to the place than point i, all points about have
+ * surfaces, and the place is above none of these, but for hollows. */
+static bool is_on_patch(const struct edge_work *work, const struct edge_hood *near,
+                        const struct flank_patch *patch, struct vec3 at)
+{
+    const double about = 2, beside = 1.5; /* beside: in spacings, for a point on the edge itself */
+    double out = vec_distance(at, near->point[0]), least = edge_within(work, patch->flank->spacing);
+    double reach = fmax(about * out, (work->lines ? EDGE_REACH : beside) * patch->flank->spacing);
+    struct vec3 normal;
+
+    for (size_t k = 1; k < near->n; k++) {
+        const struct edge_flank *other = &work->flank[near->index[k]];
+        double far = vec_distance(at, near->point[k]);
+        if (patch->on[k] && other->valid && far < out)
+            return false;
+        if (far >= reach || patch->hollow[k])
+            continue;
+        if (!edge_flank_known(other)
+                ? far < about * out
+                : edge_flank_above(other, at, &normal) > (patch->on[k] ? least : least / 4))
+            return false;
+    }
+    return true;
+}
+
+/* Every half plane of the flank through the place has a point or an edge of it that is near. */
+static bool is_surrounded(const struct flank_patch *patch, struct vec3 at, double near)
+{
+    enum { SECTORS = 12 };
+    const struct quadric *q = &patch->flank->q;
+    bool has[SECTORS] = {false};
+
+    for (size_t k = 0; k < patch->side.n; k++) {
+        struct vec3 to = vec_sub(patch->side.item[k], at);
+        double u = vec_dot(to, q->u), v = vec_dot(to, q->v);
+        if (hypot(u, v) <= near)
+            has[(int)((atan2(v, u) + PI) / (2 * PI) * SECTORS) % SECTORS] = true;
+    }
+    for (int from = 0; from < SECTORS; from++) {
+        bool any = false;
+        for (int k = 0; k < SECTORS / 2; k++)
+            any = any || has[(from + k) % SECTORS];
+        if (!any)
+            return false;
+    }
+    return true;
+}
+
+/* Places of the flank of point i that are nearest to it, as dense as those of edges are on
+ * these. */
+static void fill_patch(const struct edge_work *work, const struct edge_hood *near,
+                       const struct flank_patch *patch, struct vec3s *to)
+{
+    const double dense = 0.65, triangle = 0.8660254037844386;
+    const struct quadric *q = &patch->flank->q;
+    double pitch = dense * work->options->along, reach = sqrt(near->distance2[EDGE_SMOOTH]);
+    struct vec3 off = vec_sub(near->point[0], q->origin);
+    int rings = (int)fmin(reach / pitch, EDGE_RINGS);
+
+    for (int j = -rings; j <= rings; j++)
+        for (int i = -rings; i <= rings; i++) {
+            double u = pitch * (i + j / 2.0), v = pitch * j * triangle;
+            if ((i == 0 && j == 0) || hypot(u, v) > reach)
+                continue;
+            struct vec3 at = quadric_at(q, vec_dot(off, q->u) + u, vec_dot(off, q->v) + v);
+            if (is_on_patch(work, near, patch, at) &&
+                is_surrounded(patch, at, fmax(reach, 2 * hypot(u, v))))
+                *array_push(to) = at;
+        }
+}
+
+void edge_fill_add(const struct edge_work *work, const struct edge_hood *near, size_t i,
+                   struct vec3s *to)
+{
+    struct flank_patch patch = find_patch(work, near, i);
+
+    if (patch.edges > 0 || patch.sharp >= EDGE_FEWEST) /* elsewhere it is rough */
+        fill_patch(work, near, &patch, to);
+    array_free(&patch.side);
+}

@@ -1,0 +1,63 @@
+/* edge_hood - see edge_steps.h. */
+#include "cloud/scan_lines.h"
+#include "edge_steps.h"
+
+/* In spacings: the most that lines are taken to be apart. */
+static const double LINES = 3;
+
+/* How far the scan lines about a place are apart: so many mean spacings as the nearest points are
+ * nearer. */
+static double line_distance(const double *distance2, double spacing)
+{
+    enum { NEXT = 4 }; /* two to each side on the line */
+
+    return spacing * spacing / fmax(sqrt(distance2[NEXT]) / 2, spacing / LINES);
+}
+
+/* Of MANY nearest points those that are not too near to each other: no denser along lines than a
+ * half of the mean spacing, or `wide`, than a good half of what the lines are apart, and so on more
+ * lines than the nearest alone.  Through the nearest alone, on three lines, a smooth surface goes
+ * whatever is between; but across a narrow flank only many on a line tell of it. */
+static void thin_hood(const struct point_grid *b, size_t i, bool wide, struct edge_hood *near)
+{
+    enum { MANY = 8 * EDGE_NEAR };
+    const double half = 0.5, good_half = 0.7;
+    uint32_t index[MANY];
+    double distance2[MANY];
+    size_t n = point_grid_nearest(b, b->point[i], wide ? MANY : MANY / 2, index, distance2);
+
+    near->n = 0;
+    near->spacing = n >= EDGE_NEAR ? sqrt(PI * distance2[EDGE_NEAR - 1] / EDGE_NEAR) : 0;
+    if (n < EDGE_NEAR)
+        return;
+    double least =
+        wide ? good_half * line_distance(distance2, near->spacing) : half * near->spacing;
+    for (size_t k = 0; k < n && near->n < EDGE_NEAR; k++) {
+        struct vec3 p = b->point[index[k]];
+        bool apart_from_all = true;
+        for (size_t j = 0; j < near->n && apart_from_all; j++) {
+            struct vec3 to = vec_sub(p, near->point[j]);
+            apart_from_all = vec_dot(to, to) >= least * least;
+        }
+        if (!apart_from_all)
+            continue;
+        near->index[near->n] = index[k];
+        near->distance2[near->n] = distance2[k];
+        near->point[near->n++] = p;
+    }
+}
+
+void edge_hood_find(const struct edge_work *work, size_t i, struct edge_hood *near)
+{
+    const struct point_grid *b = work->options->point_grid;
+
+    if (work->lines) {
+        thin_hood(b, i, work->wide, near);
+        return;
+    }
+    near->n = point_grid_nearest(b, b->point[i], EDGE_NEAR, near->index, near->distance2);
+    for (size_t k = 0; k < near->n; k++)
+        near->point[k] = b->point[near->index[k]];
+    near->spacing =
+        near->n >= EDGE_NEAR ? sqrt(PI * near->distance2[EDGE_NEAR - 1] / EDGE_NEAR) : 0;
+}

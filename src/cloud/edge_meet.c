@@ -1,0 +1,188 @@
+/* edge_meet - see edge_steps.h. */
+#include "edge_steps.h"
+
+enum { STEPS = 6 };
+
+/* Moves a place to where n flanks meet, n 2 or 3, by Newton's steps of least length; false: they do
+ * not meet near to it. */
+static bool move_to_meeting(const struct edge_flank *const *flank, int n, double reach,
+                            struct vec3 *p)
+{
+    struct vec3 start = *p, normal[3];
+    double h[3], most = 0;
+
+    for (int step = 0; step < STEPS; step++) {
+        most = 0;
+        for (int k = 0; k < n; k++) {
+            h[k] = edge_flank_above(flank[k], *p, &normal[k]);
+            most = fmax(most, fabs(h[k]));
+        }
+        if (most < 1e-7)
+            return true;
+        if (n == 2) { /* the least move with normal[k] * d = -h[k] */
+            double c = vec_dot(normal[0], normal[1]), s2 = 1 - c * c;
+            if (s2 < 0.01)
+                return false;
+            *p = vec_along(*p, (-h[0] + c * h[1]) / s2, normal[0]);
+            *p = vec_along(*p, (-h[1] + c * h[0]) / s2, normal[1]);
+        } else {
+            struct vec3 a = vec_cross(normal[1], normal[2]), b = vec_cross(normal[2], normal[0]),
+                        c = vec_cross(normal[0], normal[1]);
+            double volume = vec_dot(normal[0], a);
+            if (fabs(volume) < 0.02)
+                return false;
+            struct vec3 d = vec_add(vec_scale(h[0], a), vec_scale(h[1], b));
+            *p = vec_along(*p, -1 / volume, vec_along(d, h[2], c));
+        }
+        if (vec_distance(*p, start) > reach)
+            return false;
+    }
+    return most < 1e-3 * reach;
+}
+
+/* Two neighbours on two sides of a convex edge. */
+static bool is_edge_between(const struct edge_work *work, size_t i, size_t k)
+{
+    const struct vec3 *point = work->options->point_grid->point;
+    const struct edge_flank *a = &work->flank[i], *b = &work->flank[k];
+    double least = edge_within(work, fmax(a->spacing, b->spacing));
+    struct vec3 na, nb;
+
+    if (!b->valid || edge_flank_above(a, point[k], &na) > -least ||
+        edge_flank_above(b, point[i], &nb) > -least)
+        return false;
+    edge_flank_above(a, point[i], &na);
+    edge_flank_above(b, point[k], &nb);
+    return vec_dot(na, nb) < EDGE_SHARP;
+}
+
+/* A point is on a flank of one of the neighbours. */
+static bool is_on_any(const struct edge_work *work, const struct edge_hood *near, struct vec3 p,
+                      double least)
+{
+    struct vec3 normal;
+
+    for (size_t k = 0; k < near->n; k++) {
+        const struct edge_flank *flank = &work->flank[near->index[k]];
+        if (flank->valid && fabs(edge_flank_above(flank, p, &normal)) <= least)
+            return true;
+    }
+    return false;
+}
+
+/* The points of the scan about a place of an edge bear it out: one of them is near, none is above
+ * the edge, and each is on one of the two flanks, on a flank of its own, or at a tip on one of
+ * others. */
+static bool is_borne_out(const struct edge_work *work, const struct edge_hood *near,
+                         const struct edge_flank *const *pair, bool tip, double spacing,
+                         struct vec3 at)
+{
+    const struct point_grid *b = work->options->point_grid;
+    uint32_t index[EDGE_ABOUT];
+    double distance2[EDGE_ABOUT], least = edge_within(work, spacing);
+    size_t n = point_grid_nearest(b, at, EDGE_ABOUT, index, distance2);
+    struct vec3 normal;
+
+    if (n < EDGE_ABOUT || distance2[0] > EDGE_REACH * EDGE_REACH * spacing * spacing)
+        return false;
+    for (size_t k = 0; k < n; k++) {
+        const struct edge_flank *own = &work->flank[index[k]];
+        double h0 = edge_flank_above(pair[0], b->point[index[k]], &normal);
+        double h1 = edge_flank_above(pair[1], b->point[index[k]], &normal);
+        bool on = fabs(h0) <= 2 * least || fabs(h1) <= 2 * least;
+        if (fmax(h0, h1) > 2 * least && distance2[k] < spacing * spacing)
+            return false;
+        if (!on && !own->valid && !(tip && is_on_any(work, near, b->point[index[k]], least)))
+            return false;
+    }
+    return true;
+}
+
+/* A third flank among those of the neighbours that the place is above; NULL: none. */
+static const struct edge_flank *flank_below(const struct edge_work *work,
+                                            const struct edge_hood *near, struct vec3 at,
+                                            double least)
+{
+    const struct edge_flank *worst = NULL;
+    double most = least;
+    struct vec3 normal;
+
+    for (size_t k = 0; k < EDGE_MEETING; k++) {
+        const struct edge_flank *other = &work->flank[near->index[k]];
+        double h = other->valid ? edge_flank_above(other, at, &normal) : 0;
+        if (h > most) {
+            most = h;
+            worst = other;
+        }
+    }
+    return worst;
+}
+
+/* Moves a place of an edge back to where the edge ends: where its two flanks meet the one of all
+ * others that they meet first. */
+static bool move_to_tip(const struct edge_work *work, const struct edge_hood *near,
+                        const struct edge_flank **meeting, double spacing, struct vec3 *at)
+{
+    double least = edge_within(work, spacing);
+
+    for (int turn = 0; turn < STEPS && meeting[2]; turn++) {
+        if (!move_to_meeting(meeting, 3, EDGE_REACH * spacing, at))
+            return false;
+        const struct edge_flank *other = flank_below(work, near, *at, least / 2);
+        if (other == meeting[2])
+            return false;
+        if (!other)
+            return true;
+        meeting[2] = other;
+    }
+    return !flank_below(work, near, *at, least);
+}
+
+/* Adds a place of the edge of a pair, or the tip where it ends if the place is beyond that. */
+static void add_place(const struct edge_work *work, const struct edge_hood *near,
+                      const struct edge_flank *const *pair, double spacing, struct vec3 at,
+                      struct vec3s *to)
+{
+    const struct edge_flank *meeting[3] = {pair[0], pair[1], NULL};
+    double least = edge_within(work, spacing) / 2;
+
+    if (!move_to_meeting(meeting, 2, EDGE_REACH * spacing, &at))
+        return;
+    meeting[2] = flank_below(work, near, at, least);
+    if (meeting[2] && !move_to_tip(work, near, meeting, spacing, &at))
+        return;
+    for (size_t k = 0; k < to->n; k++)
+        if (vec_distance(at, to->item[k]) < work->options->along / 3)
+            return;
+    if (is_borne_out(work, near, pair, meeting[2] != NULL, spacing, at))
+        *array_push(to) = at;
+}
+
+/* The edge between point i and one of its neighbours, a spacing to both sides. */
+static void add_edge(const struct edge_work *work, const struct edge_hood *near, size_t i, size_t k,
+                     struct vec3s *to)
+{
+    const struct vec3 *point = work->options->point_grid->point;
+    const struct edge_flank *pair[2] = {&work->flank[i], &work->flank[k]};
+    double spacing = fmax(pair[0]->spacing, pair[1]->spacing);
+    struct vec3 at = vec_mix(point[i], point[k], 0.5), normal[2];
+
+    if (!move_to_meeting(pair, 2, EDGE_REACH * spacing, &at) ||
+        vec_distance(at, point[i]) > EDGE_REACH * spacing ||
+        vec_distance(at, point[k]) > EDGE_REACH * spacing)
+        return;
+    edge_flank_above(pair[0], at, &normal[0]);
+    edge_flank_above(pair[1], at, &normal[1]);
+    struct vec3 way = vec_unit(vec_cross(normal[0], normal[1]));
+    int steps = (int)ceil(0.75 * spacing / work->options->along);
+    for (int s = -steps; s <= steps; s++)
+        add_place(work, near, pair, spacing, vec_along(at, 0.75 * spacing * s / steps, way), to);
+}
+
+void edge_meet_add(const struct edge_work *work, const struct edge_hood *near, size_t i,
+                   struct vec3s *to)
+{
+    for (size_t k = 1; k < EDGE_MEETING; k++)
+        if (near->index[k] > i && is_edge_between(work, i, near->index[k]))
+            add_edge(work, near, i, near->index[k], to);
+}

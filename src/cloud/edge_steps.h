@@ -1,0 +1,102 @@
+/*
+ * edge_steps - how the edges of a scan are found (cloud/edge_points.h), step by step: neighbours of
+ * a point, the surface of its own side, where two of these meet, where one ends above a wall, and
+ * places on them.  Lengths in mm; steps for point i touch nothing of other points but what earlier
+ * steps have found.
+ */
+#ifndef CLOUDMILL_EDGE_STEPS_H
+#define CLOUDMILL_EDGE_STEPS_H
+
+#include <stdbool.h>
+#include <stdlib.h>
+
+#include "base/array.h"
+#include "cloud/edge_points.h"
+#include "math/point_grid.h"
+#include "math/quadric.h"
+
+/* Neighbours; those that a smooth surface goes through; those whose flanks may meet the point's;
+ * the fewest that make a flank; points that bear out a place; rings of places about a point. */
+enum {
+    EDGE_NEAR = 40,
+    EDGE_SMOOTH = 24,
+    EDGE_MEETING = 16,
+    EDGE_FEWEST = 6,
+    EDGE_ABOUT = 8,
+    EDGE_RINGS = 8
+};
+
+#define EDGE_REACH 2.8  /* spacings: so far beyond the points an edge may be */
+#define EDGE_EVEN 0.012 /* spacings: a surface off its points by less is smooth */
+#define EDGE_SIGMAS 3.0
+#define EDGE_SHARP 0.94 /* cosine of two flanks' normals: 20 degrees */
+
+/* The surface of a point's own side. */
+struct edge_flank {
+    bool bent, rough; /* the neighbourhood is no one quadric; nor a cubic */
+    bool valid;       /* it has a flank */
+    bool confirmed;   /* by those of its neighbours */
+    double spacing, rms;
+    struct quadric q; /* if valid, or of the neighbourhood; faces up */
+};
+
+struct edge_work {
+    const struct edge_points_options *options;
+    bool lines; /* the scan is on lines, far apart against the points on them */
+    bool wide;  /* neighbours on many of them are looked at, or those on few */
+    struct edge_flank *flank, *chosen;
+    struct vec3s *found;   /* places of edges, of each point */
+    struct vec3s *between; /* and of its flank */
+    double *gap;           /* so far its flank goes on to points below; 0: it does not */
+};
+
+/* ---- edge_hood: the neighbours of a point, itself the first; n < EDGE_NEAR: too few. */
+
+struct edge_hood {
+    size_t n;
+    double spacing; /* of the points about, mm */
+    uint32_t index[EDGE_NEAR];
+    double distance2[EDGE_NEAR];
+    struct vec3 point[EDGE_NEAR];
+};
+
+void edge_hood_find(const struct edge_work *work, size_t i, struct edge_hood *near);
+
+/* ---- edge_flank: the surfaces of all points' own sides. */
+
+/* Fills work->flank of all points, by those chosen of their neighbours' (work->chosen becomes
+ * it). */
+void edge_flanks_find(struct edge_work *work);
+
+/* The normal of a flank below or above a place, and how far that is above the flank. */
+double edge_flank_above(const struct edge_flank *flank, struct vec3 p, struct vec3 *normal);
+
+/* A surface of its own is known of the point: a flank, or one of all its neighbours. */
+bool edge_flank_known(const struct edge_flank *flank);
+
+/* Its points are no further off it than a ball may sink, or noise is: continued as far as it goes it
+ * is where they tell. */
+bool edge_flank_certain(const struct edge_work *work, const struct edge_flank *flank);
+
+/* Points of a surface may be off it by this; on average by this. */
+double edge_within(const struct edge_work *work, double spacing);
+double edge_even(const struct edge_work *work, double spacing);
+
+/* ---- edge_meet: appends the places of edges between point i and neighbours after it. */
+
+void edge_meet_add(const struct edge_work *work, const struct edge_hood *near, size_t i,
+                   struct vec3s *to);
+
+/* ---- edge_cliff: appends places on the flank of point i, continued to the points so steeply below
+ * that a wall must be between, and on that wall; returns how far these are, seen from above; 0:
+ * there are none. */
+
+double edge_cliff_add(const struct edge_work *work, size_t i, struct vec3s *to);
+
+/* ---- edge_fill: appends places on the flank of point i, up to its edges (work->found) and into
+ * sharp hollows, as dense as those of edges are on these. */
+
+void edge_fill_add(const struct edge_work *work, const struct edge_hood *near, size_t i,
+                   struct vec3s *to);
+
+#endif

@@ -1,0 +1,79 @@
+/* edge_cliff: the floor of a mesa goes on to the points below its wall, and the wall down to them; a
+ * roof has no cliff. */
+#include <check.h>
+#include <stdlib.h>
+
+#include "edge_trial.h"
+
+static const double HIGH = 3;
+
+static double mesa(double x, double y)
+{
+    return edge_trial_side(x, y) > 0.07 ? HIGH : 0;
+}
+
+START_TEST(mesa_goes_on)
+{
+    struct edge_trial trial;
+    struct vec3s to = {0};
+
+    edge_trial_make(&trial, mesa, false, 0);
+    edge_flanks_find(&trial.work);
+    for (size_t i = 0; i < trial.grid.n; i++) {
+        struct vec3 p = trial.grid.point[i];
+        double side = edge_trial_side(p.x, p.y), width = edge_cliff_add(&trial.work, i, &to);
+        ck_assert(width == 0 || (p.z > HIGH / 2 && side < EDGE_REACH * 0.5));
+        ck_assert(width == 0 ||
+                  (width >= side && width <= side + 1)); /* the floor is seen so near */
+    }
+    ck_assert_uint_gt(to.n, 100);
+    size_t wall = 0;
+    for (size_t k = 0; k < to.n; k++) {
+        struct vec3 p = to.item[k];
+        double side = edge_trial_side(p.x, p.y);
+        bool flat = fabs(p.z - HIGH) < 1e-6;
+        ck_assert(flat || (p.z > 0 && p.z < HIGH));
+        wall += !flat;
+        ck_assert_double_ge(side, -0.8); /* the next points of the floor are no further */
+    }
+    ck_assert_uint_gt(wall, 100);
+    /* none of the places of the top all along the rim is 0.3 mm off */
+    for (double x = -6; x <= 6; x += 0.2) {
+        struct vec3 rim = vec(x, x / 4 + 0.07, HIGH);
+        double least = HUGE_VAL;
+        for (size_t k = 0; k < to.n; k++)
+            least = fmin(least, vec_distance(rim, to.item[k]));
+        ck_assert_double_le(least, 0.3);
+    }
+    array_free(&to);
+    edge_trial_free(&trial);
+}
+END_TEST
+
+START_TEST(roof_has_none)
+{
+    struct edge_trial trial;
+    struct vec3s to = {0};
+
+    edge_trial_make(&trial, edge_trial_roof, _i == 1, 0);
+    edge_flanks_find(&trial.work);
+    for (size_t i = 0; i < trial.grid.n; i++)
+        ck_assert_double_eq(edge_cliff_add(&trial.work, i, &to), 0);
+    ck_assert_uint_eq(to.n, 0);
+    edge_trial_free(&trial);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("edge_cliff");
+    TCase *tests = tcase_create("edge_cliff");
+    SRunner *runner = srunner_create(suite);
+    tcase_add_test(tests, mesa_goes_on);
+    tcase_add_loop_test(tests, roof_has_none, 0, 2);
+    suite_add_tcase(suite, tests);
+    srunner_run_all(runner, CK_ENV);
+    int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed > 0;
+}

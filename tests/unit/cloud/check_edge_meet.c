@@ -1,0 +1,93 @@
+/* edge_meet: places lie on the ridge of a roof, all along it, and at the tip of a pyramid; in a
+ * valley there are none. */
+#include <check.h>
+#include <stdlib.h>
+
+#include "edge_trial.h"
+
+static double tip(double x, double y)
+{
+    return 10 - fmax(fabs(x - 0.13), fabs(y + 0.21));
+}
+
+static double valley(double x, double y)
+{
+    return -edge_trial_roof(x, y);
+}
+
+/* All places of edges of the shape, on a grid. */
+static struct vec3s places(double (*height)(double, double), bool lines)
+{
+    struct edge_trial trial;
+    struct edge_hood near;
+    struct vec3s to = {0};
+
+    edge_trial_make(&trial, height, lines, 0);
+    edge_flanks_find(&trial.work);
+    for (size_t i = 0; i < trial.grid.n; i++) {
+        if (!trial.work.flank[i].valid)
+            continue;
+        edge_hood_find(&trial.work, i, &near);
+        edge_meet_add(&trial.work, &near, i, &to);
+    }
+    edge_trial_free(&trial);
+    return to;
+}
+
+static double nearest(const struct vec3s *to, struct vec3 p)
+{
+    double least = HUGE_VAL;
+
+    for (size_t k = 0; k < to->n; k++)
+        least = fmin(least, vec_distance(to->item[k], p));
+    return least;
+}
+
+START_TEST(ridge)
+{
+    struct vec3s to = places(edge_trial_roof, _i == 1);
+
+    for (size_t k = 0; k < to.n; k++) {
+        ck_assert_double_eq_tol(to.item[k].z, 10, 1e-6);
+        ck_assert_double_eq_tol(edge_trial_side(to.item[k].x, to.item[k].y), 0, 1e-6);
+    }
+    for (double x = -7; x <= 7; x += 0.1)
+        ck_assert_double_le(nearest(&to, vec(x, x / 4, 10)), 0.2);
+    array_free(&to);
+}
+END_TEST
+
+START_TEST(tip_of_pyramid)
+{
+    struct vec3s to = places(tip, false);
+
+    ck_assert_double_le(nearest(&to, vec(0.13, -0.21, 10)), 1e-6);
+    for (size_t k = 0; k < to.n; k++)
+        ck_assert_double_le(to.item[k].z, tip(to.item[k].x, to.item[k].y) + 1e-6);
+    array_free(&to);
+}
+END_TEST
+
+START_TEST(none_in_a_valley)
+{
+    struct vec3s to = places(valley, false);
+
+    ck_assert_uint_eq(to.n, 0);
+    array_free(&to);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("edge_meet");
+    TCase *tests = tcase_create("edge_meet");
+    SRunner *runner = srunner_create(suite);
+    tcase_add_loop_test(tests, ridge, 0, 2);
+    tcase_add_test(tests, tip_of_pyramid);
+    tcase_add_test(tests, none_in_a_valley);
+    suite_add_tcase(suite, tests);
+    srunner_run_all(runner, CK_ENV);
+    int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed > 0;
+}
