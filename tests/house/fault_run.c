@@ -13,8 +13,12 @@
  *   other file, and on standard output not all that the first run wrote there (but when its close
  *   failed, or the tool was killed then); or
  * - if all is as in the first run, standard error too: the call did not matter.
- * After bytes and some, which are no failures, only the latter; after kill and kill-mem a
+ * After bytes and some, which are no failures, only the latter; after kill, kill-mem and moment a
  * temporary file may be left, and standard error be empty.
+ *
+ * The kind moment is no call: SIGKILL from outside at MOST moments by chance (SEED), half of them
+ * in the last third of the time that the first run took, when files are written.  Where a temporary
+ * file is left, the command runs once more beside it and must do as in the first run.
  *
  * Prints a line `bad KIND N: WHAT` for each that is not good, and `KIND: N runs, N bad` for each
  * kind; exits with 1 if any is bad.
@@ -29,9 +33,10 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
-enum { MOST_FILES = 64, NAME = 128, SECONDS = 60 };
+enum { MOST_FILES = 64, NAME = 128, SECONDS = 60, MOMENTS = 1000 };
 
 struct file {
     char name[NAME], *text;
@@ -45,7 +50,8 @@ struct folder {
 };
 
 struct outcome {
-    int status; /* of waitpid */
+    int status;     /* of waitpid */
+    double seconds; /* by the clock */
     struct folder folder;
     struct file err;
 };
@@ -137,14 +143,31 @@ static void send_to(int fd, const char *name)
     close(file);
 }
 
-/* The command in `work` with this fault (NULL: none). */
-static struct outcome run(const struct folder *before, const char *library, const char *fault,
-                          char **command)
+static double now(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+static void wait_for(double seconds)
+{
+    struct timespec t = {.tv_sec = (time_t)seconds};
+    t.tv_nsec = (long)(1e9 * (seconds - (double)t.tv_sec));
+    nanosleep(&t, NULL);
+}
+
+/* The command in `work` as it is, with this fault (NULL: none); killed after `moment` seconds
+   (0: not). */
+static struct outcome run_there(const char *library, const char *fault, double moment,
+                                char **command)
 {
     struct outcome o = {.status = 0};
-    make_work(before);
+    double began = now();
     pid_t child = fork();
     if (child == 0) {
+        if (moment > 0)
+            setpgid(0, 0);
         alarm(SECONDS);
         send_to(2, "stderr");
         if (chdir("work") != 0)
@@ -158,11 +181,25 @@ static struct outcome run(const struct folder *before, const char *library, cons
         execvp(command[0], command);
         _exit(127);
     }
+    if (child > 0 && moment > 0) { /* with what it started */
+        setpgid(child, child);
+        wait_for(moment);
+        kill(-child, SIGKILL);
+    }
     if (child < 0 || waitpid(child, &o.status, 0) != child)
         stop("cannot run", command[0]);
+    o.seconds = now() - began;
     o.folder = read_folder("work");
     o.err = read_whole(".", "stderr");
     return o;
+}
+
+/* The same in `work` made anew. */
+static struct outcome run(const struct folder *before, const char *library, const char *fault,
+                          char **command)
+{
+    make_work(before);
+    return run_there(library, fault, 0, command);
 }
 
 static void free_outcome(struct outcome *o)
@@ -256,6 +293,8 @@ static long count_of(const char *kind)
         if (strcmp(of[i].kind, kind) == 0)
             snprintf(calls, sizeof calls, "%s", of[i].calls);
     FILE *in = fopen("counts", "r");
+    if (strcmp(kind, "moment") == 0)
+        sum = MOMENTS;
     if (!in)
         stop("cannot read", "counts");
     while (fscanf(in, "%39s %ld", name, &n) == 2) {
@@ -293,6 +332,63 @@ static const char *try_call(const char *library, const char *kind, long n,
     return bad;
 }
 
+/* The next of a course of numbers between 0 and 1 that $SEED begins. */
+static double by_chance(void)
+{
+    static unsigned long long state;
+    const char *seed = getenv("SEED");
+    if (!state)
+        state = seed ? strtoull(seed, NULL, 10) * 2 + 1 : 1;
+    state = state * 6364136223846793005ULL + 1442695040888963407ULL;
+    return (double)(state >> 11) / 9007199254740992.0;
+}
+
+/* Beside what a killed run left, the command must do as if nothing were there. */
+static const char *try_again(const char *library, const struct outcome *killed,
+                             const struct outcome *right, char **command)
+{
+    const char *bad = NULL;
+    struct outcome got = run_there(library, NULL, 0, command);
+    if (got.status != right->status || !same(&got.err, &right->err))
+        bad = "the next run trips over what was left";
+    for (int i = 0; i < right->folder.n && !bad; i++)
+        if (!same(&right->folder.file[i], find(&got.folder, right->folder.file[i].name)))
+            bad = "the next run writes other files beside what was left";
+    for (int i = 0; i < got.folder.n && !bad; i++)
+        if (!find(&killed->folder, got.folder.file[i].name) &&
+            !find(&right->folder, got.folder.file[i].name))
+            bad = "the next run leaves one file more";
+    free_outcome(&got);
+    return bad;
+}
+
+static long killed_runs, left_runs;
+
+/* Kills the command at the nth moment; says what was wrong, NULL: nothing. */
+static const char *try_moment(const char *library, long n, const struct folder *before,
+                              const struct outcome *right, char **command)
+{
+    double share = by_chance(), all = 1.05 * right->seconds;
+    make_work(before);
+    double moment = all * (n % 2 ? share : 1 - share / 3);
+    struct outcome got = run_there(library, NULL, moment, command);
+    const char *bad = NULL;
+    if (WIFSIGNALED(got.status) || !all_as(&got, right))
+        bad = blame(&got, before, right, true, true);
+    killed_runs += WIFSIGNALED(got.status);
+    if (!bad && !WIFSIGNALED(got.status))
+        bad = all_as(&got, right) ? NULL : "ended otherwise before it was killed";
+    for (int i = 0; i < got.folder.n && !bad; i++)
+        if (!find(before, got.folder.file[i].name) &&
+            !find(&right->folder, got.folder.file[i].name)) {
+            bad = try_again(library, &got, right, command);
+            left_runs++;
+            break;
+        }
+    free_outcome(&got);
+    return bad;
+}
+
 int main(int argc, char **argv)
 {
     if (argc < 5)
@@ -310,12 +406,16 @@ int main(int argc, char **argv)
         long calls = count_of(kind), tries = most == 0 || calls < most ? calls : most, bad = 0;
         for (long i = 0; i < tries; i++) {
             long n = tries == 1 ? 1 : 1 + i * (calls - 1) / (tries - 1);
-            const char *what = try_call(argv[1], kind, n, &before, &right, command);
+            const char *what = strcmp(kind, "moment") == 0
+                                   ? try_moment(argv[1], n, &before, &right, command)
+                                   : try_call(argv[1], kind, n, &before, &right, command);
             if (what)
                 printf("bad %s %ld: %s\n", kind, n, what);
             bad += what != NULL;
         }
         printf("%s: %ld of %ld calls, %ld bad\n", kind, tries, calls, bad);
+        if (strcmp(kind, "moment") == 0)
+            printf("%ld killed, %ld left a temporary file\n", killed_runs, left_runs);
         fflush(stdout);
         all_bad += bad;
     }

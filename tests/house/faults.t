@@ -2,6 +2,7 @@
 # faults.t - calls of the C library that fail, one after another, in every tool with every kind of
 # input: nothing half done, nothing silently other.  FAULTS calls of each kind are tried, evenly
 # spread (default 2; 0, which `make faults` sets: every one); ONLY: of the jobs whose names match it.
+# And SIGKILL at MOMENTS moments by chance (30; SEED) for each tool that writes.
 . "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
 cd "$TMP" || exit 1
 MOST=${FAULTS:-2}
@@ -52,7 +53,7 @@ faults() {
 	for file in $files; do cp "$file" before; done
 	for file in out other page.html; do echo older >before/$file; done
 	if ./fault_run "$TMP/fault_lib.so" "$which" "$MOST" "$@" >faults.out 2>err; then
-		[ -z "$ONLY" ] || grep ' calls, ' faults.out
+		[ -z "$ONLY" ] || grep -E ' calls, | killed, ' faults.out
 		result 0 "$desc: $(awk '/ calls, / { n += $2 } END { print n }' faults.out) calls that fail"
 	else
 		grep '^bad' faults.out >>err
@@ -123,4 +124,29 @@ faults "cloud2mesh, threads" thread,kill-mem,term-mem "cloud.xyz" cloud2mesh -j 
 faults "planecut, threads" thread,kill-mem,term-mem "mesh.ply" \
 	planecut -j 3 -r 4 -s 4 --no-guard -o out mesh.ply
 faults "biarcfit, threads" thread,kill-mem,term-mem "$path" biarcfit -j 3 -o out path.cl
+
+# at any moment: -o FILE old or new, whole, and what is left is in nobody's way
+MOST=${MOMENTS:-30}
+awk 'BEGIN { for (y = -30; y <= 30; y++) for (x = -30; x <= 30; x++)
+	print x, y, 10 - (x * x + y * y) / 120 }' >fine.xyz
+cloud2mesh -q -t 1 fine.xyz >fine.ply
+cloud2mesh -q -t 2 cloud.xyz >mid.ply
+meshnorm -q -r 4 --rows mesh --fixed 0.1,0,1 fine.ply >fine.cl
+when="killed at any moment"
+faults "cloud2mesh, $when" moment fine.xyz cloud2mesh -t 1 -o out fine.xyz
+faults "cloud2surf, $when" moment cloud.xyz cloud2surf -e 0.05 -o out cloud.xyz
+faults "nurbs2mesh, $when" moment saddle.nurbs nurbs2mesh -n 40 -o out saddle.nurbs
+faults "meshnorm, $when" moment mid.ply meshnorm -r 4 --rows mesh --no-guard -o out mid.ply
+faults "planecut, $when" moment mid.ply planecut -r 4 -s 2 --no-guard -o out mid.ply
+faults "biarcfit, $when" moment path.cl biarcfit --no-guard -e 0.1 -o out path.cl
+faults "bsplfit, $when" moment path.cl bsplfit --no-guard -o out path.cl
+for control in fanuc siemens heidenhain linuxcnc; do
+	faults "ncpost $control, $when" moment fine.cl ncpost -c $control -o out fine.cl
+done
+faults "ncpost, in parts, $when" moment fine.cl ncpost -c fanuc --split 40k -o out fine.cl
+faults "ncverify, a map, a page, $when" moment "cloud.xyz program.fanuc" \
+	ncverify -r 4 -g cloud.xyz --map other --report page.html -o out program.fanuc
+faults "ncplot, $when" moment fine.cl ncplot -o out fine.cl
+faults "cloudmill, $when" moment cloud.xyz \
+	cloudmill -r 4 -c fanuc -k . -t 4 -f points -o out.nc cloud.xyz
 done_testing
