@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "arc_carry.h"
+#include "arc_pole.h"
 #include "arcfit/arcfit.h"
 #include "arcprint.h"
 
@@ -140,6 +141,54 @@ static struct deviation part_of(struct deviation d, double part)
     return (struct deviation){part * d.point, part * d.other, part * d.axis};
 }
 
+/* Replaces the pieces by some that keep the tolerance, or leaves them; false: it does not. */
+static bool is_better(struct fit *f, const struct deviation *within, struct pieces *some)
+{
+    swap_pieces(&f->pieces, some);
+    if (is_proven(f, within))
+        return true;
+    swap_pieces(&f->pieces, some);
+    print_pieces(f);
+    return false;
+}
+
+static void copy_pieces(const struct pieces *from, struct pieces *to)
+{
+    to->n = 0;
+    for (size_t i = 0; i < from->n; i++)
+        *array_push(to) = from->item[i];
+}
+
+/* The part begins or ends at the pole: its pieces lean there as those on the other side of it do,
+ * in one more piece where the tolerance leaves no room for it. */
+static void meet_pole(struct fit *f, const struct deviation *within, bool end)
+{
+    size_t at = f->first + (end ? f->reference.n - 1 : 0);
+    struct vec3 plane = {0, 0, 0};
+    struct pieces some = {0};
+    bool good = false;
+
+    if (at > 0 && at + 1 < f->dense->n && arc_pole_at(f->dense, at))
+        plane = arc_pole_plane(f->dense, at);
+    if (vec_length(plane) > 0 && f->pieces.n > 1) {
+        copy_pieces(&f->pieces, &some);
+        arc_pole_turn(&some, end, plane);
+        good = is_better(f, within, &some);
+    }
+    for (double s = 0.5; vec_length(plane) > 0 && !good && s > 0.1; s /= 2) {
+        copy_pieces(&f->pieces, &some);
+        arc_pole_divide(&f->reference, &some, end, s, plane);
+        good = is_better(f, within, &some);
+    }
+    array_free(&some);
+}
+
+static void meet_poles(struct fit *f, const struct deviation *within)
+{
+    meet_pole(f, within, false);
+    meet_pole(f, within, true);
+}
+
 /* Fits within less and less of the tolerance until the printed digits keep all of it.  `before`:
  * the part as it was, or NULL. */
 static void fit_within(struct fit *f, double tolerance, const struct arcrun_part *before,
@@ -149,12 +198,16 @@ static void fit_within(struct fit *f, double tolerance, const struct arcrun_part
     double part = 1 - ARC_PRINTED / tolerance;
     struct deviation less = part_of(within, part);
 
-    if (before && fit_moved(f, before, now, &less) && is_proven(f, &within))
+    if (before && fit_moved(f, before, now, &less) && is_proven(f, &within)) {
+        meet_poles(f, &within);
         return;
+    }
     for (int i = 0; i < 6; i++, part *= ARC_RETRY) {
         less = part_of(within, part);
-        if (fit_once(f, &within, &less))
+        if (fit_once(f, &within, &less)) {
+            meet_poles(f, &within);
             return;
+        }
     }
     use_points(f);
     print_pieces(f);
@@ -305,16 +358,6 @@ static double dense_run_of(const struct run *run, const struct arcrun_options *o
     return taken;
 }
 
-/* The axis goes through the pole of Z here: the machine passes it at a fixed turn only if the
- * program does so exactly. */
-static bool passes_pole(const struct run *run, size_t i)
-{
-    const double none = 1e-12;
-    const struct run_point *p = &run->item[i];
-    struct vec3 a = p[-1].axis, b = p[1].axis;
-    return hypot(p->axis.x, p->axis.y) < none && hypot(a.x, a.y) > none && hypot(b.x, b.y) > none;
-}
-
 /* Where the smooth parts of what is programmed end: at its corners, where the axis passes the pole,
  * and at the end of the run. */
 static struct sizes parts_of(const struct run *dense, const struct arcrun_options *options)
@@ -331,7 +374,7 @@ static struct sizes parts_of(const struct run *dense, const struct arcrun_option
     for (size_t i = 1, k = 0; i + 1 < dense->n && !options->paper; i++) {
         bool turns = k < corner.n && corner.item[k] == i;
         k += turns;
-        if (turns || passes_pole(dense, i))
+        if (turns || arc_pole_at(dense, i))
             *array_push(&end) = i;
     }
     *array_push(&end) = dense->n - 1;

@@ -45,6 +45,16 @@ below "A and C turn less than half as far as by the rule" \
 	"$(awk -v a="$(figure turn-A play-0)" -v b="$(figure turn-C play-0)" 'BEGIN { print (a + b) / 2 }')"
 below "and that saves time" "$(figure ratio play-15)" "$(figure ratio play-0)"
 
+# ---- the panel: its axis goes through the pole on every row
+cloud2mesh -q "$SRC/samples/panel_17036.xyz" -o panel.ply
+meshnorm -q -r 8 --scallop 0.1 --avoid --feed 3000 panel.ply >line.cl
+biarcfit -q -e 0.01 line.cl >arcs.cl
+ncpost -v -c siemens arcs.cl >panel.nc 2>said
+./leasttime panel.nc 3000 >panel
+below "the panel's least time is no more than 1.05 times length by feed" "$(figure ratio panel)" 1.05
+below "in few motions" "$(figure motions panel)" 380
+ok "no axis is asked for more than it has" eval '! grep -q "largest speed" said'
+
 # ---- a fixed axis: a cup of a hill, its sides as steep as the tool's, and steeper by its noise
 awk 'BEGIN { for (y = -20; y <= 20.001; y += 0.5) for (x = -25; x <= 25.001; x += 0.5) {
 	r = sqrt(x * x + y * y); printf "%.4f %.4f %.4f\n", x, y, 15 / (1 + exp((r - 10) * 3)) } }' >hill.xyz
@@ -58,5 +68,5 @@ biarcfit -q -e 0.01 hill.cl | ncpost -q -c siemens >hill.nc
 below "with a fixed axis least time is no more than 1.1 times length by feed" "$(figure ratio fixed)" 1.1
 meshnorm -q -r 4 --scallop 0.1 --avoid --fixed 0,0,1 --lean-limit 85 hill.ply 2>said >hill.cl
 ok "unless it may lean" awk '/^GOTO/ && !/,0.000000000,0.000000000,1.000000000$/ { n++ } END { exit !n }' hill.cl
-cat play-15 play-0 fixed | sed 's/^/# /'
+cat play-15 play-0 panel fixed | sed 's/^/# /'
 done_testing
