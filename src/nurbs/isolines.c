@@ -41,7 +41,7 @@ void isolines_equal(const struct nurbs_axis *axis, int n, struct doubles *line)
 }
 
 /* The surface with u and v exchanged where `flip` is set, so that one function does both.
- * `border`: the line along is a border, whose bend within the surface counts too. */
+ * `border`: the line along bounds the patch, and its bend within the surface counts too. */
 static double bend_at(const struct nurbs *s, bool flip, double along, double across, bool border)
 {
     struct vec3 d[3][3];
@@ -59,8 +59,8 @@ static double bend_at(const struct nurbs *s, bool flip, double along, double acr
 }
 
 /* The root of the largest bend across, at ALONG places of each interval between two breaks. */
-static void measure_roots(const struct nurbs *s, bool flip, bool border, struct doubles *at,
-                          struct doubles *root)
+static void measure_roots(const struct nurbs *s, bool flip, const bool border[2],
+                          struct doubles *at, struct doubles *root)
 {
     const struct nurbs_axis *other = flip ? &s->u : &s->v;
     break_lines(flip ? &s->v : &s->u, at);
@@ -72,7 +72,8 @@ static void measure_roots(const struct nurbs *s, bool flip, bool border, struct 
             double most = 0, x = from + (to - from) * (i + 0.5) / ALONG;
             for (int k = 0; k <= ACROSS; k++) {
                 double y = other->from + (other->to - other->from) * k / ACROSS;
-                most = fmax(most, bend_at(s, flip, x, y, border && (k == 0 || k == ACROSS)));
+                bool bounds = (k == 0 && border[0]) || (k == ACROSS && border[1]);
+                most = fmax(most, bend_at(s, flip, x, y, bounds));
             }
             root->item[root->n++] = sqrt(most);
         }
@@ -105,10 +106,11 @@ static void lines_of(const struct doubles *at, const struct doubles *root, doubl
     *array_push(line) = at->item[at->n - 1];
 }
 
-void isolines_measure(const struct nurbs *s, bool border, struct isolines_bend *bend)
+void isolines_measure(const struct nurbs *s, const struct isolines_border *border,
+                      struct isolines_bend *bend)
 {
-    measure_roots(s, false, border, &bend->at_u, &bend->root_u);
-    measure_roots(s, true, border, &bend->at_v, &bend->root_v);
+    measure_roots(s, false, border->v, &bend->at_u, &bend->root_u);
+    measure_roots(s, true, border->u, &bend->at_v, &bend->root_v);
 }
 
 void isolines_bent(const struct isolines_bend *bend, double tolerance, double finer,

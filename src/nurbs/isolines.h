@@ -4,6 +4,8 @@
 #ifndef CLOUDMILL_ISOLINES_H
 #define CLOUDMILL_ISOLINES_H
 
+#include <stdbool.h>
+
 #include "base/array.h"
 #include "nurbs/nurbs.h"
 
@@ -15,9 +17,15 @@ struct isolines_bend {
     struct doubles at_u, root_u, at_v, root_v;
 };
 
-/* `border`: the ends of the ranges bound the surface, and their curves keep the tolerance too,
- * where they bend within the surface (the rim of a disc).  The caller frees it. */
-void isolines_measure(const struct nurbs *s, bool border, struct isolines_bend *bend);
+/* Which ends of the ranges bound the patch: u.from and u.to, v.from and v.to. */
+struct isolines_border {
+    bool u[2], v[2];
+};
+
+/* The curves at the ends of the ranges that bound the patch keep the tolerance too, where they bend
+ * within the surface (the rim of a disc).  The caller frees `bend`. */
+void isolines_measure(const struct nurbs *s, const struct isolines_border *border,
+                      struct isolines_bend *bend);
 
 /*
  * As many cells in u and in v as the tolerance needs, denser where the surface bends more: so that

@@ -317,10 +317,33 @@ static void refine(const struct patch *patch, const struct uv_polygon *loops,
     array_free(&v);
 }
 
+/* Does a side of a loop run along an end of a range?  What is beside it there has no vertices but
+ * those of the grid: it is the grid that must follow such a border. */
+static void find_borders(const struct uvs *loop, const struct nurbs *s, struct isolines_border *b)
+{
+    for (size_t i = 0, k = loop->n - 1; i < loop->n; k = i++) {
+        struct uv p = loop->item[k], q = loop->item[i];
+        b->u[0] = b->u[0] || fmax(p.u, q.u) <= s->u.from;
+        b->u[1] = b->u[1] || fmin(p.u, q.u) >= s->u.to;
+        b->v[0] = b->v[0] || fmax(p.v, q.v) <= s->v.from;
+        b->v[1] = b->v[1] || fmin(p.v, q.v) >= s->v.to;
+    }
+}
+
+static struct isolines_border borders_of(const struct patch *patch, const struct uv_polygon *loops)
+{
+    struct isolines_border border = {{false, false}, {false, false}};
+    if (patch->open || loops->open || loops->n == 0)
+        return (struct isolines_border){{true, true}, {true, true}};
+    for (size_t i = 0; i < loops->n; i++)
+        find_borders(&loops->item[i], &patch->surface, &border);
+    return border;
+}
+
 /* Where the parameters rest, at a pole for instance, the bound on the distance is too large,
  * however fine the grid: then the distance itself is sought. */
-static void tessellate_once(const struct patch *patch, const struct isolines_bend *bend,
-                            struct tessellate_options how, double trimming, struct sheet *sheet)
+static void tessellate_once(const struct patch *patch, struct tessellate_options how,
+                            double trimming, struct sheet *sheet)
 {
     struct uv_polygon loops;
     struct doubles u = {0}, v = {0};
@@ -331,9 +354,13 @@ static void tessellate_once(const struct patch *patch, const struct isolines_ben
         isolines_equal(&patch->surface.v, how.n, &v);
         make_sheet(patch, &loops, how, false, &u, &v, sheet);
     } else {
-        refine(patch, &loops, bend, how, false, sheet);
+        struct isolines_bend bend = {0};
+        struct isolines_border border = borders_of(patch, &loops);
+        isolines_measure(&patch->surface, &border, &bend);
+        refine(patch, &loops, &bend, how, false, sheet);
         if (sheet->error > how.tolerance)
-            refine(patch, &loops, bend, how, true, sheet);
+            refine(patch, &loops, &bend, how, true, sheet);
+        isolines_bend_free(&bend);
     }
     array_free(&u);
     array_free(&v);
@@ -344,16 +371,12 @@ static void tessellate_once(const struct patch *patch, const struct isolines_ben
 void tessellate(const struct patch *patch, struct tessellate_options how, struct sheet *sheet)
 {
     double trimming = how.tolerance;
-    struct isolines_bend bend = {0};
-    if (how.n <= 0)
-        isolines_measure(&patch->surface, patch->open || patch->loop.n == 0, &bend);
-    tessellate_once(patch, &bend, how, trimming, sheet);
+    tessellate_once(patch, how, trimming, sheet);
     for (int round = 1; round < TRIM_ROUNDS && sheet->unclear > 0; round++) {
         sheet_free(sheet);
         trimming /= TRIM_FINER;
-        tessellate_once(patch, &bend, how, trimming, sheet);
+        tessellate_once(patch, how, trimming, sheet);
     }
-    isolines_bend_free(&bend);
 }
 
 void sheet_free(struct sheet *sheet)

@@ -52,6 +52,26 @@ face 140 0 1,0,0,2,{base}
 END
 model "140: a quarter of a cylinder moved outwards" "$(calc 'p / 2 * 12 * 20')" - -e 0.001 "$TMP/offset140.igs"
 
+# A flat patch from a parabola to a straight line: its border bends, the surface does not; trimmed by
+# nothing, by that border in the parameters, and by it in space.
+corners=0,0,0,5,-10,0,10,0,0,0,10,0,5,10,0,10,10,0
+cat >"$TMP/rim" <<END
+s 128 0 2,1,2,1,0,0,1,0,0,0,0,0,1,1,1,0,0,1,1,1,1,1,1,1,1,$corners,0,1,0,1
+l 106 11 1,5,0,0,0,1,0,1,1,0,1,0,0
+p 126 0 2,2,0,0,1,0,0,0,0,1,1,1,1,1,1,0,0,0,5,-10,0,10,0,0,0,1,0,0,1
+q 106 12 2,4,10,0,0,10,10,0,0,10,0,0,0,0
+c 102 0 2,{p},{q}
+o 142 0 0,{s},{l},{c},1
+f 144 0 {s},1,0,{o}
+END
+sed 1q "$TMP/rim" | iges rim-none
+iges rim-parameters <"$TMP/rim"
+sed 's/{c},1/{c},2/' "$TMP/rim" | iges rim-space
+for rim in none parameters space; do
+	model "128: flat within a border that bends, trimmed by it: $rim" "$(calc '400 / 3')" - \
+		-e 0.0005 "$TMP/rim-$rim.igs"
+done
+
 # Twice the same subfigure, one of them twice as large; the definition itself is no part of the model.
 iges figures <<'END'
 a 110 0 0,0,0,10,0,0

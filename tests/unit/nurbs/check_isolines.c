@@ -55,11 +55,12 @@ END_TEST
 START_TEST(bent)
 {
     static const double tolerance[] = {1, 0.1, 0.01, 0.001};
+    const struct isolines_border inner = {{false, false}, {false, false}};
     struct patch p = known_cylinder(10, 50);
     struct doubles u = {0}, v = {0};
     for (int k = 0; k < 4; k++) {
         struct isolines_bend bend = {0};
-        isolines_measure(&p.surface, false, &bend);
+        isolines_measure(&p.surface, &inner, &bend);
         isolines_bent(&bend, tolerance[k], 1, &u, &v);
         isolines_bend_free(&bend);
         rises(&u, &p.surface.u);
