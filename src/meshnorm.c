@@ -123,9 +123,10 @@ static void make_path(const struct mesh *mesh, const struct rows *rows, struct t
             s = make_pass(mesh, rows, s, pass, t);
             progress("rows", s, rows->strip.n);
         }
+        if (layer == path_options.layers - 1 &&
+            toolpath_bounded(t, path_options.layers, &error) != 0)
+            die_error(&error);
     }
-    if (toolpath_bounded(t, &error) != 0)
-        die_error(&error);
     toolpath_cut(t);
 }
 

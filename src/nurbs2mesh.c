@@ -19,7 +19,7 @@
 #include "stage/cloud_options.h"
 #include "stage/nurbs_report.h"
 
-enum { CELLS_MAX = 5000 };
+enum { CELLS_MAX = 5000, USUAL = 200 };
 
 /* By the size of the part: edges so near are joined, and surfaces so narrow are left out. */
 static const double GAP = 2.5e-4, NARROW = 1e-5;
@@ -39,7 +39,7 @@ struct settings {
 
 static struct settings read_options(struct cli *cli, int argc, char **argv)
 {
-    static struct settings s = {.n = 200, .up = {0, 0, 1}};
+    static struct settings s = {.n = USUAL, .up = {0, 0, 1}};
     const struct cli_option option[] = {
         {'n', "count", "N", "triangles in each direction of a surface (default: 200)", CLI_COUNT,
          &s.n, 1, CELLS_MAX, 0, &s.count_given},
@@ -87,6 +87,27 @@ static void read_files(const struct cli *cli, const struct settings *s, struct p
     if (!surfaces_tell(patches) && !s->partial)
         unmet_say(unmet, "part of the model is left out, of types that are not supported "
                          "(--partial accepts it)");
+}
+
+/* The cells of all surfaces, n times n each, as many as a surface may have to a tolerance: more are
+ * refused; where nobody asked for so many, there are fewer. */
+static void bound_cells(struct settings *s, size_t surfaces)
+{
+    const double most = TESSELLATE_CELLS_MAX, each = s->grid > 0 ? s->grid : s->n;
+    const char *option = s->grid > 0 ? "--grid" : "-n";
+
+    if (s->tolerance > 0 && s->grid == 0)
+        return;
+    if (each * each * (double)surfaces <= most)
+        return;
+    if (s->grid > 0 || s->count_given)
+        die("option %s: found %g x %g on each of %zu surfaces, expected at most %.0f on each, or "
+            "a tolerance (-e)",
+            option, each, each, surfaces, fmax(1, floor(sqrt(most / (double)surfaces))));
+    s->n = (int)fmax(1, floor(sqrt(most / (double)surfaces)));
+    say("%zu surfaces: %d triangles in each direction of each, not %d (-n; -e makes as many as a "
+        "tolerance needs)",
+        surfaces, s->n, USUAL);
 }
 
 /* What the threads share: a surface is a unit of work. */
@@ -285,6 +306,7 @@ int main(int argc, char **argv)
     struct unmets unmet = {0};
 
     read_files(&cli, &settings, &patches, &unmet);
+    bound_cells(&settings, patches.n);
     struct sheet *sheet = mem_alloc(patches.n, sizeof *sheet);
     if (settings.grid > 0) {
         nurbs_report_grid(cli.output, &patches, settings.grid);

@@ -155,8 +155,8 @@ void toolpath_strip(struct toolpath *t, size_t pass, const struct contact *conta
  * for one of 4 mm.  -1: it is longer, the error says so, and the length in the words of `said`. */
 int toolpath_length_bounded(double length, double radius, const char *said, struct error *error);
 
-/* The same of the strips. */
-int toolpath_bounded(const struct toolpath *t, struct error *error);
+/* The same of the strips of one layer, in all layers. */
+int toolpath_bounded(const struct toolpath *t, int layers, struct error *error);
 
 /* Lifts the strips that wait; more of them may follow.  Where they take the ball's centre is in
  * t->swept. */

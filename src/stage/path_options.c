@@ -13,6 +13,7 @@
 
 /* How deep the ball may sink between the guard points of a mesh, mm, and how many of them there may
  * be: about 100 bytes each. */
+enum { LAYERS_MAX = 200 };
 static const double SINK = 0.002, MOST_GUARD_POINTS = 8e6;
 
 /* It is no guard where the ball may sink deeper than this, mm. */
@@ -97,7 +98,7 @@ const struct cli_option path_option_table[] = {
     {0, "one-way", NULL, "cut all passes in one direction (default: zig-zag)",
      CLI_FLAG, &path_options.one_way, 0, 0, 0, NULL},
     {0, "layers", "N", "cut in N layers, the outermost first (1)",
-     CLI_COUNT, &path_options.layers, 1, 1000, 0, NULL},
+     CLI_COUNT, &path_options.layers, 1, LAYERS_MAX, 0, NULL},
     {0, "depth", "MM", "thickness of a layer, along the normal (0.3)",
      CLI_NUMBER, &path_options.depth, 0.0001, 1000, 0, NULL},
     {0, "clearance", "MM", "height of the tip on the clearance plane (default: top of the part\n"

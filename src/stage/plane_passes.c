@@ -491,11 +491,12 @@ static void free_cuts(struct plane_cuts *cuts, size_t n)
 int plane_passes_make(struct plane_passes *set, size_t n, struct toolpath *t, struct error *error)
 {
     size_t pass = 1, beside = 0, left_out = 0;
+    int end = 0;
     struct plane_cuts *cuts = mem_alloc(n, sizeof *cuts);
 
     for (size_t k = 0; k < n; k++)
         cuts[k] = cut_all(&set[k]);
-    for (int layer = path_options.layers - 1; layer >= 0; layer--) {
+    for (int layer = path_options.layers - 1; layer >= 0 && end == 0; layer--) {
         t->lift.offset = path_options.radius + layer * path_options.depth;
         for (size_t k = 0; k < n; k++) {
             for (size_t i = 0; i < cuts[k].n; i++) {
@@ -503,9 +504,11 @@ int plane_passes_make(struct plane_passes *set, size_t n, struct toolpath *t, st
                 progress("planes", i + 1, cuts[k].n);
             }
         }
+        if (layer == path_options.layers - 1)
+            end = toolpath_bounded(t, path_options.layers, error);
     }
     free_cuts(cuts, n);
-    if (toolpath_bounded(t, error) != 0)
+    if (end != 0)
         return -1;
     toolpath_cut(t);
     t->lift.feed.plane = vec(0, 0, 0);

@@ -43,7 +43,7 @@ int toolpath_length_bounded(double length, double radius, const char *said, stru
                      said, most / 1e3, radius);
 }
 
-int toolpath_bounded(const struct toolpath *t, struct error *error)
+int toolpath_bounded(const struct toolpath *t, int layers, struct error *error)
 {
     double length = 0;
     char said[400];
@@ -53,7 +53,8 @@ int toolpath_bounded(const struct toolpath *t, struct error *error)
         for (size_t i = 1; i < t->strip.item[k].contact.n; i++)
             length += vec_distance(c[i - 1].p, c[i].p);
     }
-    snprintf(said, sizeof said, "%.0f m in %zu strips", length / 1e3, t->strip.n);
+    length *= layers;
+    snprintf(said, sizeof said, "%.0f m in %zu strips", length / 1e3, t->strip.n * (size_t)layers);
     return toolpath_length_bounded(length, t->rule.radius, said, error);
 }
 

@@ -98,8 +98,8 @@ one cloud2mesh -q -j 1 -e 1e300 cloud.xyz
 one cloud2mesh -q -j 1 -e 1e-9 cloud.xyz
 one meshnorm -q -j 1 -r 4 --scallop 1e-9 mesh.ply
 one meshnorm -q -j 1 -r 1e-3 mesh.ply
-one meshnorm -q -j 1 -r 4 --rows mesh --layers 1000 --depth 1000 mesh.ply
-one planecut -q -j 1 -r 4 -s 6 --layers 1000 --depth 1000 mesh.ply
+one meshnorm -q -j 1 -r 4 --rows mesh --layers 200 --depth 1000 mesh.ply
+one planecut -q -j 1 -r 4 -s 6 --layers 200 --depth 1000 mesh.ply
 one planecut -q -j 1 -r 4 --scallop 1e-9 mesh.ply
 one planecut -q -j 1 -r 4 -s 1e-6 mesh.ply
 one biarcfit -q -j 1 --min-length 100 -e 1e9 path.cl

@@ -96,6 +96,17 @@ status 0 "layers 10,000 radii thick" $bare -s 5 --layers 11 --depth 1000 small.p
 # shellcheck disable=SC2086
 status 2 "thicker ones" $bare -s 5 --layers 12 --depth 1000 small.ply
 has "... are told" 'layers 11000 mm thick, expected at most 10000 mm' err
+# shellcheck disable=SC2086
+status 2 "more than 200 layers" $bare -s 5 --layers 201 --depth 0.1 small.ply
+# the length of one layer tells that of all, before any is made
+plate 100 100 >layer.ply
+# shellcheck disable=SC2086
+status 0 "49 layers of 10.1 m" $bare -s 1 --layers 49 --depth 0.1 layer.ply
+# shellcheck disable=SC2086
+status 1 "50 layers" $bare -s 1 --layers 50 --depth 0.1 layer.ply
+has "... are told" 'would cut 505 m .* at most 500 m' err
+status 1 "and of meshnorm" meshnorm -q --no-guard -r 1 --scallop 0.02 --layers 200 layer.ply
+has "... are told" 'would cut .* at most 500 m' err
 status 0 "rows a fiftieth of the points' spacing apart" cloud2mesh -q -e 0.01 -t 0.05 near.xyz
 status 1 "nearer ones" cloud2mesh -q -e 0.01 -t 0.01 near.xyz
 has "... are told" 'rows 0.01 mm apart \(-t\), expected at least 0.0[0-9]* mm' err
@@ -106,4 +117,15 @@ status 2 "a wider one" planecut -q --no-guard -r 1 -s 5 --holder 1001:9 small.pl
 status 0 "a cloud extended by its own width" cloud2mesh -q -t 4 --extend 49.9 near.xyz
 status 1 "by more" cloud2mesh -q -t 4 --extend 50.1 near.xyz
 has "... is told" 'at most its own width of 50 mm' err
+
+# the cells of all surfaces together, 4 million, as with a tolerance
+saddle=$SRC/samples/saddle.nurbs
+eleven=$(yes "$saddle" | head -n 11)
+status 1 "2,001 x 2,001 cells of one surface" nurbs2mesh -n 2001 "$saddle"
+has "... are told" 'option -n: found 2001 x 2001 on each of 1 surfaces, expected at most 2000' err
+# shellcheck disable=SC2086
+status 1 "604 x 604 of eleven" nurbs2mesh -n 604 $eleven
+has "... are told" 'found 604 x 604 on each of 11 surfaces, expected at most 603' err
+status 1 "a table of more" nurbs2mesh --grid 2001 "$saddle"
+has "... is told" 'option --grid: found 2001 x 2001' err
 done_testing
