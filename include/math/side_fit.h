@@ -53,8 +53,14 @@ struct side_fit side_fit_through(struct vec3 place, struct vec3 normal, struct v
  * what the plane leaves. */
 void side_fit_bend(const struct vec3 *point, size_t n, struct side_fit *fit);
 
-/* Height of the surface, along w, over (or under) the place of p. */
+/* Height of the surface, along w, over (or under) the place of p; of a place in the frame. */
 double side_fit_height(const struct side_fit *fit, struct vec3 p);
+static inline double side_fit_height_local(const struct side_fit *fit, struct vec3 at)
+{
+    const double *c = fit->q.c;
+
+    return c[0] + at.x * (c[1] + c[3] * at.x + c[4] * at.y) + at.y * (c[2] + c[5] * at.y);
+}
 
 /* Height of p above the surface, along w. */
 double side_fit_above(const struct side_fit *fit, struct vec3 p);

@@ -127,10 +127,12 @@ static void add_to_side(struct division *p, int side, struct vec3 point)
     p->of[side][p->count[side]++] = point;
 }
 
-/* How far sheet 0 is above sheet 1. */
+/* How far sheet 0 is above sheet 1.  Both have the same frame. */
 static double step_at(const struct division *p, struct vec3 at)
 {
-    return side_fit_height(&p->sheet[0], at) - side_fit_height(&p->sheet[1], at);
+    struct vec3 local = quadric_local(&p->sheet[0].q, at);
+
+    return side_fit_height_local(&p->sheet[0], local) - side_fit_height_local(&p->sheet[1], local);
 }
 
 /* Planes through the points as they are divided; false when one has too few. */
@@ -181,27 +183,45 @@ static bool fit_and_divide(struct division *p, struct vec3 a)
             return false;
         moves = divide_by_line(p, a, sum);
     }
+    sum[0] = sum[1] = (struct side_sums){.n = 0}; /* anew: points that went and came left digits */
+    for (size_t i = 0; i < p->n; i++)
+        side_sums_add(&sum[p->side[i]], 1, p->local[i]);
+    return fit_planes(p, sum);
+}
+
+/* Sheets that are bent where that is better; what they leave. */
+static bool bend_sheets(struct division *p)
+{
     p->count[0] = p->count[1] = 0;
     for (size_t i = 0; i < p->n; i++)
         add_to_side(p, p->side[i], p->point[i]);
-    for (int s = 0; s < 2; s++)
-        if (p->count[s] < FEWEST ||
-            side_fit_plane(p->of[s], p->count[s], p->origin, p->w, &p->sheet[s]) < 0)
+    for (int s = 0; s < 2; s++) {
+        const struct quadric *q = &p->sheet[s].q;
+        if (side_fit_plane(p->of[s], p->count[s], q->origin, q->w, &p->sheet[s]) < 0)
             return false;
+        side_fit_bend(p->of[s], p->count[s], &p->sheet[s]);
+    }
     return true;
 }
 
 /* Where on the way from a to b the sheets meet; false when they do not. */
 static bool find_crossing(const struct division *p, struct vec3 a, struct vec3 b, struct vec3 *at)
 {
-    double low = 0, high = 1;
-    bool above = step_at(p, a) > 0;
+    const double sure = 1e-9; /* of the steps: beyond that rounding is nothing */
+    double low = 0, high = 1, first = step_at(p, a), last = step_at(p, b);
+    bool above = first > 0;
 
-    if (above == (step_at(p, b) > 0))
+    if (above == (last > 0))
         return false;
+    /* on the way the step is a parabola: first + s (slope + s bend) */
+    double middle = step_at(p, vec_mix(a, b, 0.5)), bend = 2 * (first - 2 * middle + last);
+    double slope = last - first - bend;
+    double least = sure * (fabs(first) + fabs(middle) + fabs(last));
     for (int i = 0; i < HALVINGS; i++) {
-        double s = (low + high) / 2;
-        if ((step_at(p, vec_mix(a, b, s)) > 0) == above)
+        double s = (low + high) / 2, step = first + s * (slope + s * bend);
+        if (!(fabs(step) > least))
+            step = step_at(p, vec_mix(a, b, s));
+        if ((step > 0) == above)
             low = s;
         else
             high = s;
@@ -323,9 +343,7 @@ static bool find_crease(const struct feature_cloud *cloud, struct vec3 a, struct
         p->w = vec_unit(vec_add(side_fit_normal(&p->sheet[0], p->origin),
                                 side_fit_normal(&p->sheet[1], p->origin)));
     }
-    for (int s = 0; s < 2; s++)
-        side_fit_bend(p->of[s], p->count[s], &p->sheet[s]);
-    return crossed && find_crossing(p, a, b, at);
+    return crossed && bend_sheets(p) && find_crossing(p, a, b, at);
 }
 
 /* The sheets turn into each other, and by more than they turn on the way there. */

@@ -85,10 +85,7 @@ void side_fit_bend(const struct vec3 *point, size_t n, struct side_fit *fit)
 
 double side_fit_height(const struct side_fit *fit, struct vec3 p)
 {
-    const double *c = fit->q.c;
-    struct vec3 at = quadric_local(&fit->q, p);
-
-    return c[0] + at.x * (c[1] + c[3] * at.x + c[4] * at.y) + at.y * (c[2] + c[5] * at.y);
+    return side_fit_height_local(fit, quadric_local(&fit->q, p));
 }
 
 double side_fit_above(const struct side_fit *fit, struct vec3 p)
