@@ -62,6 +62,12 @@ struct feature_walls {
 struct feature_walls feature_mesh_walls(const struct mesh *mesh, const struct feature_scan *scan,
                                         double effort, int threads);
 
+/* The same, and the mesh, which must have normals, cut open along those of them that bring it
+ * closer to the points: these are found.  One look, and no vertex makes room: to see what walls are
+ * worth. */
+struct feature_walls feature_mesh_try_walls(struct mesh *mesh, const struct feature_scan *scan,
+                                            double effort, int threads);
+
 struct crest_mesh_options {
     double spacing, noise; /* of the points: their mean spacing, one standard deviation, mm */
     double effort;         /* effort.h */

@@ -250,6 +250,20 @@ static void find_walls(void *context, size_t from, size_t to)
     }
 }
 
+/* Looks at all edges for walls, once; no chain of them that is long enough: none. */
+static struct feature_walls look_for_walls(struct search *s, double effort, int threads)
+{
+    struct feature_walls walls = {.found = 0};
+
+    parallel_for(threads, s->edges->n, find_walls, s);
+    size_t longest = feature_link_longest(s->edges, s->feature);
+    if (effort_covers(EFFORT_WALLS, effort, s->edges->n) || longest >= CHAIN_LARGE)
+        walls.found = longest >= CHAIN ? count_features(s).walls : 0;
+    else if (longest >= CHAIN)
+        walls.edges = s->edges->n;
+    return walls;
+}
+
 struct feature_walls feature_mesh_walls(const struct mesh *mesh, const struct feature_scan *scan,
                                         double effort, int threads)
 {
@@ -261,12 +275,43 @@ struct feature_walls feature_mesh_walls(const struct mesh *mesh, const struct fe
     struct mesh same = *mesh; /* which stays as it is */
     struct search s;
     search_begin(&s, &same, &edges, scan, threads);
-    parallel_for(threads, edges.n, find_walls, &s);
-    size_t longest = feature_link_longest(&edges, s.feature);
-    if (effort_covers(EFFORT_WALLS, effort, edges.n) || longest >= CHAIN_LARGE)
-        walls.found = longest >= CHAIN ? count_features(&s).walls : 0;
-    else if (longest >= CHAIN)
-        walls.edges = edges.n;
+    walls = look_for_walls(&s, effort, threads);
+    search_end(&s);
+    mesh_edges_free(&edges);
+    return walls;
+}
+
+/* Lines closed, and the mesh cut open where that is better. */
+static size_t cut_walls(struct search *s, const struct feature_scan *scan, int threads)
+{
+    struct mesh before = {0};
+
+    copy_places(s->mesh, &before);
+    for (size_t e = 0; e < s->edges->n; e++)
+        if (s->feature[e].kind != FEATURE_NONE && !faces_up(&s->feature[e]))
+            s->feature[e].kind = FEATURE_NONE;
+    feature_link_close(s->mesh, s->edges, s->feature);
+    struct feature_relocate relocation = relocation_of(s);
+    feature_relocate_normals(&relocation);
+    size_t kept = keep_better(s, &before, scan->n, scan->point, threads).walls;
+    array_free(&before.vertex);
+    array_free(&before.normal);
+    return kept;
+}
+
+struct feature_walls feature_mesh_try_walls(struct mesh *mesh, const struct feature_scan *scan,
+                                            double effort, int threads)
+{
+    struct feature_walls walls = {.found = 0};
+
+    if (scan->flat >= scan->n || mesh->face.n == 0)
+        return walls;
+    struct mesh_edges edges = mesh_edges_find(mesh);
+    struct search s;
+    search_begin(&s, mesh, &edges, scan, threads);
+    walls = look_for_walls(&s, effort, threads);
+    if (walls.found > 0)
+        walls.found = cut_walls(&s, scan, threads);
     search_end(&s);
     mesh_edges_free(&edges);
     return walls;

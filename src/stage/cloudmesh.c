@@ -308,30 +308,31 @@ static int mesh_of_nodes(const struct cloudmesh_options *options, const struct c
     return 0;
 }
 
-/* Do walls, put into a mesh of nodes alone, bring that about as close to the points as nodes do
- * that are chosen from all of them?  Else they are steep flanks, and no mesh with walls need be
- * made. */
+/* Are there walls between nodes of the grid, and do they, put into a mesh of nodes alone, bring that
+ * about as close to the points as nodes do that are chosen from all of them?  Else they are steep
+ * flanks, and no mesh with walls need be made. */
 static bool walls_serve(const struct cloudmesh_options *options, const struct cloud_parts *parts,
                         const struct vec3s *points, double noise, int threads)
 {
-    const double no_effort = 1e-12; /* no creases */
-    const double about = 1.1;       /* of the squares: more is made of the mesh afterwards */
+    const size_t some = 10000; /* points tell which is closer */
+    const double about = 1.1;  /* of the squares: more is made of the mesh afterwards */
     struct cloud_parts all = {parts->mean, points->n};
     struct mesh walled = {.origin.ledger = NAN}, plain = {.origin.ledger = NAN};
     struct cloudmesh result = {.walls = 0};
     struct feature_scan scan = scan_of(parts, points, noise);
+    struct feature_walls walls = {.found = 0};
     struct error error;
-    size_t most = effort_most(EFFORT_COMPARISON, options->effort);
     bool serve = false;
 
-    if (place_nodes(options, parts, points, &walled, &result, &error) == 0 &&
-        place_nodes(options, &all, points, &plain, &result, &error) == 0) {
+    if (place_nodes(options, parts, points, &walled, &result, &error) == 0) {
         mesh_normals_facet(&walled);
-        struct feature_mesh found = feature_mesh_keep(&walled, &scan, no_effort, threads);
-        array_free(&found.place);
-        serve = found.walls > 0 && off_points(&walled, points, most, threads) <
-                                       about * off_points(&plain, points, most, threads);
+        walls = feature_mesh_try_walls(&walled, &scan, options->effort, threads);
     }
+    if (!options->silent)
+        effort_say(EFFORT_WALLS, options->effort, walls.edges);
+    if (walls.found > 0 && place_nodes(options, &all, points, &plain, &result, &error) == 0)
+        serve = off_points(&walled, points, some, threads) <
+                about * off_points(&plain, points, some, threads);
     mesh_free(&walled);
     mesh_free(&plain);
     return serve;
@@ -353,7 +354,6 @@ static int mesh_on_grid(const struct cloudmesh_options *asked, struct vec3s *poi
     int status = 0;
     bool has_walls =
         parts.flat < points->n &&
-        grid_has_walls(&options, &parts, points, fmax(noise, mesh->origin.noise), threads) &&
         walls_serve(&options, &parts, points, fmax(noise, mesh->origin.noise), threads);
     options.silent = true;
     if (has_walls)

@@ -100,6 +100,30 @@ START_TEST(a_step)
 }
 END_TEST
 
+/* The walls of a step alone, tried: about as close as the whole search brings it; of a plane there
+ * are none, and it stays as it is. */
+START_TEST(walls_tried)
+{
+    struct vec3s p = {0};
+    size_t flat, facets;
+    rectangle(&p, 3000, vec(0, 0, 0), vec(-20, 0, 0), vec(0, 25, 0), 0);
+    rectangle(&p, 3000, vec(0, 0, 6), vec(20, 0, 0), vec(0, 25, 0), 0);
+    rectangle(&p, 900, vec(0, 0, 0), vec(0, 25, 0), vec(0, 0, 6), 0);
+    struct mesh m = mesh_of(&p, 1.3, &flat);
+    facets = m.face.n;
+    struct feature_scan scan = {p.item, p.n, flat, 0.43, 0};
+    ck_assert_uint_gt(feature_mesh_try_walls(&m, &scan, 1, 2).found, 20);
+    ck_assert_uint_gt(m.face.n, facets);
+    ck_assert_double_le(worst(&m, from_step), 0.3);
+    facets = m.face.n;
+    scan.flat = scan.n;
+    ck_assert_uint_eq(feature_mesh_try_walls(&m, &scan, 1, 2).found, 0);
+    ck_assert_uint_eq(m.face.n, facets);
+    mesh_free(&m);
+    array_free(&p);
+}
+END_TEST
+
 /* A box 6 mm high, its corner at the origin. */
 static double from_box(struct vec3 p)
 {
@@ -168,6 +192,7 @@ int main(void)
     SRunner *runner = srunner_create(suite);
     tcase_add_test(tests, roof);
     tcase_add_test(tests, a_step);
+    tcase_add_test(tests, walls_tried);
     tcase_add_test(tests, a_corner);
     tcase_add_test(tests, waves_stay);
     suite_add_tcase(suite, tests);
