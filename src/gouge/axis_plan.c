@@ -623,13 +623,14 @@ static bool is_without(const struct work *w, size_t n, size_t at)
 
 /* Appends a point, and before it, if it is joined to the last, as many on the straight line of the
  * ball's centre that a tip that goes straight does not swing the ball off it by more than may be.
- */
+ * An axis that would leave its travel on the way is not turned: check_points parts the run there. */
 static void put_point(const struct work *w, size_t after, struct run_point end, double at,
                       bool joined, struct run *to, struct doubles *along)
 {
     const struct axis_planner_options *o = &w->planner->options;
 
-    if (to->n > 0 && joined && o->between) {
+    if (to->n > 0 && joined && o->between &&
+        rotary_reaches_between(&o->chain, to->item[to->n - 1].axis, end.axis)) {
         const struct run_point last = to->item[to->n - 1];
         double from = along->item[along->n - 1];
         double parts = ceil(vec_angle(last.axis, end.axis) / sqrt(0.8 * o->tolerance / o->radius));
@@ -741,8 +742,9 @@ static bool check_points(struct work *w, const struct run *run, const struct dou
         if (p->options.fixed && vec_dot(b->axis, b->normal) < -1e-6)
             now = -1; /* below the ball's equator, where a node beside it was not */
         state[i] = now >= -slack ? AXIS_PLAN_CUT : AXIS_PLAN_SKIP;
-        if (i > 0 && fmin(before, now) >= -slack && sweep.guard &&
-            !holder_sweep_clear_between(&sweep, b - 1, before, b, now))
+        if (i > 0 && fmin(before, now) >= -slack &&
+            (!rotary_reaches_between(&p->options.chain, b[-1].axis, b->axis) ||
+             (sweep.guard && !holder_sweep_clear_between(&sweep, b - 1, before, b, now))))
             state[i] = AXIS_PLAN_BREAK;
         if (state[i] == AXIS_PLAN_CUT || last)
             continue;

@@ -43,6 +43,16 @@ bool rotary_reaches(const struct kinematic_chain *chain, struct vec3 axis)
     return solutions_within(chain, axis) > 0;
 }
 
+bool rotary_reaches_between(const struct kinematic_chain *chain, struct vec3 from, struct vec3 to)
+{
+    double parts = chain->n < 2 ? 0 : ceil(vec_angle(from, to) / RADIANS(1));
+
+    for (double k = 1; k < parts; k++)
+        if (!rotary_reaches(chain, vec_slerp(from, to, k / parts)))
+            return false;
+    return true;
+}
+
 struct rotary_frame rotary_frame_of(const struct kinematic_chain *chain)
 {
     const double beside = RADIANS(10);

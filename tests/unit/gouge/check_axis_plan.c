@@ -184,6 +184,40 @@ START_TEST(what_no_direction_reaches_is_skipped)
 }
 END_TEST
 
+/* An axis at its travel's end on one side of the machine, then on the other: the way between, on
+ * which the tool would hang from below, is no turn but a lift. */
+START_TEST(no_axis_leaves_its_travel_on_a_sudden_turn)
+{
+    struct gouge_check *guard = floor_and_wall(0, NULL);
+    struct axis_planner *planner = planner_of(guard, 0);
+    struct run run = pass(RADIANS(118), 0);
+    struct axis_plan plan = {.leaned = 0};
+    bool parted = false;
+
+    for (size_t i = 0; i < run.n; i++) {
+        struct run_point *p = &run.item[i];
+        p->ball.z += 200;
+        p->normal = vec(0, 0, 0);
+        p->axis.y *= i < run.n / 2 ? 1 : -1;
+        p->tip = vec_along(p->ball, -RADIUS, p->axis);
+    }
+    axis_plan_run(planner, &run, &plan);
+    for (size_t i = 0; i < plan.run.n; i++) {
+        if (plan.state.item[i] == AXIS_PLAN_SKIP)
+            continue;
+        ck_assert_double_ge(plan.run.item[i].axis.z, cos(RADIANS(120)));
+        parted = parted || (i > 0 && plan.state.item[i] == AXIS_PLAN_BREAK);
+        if (i > 0 && plan.state.item[i] == AXIS_PLAN_CUT)
+            ck_assert_double_ge(vec_dot(plan.run.item[i - 1].axis, plan.run.item[i].axis), 0);
+    }
+    ck_assert(parted);
+    array_free(&run);
+    axis_plan_free(&plan);
+    axis_planner_free(planner);
+    gouge_free(guard);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("axis_plan");
@@ -193,6 +227,7 @@ int main(void)
     tcase_add_test(tcase, without_a_wall_the_rule_stays);
     tcase_add_test(tcase, with_play_the_rotary_axes_turn_little);
     tcase_add_test(tcase, what_no_direction_reaches_is_skipped);
+    tcase_add_test(tcase, no_axis_leaves_its_travel_on_a_sudden_turn);
     suite_add_tcase(suite, tcase);
     SRunner *runner = srunner_create(suite);
     srunner_run_all(runner, CK_NORMAL);

@@ -5,6 +5,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "machine/machine.h"
+
 static struct vec3 leaning(double lean, double direction)
 {
     return vec(sin(lean) * cos(direction), sin(lean) * sin(direction), cos(lean));
@@ -76,6 +78,27 @@ START_TEST(a_way_past_the_pole_turns_beside_it)
 }
 END_TEST
 
+/* Of a trunnion that leans by 120 degrees: a great circle's highest lean is known. */
+START_TEST(a_turn_stays_within_its_travel_or_not)
+{
+    struct machine machine = machine_default();
+    struct error error;
+    const struct kinematic_chain none = {.tool = {0, 0, 1}};
+
+    ck_assert_int_eq(machine_finish(&machine, &error), 0);
+    for (int i = 1; i < 36; i++) {
+        double half = RADIANS(2.5 * i), lean = RADIANS(110);
+        struct vec3 a = leaning(lean, 1 - half), b = leaning(lean, 1 + half);
+        double highest = PI - atan(fabs(tan(lean)) * cos(half)); /* lean of a + b */
+        bool within = highest <= RADIANS(120);
+        ck_assert(rotary_reaches(&machine.chain, a) && rotary_reaches(&machine.chain, b));
+        if (fabs(highest - RADIANS(120)) > RADIANS(0.1))
+            ck_assert_int_eq(rotary_reaches_between(&machine.chain, a, b), within);
+        ck_assert(rotary_reaches_between(&none, a, b));
+    }
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("rotary_cost");
@@ -84,6 +107,7 @@ int main(void)
     tcase_add_test(tests, ways_are_those_of_lean_and_direction);
     tcase_add_test(tests, leans_are_off_the_normal_by_what_was_asked);
     tcase_add_test(tests, a_way_past_the_pole_turns_beside_it);
+    tcase_add_test(tests, a_turn_stays_within_its_travel_or_not);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);
     int failed = srunner_ntests_failed(runner);
