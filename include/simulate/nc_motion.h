@@ -118,6 +118,11 @@ void nc_motion_free(struct nc_motion *m);
 struct nc_motion_pose nc_motion_at(const struct nc_motion *m, const struct nc_piece *piece,
                                    double s);
 
+/* The angles of the rotary axes there, degrees, if the piece gives them (AXIS_ROTARY_LINEAR); else
+ * false, and they follow from the pose's axis. */
+bool nc_motion_angles(const struct nc_motion *m, const struct nc_piece *piece, double s,
+                      double turn[VERIFY_KINEMATICS_AXES]);
+
 /* The machine with the tool that makes the piece. */
 struct verify_kinematics nc_motion_kinematics(const struct nc_motion *m,
                                               const struct nc_piece *piece);

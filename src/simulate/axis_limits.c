@@ -36,14 +36,10 @@ static struct state state_at(struct axis_check *check, size_t index, double s)
     const struct nc_piece *piece = &check->motion->piece.item[index];
     struct nc_motion_pose pose = nc_motion_at(check->motion, piece, s);
     struct state state = {.tip = pose.p};
-    if (piece->interpolation == AXIS_ROTARY_LINEAR && piece->shape != SHAPE_SPLINE) {
-        struct vec3 q = vec_mix(piece->q[0], piece->q[1], s);
-        state.turn[0] = q.x;
-        state.turn[1] = q.y;
-    } else if (!verify_kinematics_angles(kinematics, pose.a, check->turn, REACH, state.turn)) {
-        if (check->use->unreachable++ == 0)
-            check->use->unreachable_at = index;
-    }
+    if (!nc_motion_angles(check->motion, piece, s, state.turn) &&
+        !verify_kinematics_angles(kinematics, pose.a, check->turn, REACH, state.turn) &&
+        check->use->unreachable++ == 0)
+        check->use->unreachable_at = index;
     const struct verify_kinematics with_tool = nc_motion_kinematics(check->motion, piece);
     struct vec3 linear = verify_kinematics_linear(&with_tool, pose.p, state.turn);
     state.axis[0] = linear.x;

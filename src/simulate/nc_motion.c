@@ -108,25 +108,33 @@ static struct nc_motion_pose turned_pose(const struct nc_motion *m, const struct
     return (struct nc_motion_pose){verify_kinematics_tip(&k, p, turn), a};
 }
 
-struct nc_motion_pose nc_motion_at(const struct nc_motion *m, const struct nc_piece *piece,
-                                   double s)
+/* Both channels at s. */
+static void channels_at(const struct nc_motion *m, const struct nc_piece *piece, double s,
+                        struct vec3 *p, struct vec3 *q)
 {
-    struct vec3 p = vec_mix(piece->p[0], piece->p[1], s);
-    struct vec3 q = vec_mix(piece->q[0], piece->q[1], s);
+    *p = vec_mix(piece->p[0], piece->p[1], s);
+    *q = vec_mix(piece->q[0], piece->q[1], s);
     if (piece->interpolation == AXIS_GREAT_CIRCLE)
-        q = great_circle(piece->q[0], piece->q[1], s);
+        *q = great_circle(piece->q[0], piece->q[1], s);
     if (piece->shape == SHAPE_ARC) {
-        p = arc_at(&m->arc.item[piece->index], piece, s);
+        *p = arc_at(&m->arc.item[piece->index], piece, s);
     } else if (piece->shape == SHAPE_POLYNOMIAL) {
         const struct nc_motion_polynomial *sum = &m->polynomial.item[piece->index];
-        p = polynomial_at(piece->p[0], sum->p, s);
+        *p = polynomial_at(piece->p[0], sum->p, s);
         if (sum->turns)
-            q = polynomial_at(piece->q[0], sum->q, s);
+            *q = polynomial_at(piece->q[0], sum->q, s);
     } else if (piece->shape == SHAPE_SPLINE) {
         const struct nc_motion_spline *b = &m->spline.item[piece->index];
         double middle = (piece->u[0] + piece->u[1]) / 2;
-        spline_at(b, span_of(b, middle), piece->u[0] + s * (piece->u[1] - piece->u[0]), &p, &q);
+        spline_at(b, span_of(b, middle), piece->u[0] + s * (piece->u[1] - piece->u[0]), p, q);
     }
+}
+
+struct nc_motion_pose nc_motion_at(const struct nc_motion *m, const struct nc_piece *piece,
+                                   double s)
+{
+    struct vec3 p, q;
+    channels_at(m, piece, s, &p, &q);
     if (piece->interpolation == AXIS_GREAT_CIRCLE)
         return (struct nc_motion_pose){vec_along(p, piece->beyond, q), q};
     if (piece->interpolation == AXIS_BY_HEAD) {
@@ -134,6 +142,18 @@ struct nc_motion_pose nc_motion_at(const struct nc_motion *m, const struct nc_pi
         return (struct nc_motion_pose){vec_along(p, piece->beyond, a), a};
     }
     return turned_pose(m, piece, p, q);
+}
+
+bool nc_motion_angles(const struct nc_motion *m, const struct nc_piece *piece, double s,
+                      double turn[VERIFY_KINEMATICS_AXES])
+{
+    struct vec3 p, q;
+    if (piece->interpolation != AXIS_ROTARY_LINEAR)
+        return false;
+    channels_at(m, piece, s, &p, &q);
+    turn[0] = q.x;
+    turn[1] = q.y;
+    return true;
 }
 
 double nc_motion_degree(const struct nc_motion *m)

@@ -69,6 +69,34 @@ START_TEST(an_arc_is_as_long_as_it_is)
 }
 END_TEST
 
+/* At the pole a spline's words turn C by 30 degrees over 1 mm, which the tool's direction there
+ * does not show: 3 s at C's largest speed. */
+START_TEST(a_spline_at_the_pole_turns_by_its_words)
+{
+    static const double knot[] = {0, 0, 0, 0, 1, 1, 1, 1};
+    for (int i = 0; i < 2; i++) {
+        struct nc_motion motion = {.kinematics = verify_kinematics_trunnion('A', 1)};
+        struct nc_motion_spline spline = {.order = 4, .n = 4};
+        spline.knot = mem_alloc(8, sizeof(double));
+        spline.p = mem_alloc(4, sizeof(struct vec3));
+        spline.q = mem_alloc(4, sizeof(struct vec3));
+        for (int k = 0; k < 8; k++)
+            spline.knot[k] = knot[k];
+        for (int k = 0; k < 4; k++) {
+            spline.p[k] = vec(k / 3.0, 0, 0);
+            spline.q[k] = vec(10 * k, 0, 0);
+        }
+        struct nc_piece piece = {.interpolation = AXIS_ROTARY_LINEAR, .feed = i ? 22 : 19};
+        nc_motion_add_spline(&motion, spline, &piece);
+        struct axis_use load = axis_limits_check(&motion, &limits);
+        ck_assert_uint_eq(load.fast, (size_t)i);
+        ck_assert_double_eq_tol(load.cut_time, i ? 1 / 20.0 : 1 / 19.0, 1e-9);
+        ck_assert_double_eq_tol(load.high[5], 30, 1e-9);
+        nc_motion_free(&motion);
+    }
+}
+END_TEST
+
 START_TEST(travel_is_kept)
 {
     ck_assert_uint_eq(one(vec(100, 0, 0), 0, 500, false).beyond, 0);
@@ -90,6 +118,7 @@ int main(void)
     tcase_add_test(tcase, time_is_way_by_feed);
     tcase_add_test(tcase, a_turn_takes_its_time);
     tcase_add_test(tcase, an_arc_is_as_long_as_it_is);
+    tcase_add_test(tcase, a_spline_at_the_pole_turns_by_its_words);
     tcase_add_test(tcase, travel_is_kept);
     suite_add_tcase(suite, tcase);
     SRunner *runner = srunner_create(suite);
