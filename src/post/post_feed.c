@@ -5,6 +5,7 @@
 
 #include "base/array.h"
 #include "base/num.h"
+#include "feed_division.h"
 
 enum { PIECES = 12, PIECES_MOST = 256, SPAN_PIECES = 24, MORE_DIGITS = 3, DIGITS_MAX = 9 };
 
@@ -246,16 +247,6 @@ double post_feed_minutes(const struct nc_planner *planner, const struct machine_
     return need_of(planner, to, length, along, least).minutes;
 }
 
-/* One span of a curve: where it ends, how long it is, what a mm of it takes at least, minutes. */
-struct span_speed {
-    double s, length, rate;
-};
-
-struct span_speeds {
-    size_t n, cap;
-    struct span_speed *item;
-};
-
 /* Looks at a span as close as post_feed_minutes takes them: what it misses cannot be divided. */
 static int looks_at_span(const struct motion *motion)
 {
@@ -268,14 +259,14 @@ static int looks_at_span(const struct motion *motion)
 /* A curve in spans of which none is shorter than a block may be, but at its end: parts of those
  * between its knots, for beside the singular direction the axes are slow over a small part of one.
  */
-static struct span_speeds span_speeds(const struct nc_planner *planner, const struct motion *motion)
+static struct feed_spans span_speeds(const struct nc_planner *planner, const struct motion *motion)
 {
     const struct block_pose *at = &planner->state.at;
     const struct nc_along along = {motion, 0, 1, NULL, 0};
     const double least = SHORTEST / planner->options.unit;
     const double wished = 1 / (planner->state.feed * planner->state.faster);
-    struct span_speeds spans = {0};
-    struct span_speed span = {0};
+    struct feed_spans spans = {0};
+    struct feed_span span = {0};
     double minutes = 0;
     struct sample a = sample_at(planner, at, &along, 0, at->q);
     const int looks = looks_at_span(motion);
@@ -293,52 +284,26 @@ static struct span_speeds span_speeds(const struct nc_planner *planner, const st
                 continue;
             span.rate = span.length > 0 ? larger(wished, minutes / span.length) : wished;
             *array_push(&spans) = span;
-            span = (struct span_speed){0};
+            span = (struct feed_span){0};
             minutes = 0;
         }
     }
     return spans;
 }
 
-/* Where one F before and another after take the least time; 1 where that saves too little. */
-static double best_division(const struct span_speeds *spans)
-{
-    const double share = 0.1, least = 0.2 / 60; /* of the time; minutes */
-    size_t n = spans->n;
-    double *after = mem_alloc(n + 1, sizeof *after), length = 0, rate = 0, best = 1;
-    double rest = 0, slowest = 0;
-    after[n] = 0;
-    for (size_t i = n; i-- > 0;) {
-        rest += spans->item[i].length;
-        slowest = larger(slowest, spans->item[i].rate);
-        after[i] = rest * slowest;
-    }
-    double whole = after[0], minutes = whole;
-    for (size_t i = 0; i + 1 < n; i++) {
-        length += spans->item[i].length;
-        rate = larger(rate, spans->item[i].rate);
-        if (length * rate + after[i + 1] < minutes) {
-            minutes = length * rate + after[i + 1];
-            best = spans->item[i].s;
-        }
-    }
-    free(after);
-    return whole - minutes > larger(share * whole, least) ? best : 1;
-}
-
 double post_feed_divide(const struct nc_planner *planner, const struct motion *motion)
 {
     if (planner->follow.mode == INTERPOLATE_JOINT || planner->machine->chain.n == 0)
         return 1;
-    struct span_speeds spans = span_speeds(planner, motion);
-    double s = best_division(&spans);
+    struct feed_spans spans = span_speeds(planner, motion);
+    double s = feed_division(&spans);
     array_free(&spans);
     return s;
 }
 
 /* As post_feed_divide, over even spans of a motion from s0 to s1, none shorter than may be. */
-static struct span_speeds even_spans(const struct nc_planner *planner, const struct motion *motion,
-                                     double s0, double s1, double length)
+static struct feed_spans even_spans(const struct nc_planner *planner, const struct motion *motion,
+                                    double s0, double s1, double length)
 {
     enum { SPANS = 24 };
     const struct pose end = motion_at(motion, s1);
@@ -346,11 +311,11 @@ static struct span_speeds even_spans(const struct nc_planner *planner, const str
     const struct nc_along along = {motion, s0, s1, NULL, 0};
     double most = floor(length * planner->options.unit / SHORTEST);
     int n = (int)fmin(SPANS, most), looks = (int)fmax(1, fmin(8, most / n));
-    struct span_speeds spans = {0};
+    struct feed_spans spans = {0};
     struct sample a = sample_at(planner, &to, &along, 0, planner->state.at.q);
     for (int i = 0; i < n; i++) {
-        struct span_speed span = {.length = length / n,
-                                  .rate = 1 / (planner->state.feed * planner->state.faster)};
+        struct feed_span span = {.length = length / n,
+                                 .rate = 1 / (planner->state.feed * planner->state.faster)};
         double minutes = 0;
         for (int k = 1; k <= looks; k++) {
             span.s = (i + (double)k / looks) / n;
@@ -387,8 +352,8 @@ double post_feed_divide_even(const struct nc_planner *planner, const struct moti
         !(length * planner->options.unit >= 2 * SHORTEST) ||
         turns_slowly(planner, motion_at(motion, s0).a, motion_at(motion, s1).a, minutes))
         return s1;
-    struct span_speeds spans = even_spans(planner, motion, s0, s1, length);
-    double s = best_division(&spans);
+    struct feed_spans spans = even_spans(planner, motion, s0, s1, length);
+    double s = feed_division(&spans);
     array_free(&spans);
     return s < 1 ? s0 + s * (s1 - s0) : s1;
 }
