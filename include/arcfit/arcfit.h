@@ -15,7 +15,8 @@
  *   2. arcfit_reduce  one arc fewer after the other, all joints moved together by least squares
  *                     (arcspline_reduce.c over arcspline.h)
  *   3. arcfit_lengthen   no piece shorter than a control likes, where the tolerance allows it
- *   4. arcfit_reverse_*  the first two from the last point back, where that takes fewer arcs
+ *   4. arcfit_bridge    and none so short that a block would be over before the next is read
+ *   5. arcfit_reverse_*  the first two from the last point back, where that takes fewer arcs
  *
  * Their driver is stage/arcrun.h, which makes the reference, prints the pieces and proves the
  * printed digits.  arcfit_each is paper 1's fit, a biarc for each interval.
@@ -62,6 +63,9 @@
 #define ARC_BEARING 0.02
 
 #define ARCFIT_KINK RADIANS(0.01)
+
+/* mm: pieces are no shorter where the tolerance leaves any room; 0.02 with digits to spare. */
+#define ARC_SHORTEST 0.0205
 
 /*
  * Greedy biarcs: from each joint the longest biarc within the tolerance, over 15 ratios of its legs
@@ -130,6 +134,16 @@ void arcfit_reduce(const struct reference *reference, const struct deviation *wi
  * short.
  */
 void arcfit_lengthen(const struct reference *reference, const struct deviation *within, int digits,
+                     double least, struct pieces *pieces);
+
+/*
+ * Goes round each piece shorter than `least` mm, a few hundredths, by an arc or a biarc from a place
+ * on the piece before to one on the piece after, each as near as keeps `within`, all pieces as long
+ * and the direction; a kink on one side of it stays, or where nothing else is found goes with it.
+ * Proven by arc_piece_deviation with joints rounded to `digits` decimals.  Returns how many short
+ * ones are left.
+ */
+size_t arcfit_bridge(const struct reference *reference, const struct deviation *within, int digits,
                      double least, struct pieces *pieces);
 
 /*

@@ -41,6 +41,14 @@ struct link_options {
 bool link_low(const struct link_options *options, const struct run_point *from,
               const struct run_point *to, struct run *link);
 
+/*
+ * Leaves out points of a link, as it is now, whose tip is no further than `least` mm from that of
+ * the one before, as far as the whole tool is clear on the straight motion past them: what was
+ * looked at finely need not be so many blocks.
+ */
+void link_thin(const struct link_options *options, const struct run_point *from,
+               const struct run_point *to, double least, struct run *link);
+
 enum { LINK_LEGS = 4 };
 
 /* A way of the ball's centre from a point to the clearance plane, with the point's own axis; an

@@ -218,6 +218,27 @@ bool link_low(const struct link_options *options, const struct run_point *from,
     return false;
 }
 
+void link_thin(const struct link_options *options, const struct run_point *from,
+               const struct run_point *to, double least, struct run *link)
+{
+    struct run_point before = *from;
+    const struct run straight = {.radius = link->radius};
+    size_t kept = 0;
+
+    for (size_t i = 0; i < link->n; i++) {
+        const struct run_point p = link->item[i], *next = i + 1 < link->n ? &link->item[i + 1] : to;
+        bool near = vec_distance(p.tip, before.tip) < least ||
+                    (i + 1 == link->n && vec_distance(p.tip, to->tip) < least);
+        if (near &&
+            gouge_depth_along(options->lift->guard, before.ball, next->ball,
+                              options->lift->offset) <= FEED * options->lift->tolerance &&
+            is_link_free(options, &before, next, &straight, 0))
+            continue;
+        link->item[kept++] = before = p;
+    }
+    link->n = kept;
+}
+
 /* ---- over the clearance plane */
 
 double link_height(const struct link_options *options, double least, double most)

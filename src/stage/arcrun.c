@@ -175,7 +175,9 @@ static void meet_pole(struct fit *f, const struct deviation *within, bool end)
         arc_pole_turn(&some, end, plane);
         good = is_better(f, within, &some);
     }
-    for (double s = 0.5; vec_length(plane) > 0 && !good && s > 0.1; s /= 2) {
+    double length = arc_length(&f->pieces.item[end ? f->pieces.n - 1 : 0].arc);
+    double least = fmin(0.5, fmax(0.1, 2 * ARC_SHORTEST / fmax(length, ARC_SHORTEST)));
+    for (double s = 0.5; vec_length(plane) > 0 && !good && s > least; s /= 2) {
         copy_pieces(&f->pieces, &some);
         arc_pole_divide(&f->reference, &some, end, s, plane);
         good = is_better(f, within, &some);
@@ -183,10 +185,20 @@ static void meet_pole(struct fit *f, const struct deviation *within, bool end)
     array_free(&some);
 }
 
-static void meet_poles(struct fit *f, const struct deviation *within)
+/* What becomes of pieces that keep the tolerance, so far as they keep it then, too. */
+static void refine(struct fit *f, const struct deviation *within, const struct deviation *less)
 {
+    struct pieces some = {0};
+    double least = fmin(f->options->least, ARC_SHORTEST);
+
+    if (arcfit_shortest(&f->pieces, 0, f->pieces.n) < least) {
+        copy_pieces(&f->pieces, &some);
+        arcfit_bridge(&f->reference, less, PATH_COORDINATE, least, &some);
+        is_better(f, within, &some);
+    }
     meet_pole(f, within, false);
     meet_pole(f, within, true);
+    array_free(&some);
 }
 
 /* Fits within less and less of the tolerance until the printed digits keep all of it.  `before`:
@@ -199,13 +211,13 @@ static void fit_within(struct fit *f, double tolerance, const struct arcrun_part
     struct deviation less = part_of(within, part);
 
     if (before && fit_moved(f, before, now, &less) && is_proven(f, &within)) {
-        meet_poles(f, &within);
+        refine(f, &within, &less);
         return;
     }
     for (int i = 0; i < 6; i++, part *= ARC_RETRY) {
         less = part_of(within, part);
         if (fit_once(f, &within, &less)) {
-            meet_poles(f, &within);
+            refine(f, &within, &less);
             return;
         }
     }
@@ -358,6 +370,29 @@ static double dense_run_of(const struct run *run, const struct arcrun_options *o
     return taken;
 }
 
+/* The way of the balls between two points is shorter than `least`. */
+static bool is_near(const struct run *run, size_t from, size_t to, double least)
+{
+    double length = 0;
+    while (from < to && length < least) {
+        length += vec_distance(run->item[from].ball, run->item[from + 1].ball);
+        from++;
+    }
+    return length < least;
+}
+
+/* A smooth part would end at point i.  One shorter than a piece may be is one with its neighbour,
+ * but for those that end at the pole. */
+static void end_part(const struct run *run, size_t i, double least, struct sizes *end)
+{
+    bool stays = i + 1 == run->n || arc_pole_at(run, i);
+    while (stays && end->n > 0 && !arc_pole_at(run, end->item[end->n - 1]) &&
+           is_near(run, end->item[end->n - 1], i, least))
+        end->n--;
+    if (stays || !is_near(run, end->n > 0 ? end->item[end->n - 1] : 0, i, least))
+        *array_push(end) = i;
+}
+
 /* Where the smooth parts of what is programmed end: at its corners, where the axis passes the pole,
  * and at the end of the run. */
 static struct sizes parts_of(const struct run *dense, const struct arcrun_options *options)
@@ -375,9 +410,9 @@ static struct sizes parts_of(const struct run *dense, const struct arcrun_option
         bool turns = k < corner.n && corner.item[k] == i;
         k += turns;
         if (turns || arc_pole_at(dense, i))
-            *array_push(&end) = i;
+            end_part(&programmed, i, fmin(options->least, ARC_SHORTEST), &end);
     }
-    *array_push(&end) = dense->n - 1;
+    end_part(&programmed, dense->n - 1, fmin(options->least, ARC_SHORTEST), &end);
     array_free(&corner);
     array_free(&programmed);
     return end;

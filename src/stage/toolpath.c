@@ -515,6 +515,21 @@ static void free_strips(struct toolpath *t)
     array_free(&t->strip);
 }
 
+/* Leaves out of the links what would be blocks that are over before the next is read. */
+static void thin_links(const struct toolpath *t, struct toolpath_parts *parts)
+{
+    const double least = 0.021; /* mm */
+    struct link_options options = toolpath_link_options(t);
+
+    for (size_t k = 1; k < parts->n && t->lift.guard; k++) {
+        struct toolpath_part *part = &parts->item[k];
+        struct run a = toolpath_part_run(t, part - 1), b = toolpath_part_run(t, part);
+        options.lift = &t->strip.item[part->strip].lift;
+        if (part->low && part->link.n > 0)
+            link_thin(&options, &a.item[a.n - 1], &b.item[0], least, &part->link);
+    }
+}
+
 /* The parts of all strips in their order, each with its ways in and out. */
 static struct toolpath_parts plan_parts(struct toolpath *t)
 {
@@ -525,6 +540,7 @@ static struct toolpath_parts plan_parts(struct toolpath *t)
         toolpath_order(t, &parts);
     toolpath_join(t, &parts);
     toolpath_calm(t, &parts, toolpath_link_options(t).longest);
+    thin_links(t, &parts);
     parallel_for(t->threads, parts.n, find_ways, &finder);
     return parts;
 }

@@ -36,6 +36,7 @@ for play in 15 0; do
 	biarcfit -q -e 0.01 line.cl >arcs.cl
 	ncpost -q -c siemens arcs.cl >dome.nc
 	./leasttime dome.nc 3000 >play-$play
+	cp dome.nc dome-$play.nc
 done
 below "least time is no more than 1.25 times length by feed" "$(figure ratio play-15)" 1.25
 below "no block asks an axis for more than its largest speed" "$(figure over play-15)" 0
@@ -54,6 +55,24 @@ ncpost -v -c siemens arcs.cl >panel.nc 2>said
 below "the panel's least time is no more than 1.05 times length by feed" "$(figure ratio panel)" 1.05
 below "in few motions" "$(figure motions panel)" 380
 ok "no axis is asked for more than it has" eval '! grep -q "largest speed" said'
+
+# shorter FILE: motions at feed of a Siemens program below 0.02 mm, by its digits
+shorter() {
+	awk '/^N/ { feed = / G0 / ? 0 : / (G1|CIP) / ? 1 : feed; moved = 0
+			for (i = 2; i <= NF; i++) if (match($i, /^[XYZ]-?[0-9.]+$/)) {
+				to[substr($i, 1, 1)] = substr($i, 2); moved = 1 }
+			d = sqrt((to["X"] - x)^2 + (to["Y"] - y)^2 + (to["Z"] - z)^2)
+			n += moved && feed && d < 0.02
+			x = to["X"]; y = to["Y"]; z = to["Z"] }
+		END { print n + 0 }' "$1"
+}
+printf '%s\n' 'N1 G0 X0 Y0 Z0' 'N2 G1 X1 F3000' 'N3 Y0.01' 'N4 CIP Y0.025 I1=AC(1)' \
+	'N5 G0 Z0.01' >few.nc
+below "two of four motions are short" "$(shorter few.nc)" 2
+below "no fewer" 2 "$(shorter few.nc)"
+below "none of the panel's" "$(shorter panel.nc)" 0
+below "none of the dome's" "$(shorter dome-15.nc)" 0
+below "nor where the axis flutters" "$(shorter dome-0.nc)" 0
 
 # ---- a fixed axis: a cup of a hill, its sides as steep as the tool's, and steeper by its noise
 awk 'BEGIN { for (y = -20; y <= 20.001; y += 0.5) for (x = -25; x <= 25.001; x += 0.5) {

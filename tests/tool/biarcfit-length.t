@@ -46,12 +46,13 @@ ok "the shortest span is longer with it" over "$(span "$TMP/three.cl")" \
 ok "a few control points for it" test "$(poles "$TMP/three.cl")" -le $(($(poles "$TMP/any.cl") + 4))
 
 # by default what the feed goes in 6 ms: a rough pass of points 0.03 mm apart
-rough() { # FEED
+rough() { # FEED [STEP HEIGHT]
 	sed '/^RAPID/,$d' "$passes"
 	echo "FEDRAT/MMPM,$1"
-	awk 'BEGIN { s = 1; for (i = 0; i < 300; i++) { s = s * 16807 % 2147483647
+	awk -v step="${2:-0.03}" -v height="${3:-0.03}" 'BEGIN { s = 1; for (i = 0; i < 300; i++) {
+			s = s * 16807 % 2147483647
 			printf "GOTO/%.6f,0.000000,%.6f,0.000000000,0.000000000,1.000000000\n",
-				i * 0.03, 0.03 * s / 2147483647 }
+				i * step, height * s / 2147483647 }
 		print "FINI" }'
 }
 rough 1500 >"$TMP/rough.cl"
@@ -63,6 +64,13 @@ for fit in biarcfit bsplfit; do
 	status 0 "$fit: any length" $fit --min-length 0 -o "$TMP/none" "$TMP/rough.cl"
 	hasnt "$fit: none is too short then" 'shorter than asked for' "$TMP/err"
 done
+# corners and arcs of points nearer than a block may be short: gone round, and none is printed
+rough 1500 0.012 0.05 >"$TMP/rougher.cl"
+biarcfit -q -e 0.01 --min-length 0.001 -o "$TMP/any.cl" "$TMP/rougher.cl"
+fails "there would be pieces below 0.02 mm" over "$(shortest "$TMP/any.cl")" 0.02
+biarcfit -q -e 0.01 -o "$TMP/none.cl" "$TMP/rougher.cl"
+ok "none is" over "$(shortest "$TMP/none.cl")" 0.02
+
 status 2 "no length" bsplfit --min-length -1 "$passes"
 
 done_testing

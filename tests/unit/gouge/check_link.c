@@ -376,11 +376,48 @@ START_TEST(a_low_link_keeps_the_shaft_clear)
 }
 END_TEST
 
+/* Blocks of a hundredth of a millimetre over a floor and round the top of a wall become longer
+ * ones, but no longer than keeps them clear: chords of the circle that the centre goes on. */
+START_TEST(thinned)
+{
+    struct gouge_check *guard = floor_with_wall(2);
+    struct gouge_lift_options rule = {.guard = guard, .offset = R, .tolerance = 0.01};
+    const struct holder none = {0};
+    struct link_options options = {.lift = &rule, .holder = &none, .radius = R, .limit = R};
+    struct run_point from = point_at(-4, R), to = point_at(8, R);
+    for (double least = 0.1; least < 3; least *= 10) {
+        struct run link = {.radius = R};
+        for (double y = -3.99; y < 7.995; y += 0.01) {
+            double off = fabs(y - 2);
+            *array_push(&link) = point_at(y, off < 4 ? 2 + sqrt(R * R - off * off) : R);
+        }
+        size_t before = link.n;
+        link_thin(&options, &from, &to, least, &link);
+        ck_assert_uint_lt(link.n, before / 8);
+        struct run_point last = from;
+        double longest = 0;
+        for (size_t i = 0; i <= link.n; i++) {
+            struct run_point p = i < link.n ? link.item[i] : to;
+            ck_assert_double_le(gouge_depth_along(guard, last.ball, p.ball, R), 0.01);
+            ck_assert(i == link.n || vec_distance(last.tip, p.tip) > fmin(0.09, least / 2));
+            longest = fmax(longest, vec_distance(last.tip, p.tip));
+            last = p;
+        }
+        ck_assert_double_ge(longest, least * 0.9);
+        if (least > 0.5) /* chords of 2 sqrt(2 R 0.01) on 2 R asin(4 / 5) */
+            ck_assert_uint_ge(link.n, 14);
+        array_free(&link);
+    }
+    gouge_free(guard);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("link");
     TCase *tests = tcase_create("link");
     tcase_add_test(tests, over_a_floor_it_is_an_arch);
+    tcase_add_test(tests, thinned);
     tcase_add_test(tests, over_a_low_wall_it_is_lifted);
     tcase_add_test(tests, no_low_link_over_a_high_wall);
     tcase_add_test(tests, from_row_to_row_it_turns_with_a_radius);
