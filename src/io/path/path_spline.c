@@ -78,11 +78,11 @@ static int read_knots(struct spline_parse *s, const struct apt *apt, const char 
                             "found knot %zu below the one before, expected "
                             "rising knots",
                             i + 1);
-    for (size_t i = order; i + order < s->knots; i++)
-        if (i >= (size_t)s->degree + order && k[i] == k[i - (size_t)s->degree - 1])
+    for (size_t i = 1; i + order < s->knots; i++)
+        if (k[i] == k[i + order - 1])
             return error_at(error, name, apt->line,
                             "found knot %zu more than %d times, expected a curve without gaps",
-                            i + 1, s->degree);
+                            i + order, s->degree);
     if (k[0] != k[order - 1] || k[s->knots - 1] != k[s->knots - order] || !(k[s->knots - 1] > k[0]))
         return error_at(error, name, apt->line,
                         "found end knots that are not repeated %zu times, "
