@@ -1,6 +1,6 @@
 #!/bin/sh
-# untested.sh - the modules that have no unit test of their name and that none includes the header of,
-# longest first.
+# untested.sh - modules that have no unit test of their name and whose header none includes, longest
+# first.
 cd "$(dirname "$0")/../.." || exit 1
 find src include -name '*.h' | while read -r header; do
 	module=$(basename "$header" .h)

@@ -8,7 +8,7 @@
 #include "base/array.h"
 #include "nurbs/skin_sides.h"
 
-/* A body of n places whose numbers are not in order, each twice as a vertex; the facets take either. */
+/* A body of n places, their numbers not in order, each twice as a vertex; facets take either. */
 static struct patch_mesh body(size_t n, const int (*corner)[3], size_t faces, bool *flipped)
 {
     struct patch_mesh q = {.sheets = 1, .flipped = flipped};
