@@ -45,6 +45,21 @@ static inline double elementary_fmin(double a, double b)
     return a <= b || b != b ? a : b;
 }
 
+/* -1 where hypot(x, y) < limit, 1 where it is above it, 0 where it is that or one of them is NaN.
+ * The squares tell, but where rounding might. */
+static inline int elementary_hypot_compare(double x, double y, double limit)
+{
+    const double tiny = 1e-200, nearly = 1e-12;
+    double square = x * x + y * y, most = limit * limit;
+
+    if (limit > 0 && most > tiny && square < (1 - nearly) * most)
+        return -1;
+    if (limit > 0 && most > tiny && square > (1 + nearly) * most)
+        return 1;
+    double h = elementary_hypot(x, y);
+    return (h > limit) - (h < limit);
+}
+
 /* Formulas keep the names that they have in books. */
 #define sin(x) elementary_sin(x)
 #define cos(x) elementary_cos(x)
@@ -62,6 +77,7 @@ static inline double elementary_fmin(double a, double b)
 #define cosh(x) elementary_cosh(x)
 #define asinh(x) elementary_asinh(x)
 #define hypot(x, y) elementary_hypot(x, y)
+#define hypot_compare(x, y, limit) elementary_hypot_compare(x, y, limit)
 #define cbrt(x) elementary_cbrt(x)
 #define fmax(a, b) elementary_fmax(a, b)
 #define fmin(a, b) elementary_fmin(a, b)

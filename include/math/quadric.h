@@ -76,6 +76,10 @@ void quadric_face_up(struct quadric *quadric);
 /* Distance of a point from the quadric, to first order: positive on the side of w. */
 double quadric_off(const struct quadric *quadric, struct vec3 point);
 
+/* True only of a point that quadric_nearest finds no further off than `limit`, mm; false where that
+ * takes a closer look.  Quick. */
+bool quadric_surely_within(const struct quadric *quadric, struct vec3 point, double limit);
+
 /* The foot of the origin on the quadric, to first order. */
 struct vec3 quadric_foot(const struct quadric *quadric);
 

@@ -31,40 +31,68 @@ static void terms_at(double u, double v, double x[CONE_TERMS])
     x[8] = -r2;
 }
 
-static double height_at(const struct cone_tip *tip, double u, double v)
+static double height_of(const struct cone_tip *tip, const double x[CONE_TERMS])
 {
-    double x[CONE_TERMS], sum = 0;
+    double sum = 0;
 
-    terms_at(u, v, x);
     for (int i = 0; i < CONE_TERMS; i++)
         sum += tip->c[i] * x[i];
     return sum;
 }
 
+static double height_at(const struct cone_tip *tip, double u, double v)
+{
+    double x[CONE_TERMS];
+
+    terms_at(u, v, x);
+    return height_of(tip, x);
+}
+
+/* The terms at each of n points, and one more that is 0: rows of an even number are summed two at a
+ * time. */
+typedef double cone_rows[CONE_POINTS][CONE_TERMS + 1];
+
+/* The sums of the products of the terms, and in c with the heights. */
+static struct band sum_terms(const struct vec3 *local, size_t n, cone_rows x, double c[CONE_TERMS])
+{
+    struct band a = band_new(CONE_TERMS, CONE_TERMS - 1);
+    double sum[CONE_TERMS][CONE_TERMS + 1] = {{0}};
+
+    for (size_t k = 0; k < n; k++) {
+        const double *row = x[k];
+        for (int i = 0; i < CONE_TERMS; i++) {
+            c[i] += row[i] * local[k].z;
+            for (int j = 0; j < CONE_TERMS + 1; j++)
+                sum[i][j] += row[i] * row[j];
+        }
+    }
+    for (size_t i = 0; i < CONE_TERMS; i++)
+        for (size_t j = 0; j <= i; j++)
+            *band_at(&a, i, j) = sum[i][j];
+    return a;
+}
+
 /* The cone with its tip over tip->u, v; false: the points determine none. */
 static bool fit_there(const struct vec3 *local, size_t n, struct cone_tip *tip)
 {
-    struct band a = band_new(CONE_TERMS, CONE_TERMS - 1);
-    double x[CONE_TERMS], sum2 = 0;
+    cone_rows x;
+    double sum2 = 0;
 
     for (int i = 0; i < CONE_TERMS; i++)
         tip->c[i] = 0;
     for (size_t k = 0; k < n; k++) {
-        terms_at(local[k].x - tip->u, local[k].y - tip->v, x);
-        for (int i = 0; i < CONE_TERMS; i++) {
-            tip->c[i] += x[i] * local[k].z;
-            for (int j = 0; j <= i; j++)
-                *band_at(&a, (size_t)i, (size_t)j) += x[i] * x[j];
-        }
+        terms_at(local[k].x - tip->u, local[k].y - tip->v, x[k]);
+        x[k][CONE_TERMS] = 0;
     }
+    struct band a = sum_terms(local, n, x, tip->c);
     bool solved = band_factor(&a);
     if (solved)
         band_solve(&a, tip->c, 1);
     band_free(&a);
     tip->worst = 0;
+    double across = hypot(1, tip->c[1]); /* across the lines */
     for (size_t k = 0; solved && k < n; k++) {
-        double off = local[k].z - height_at(tip, local[k].x - tip->u, local[k].y - tip->v);
-        off /= hypot(1, tip->c[1]); /* across the lines */
+        double off = (local[k].z - height_of(tip, x[k])) / across;
         tip->worst = fmax(tip->worst, fabs(off));
         sum2 += off * off;
     }
@@ -104,8 +132,8 @@ static bool search(const struct vec3 *local, size_t n, double spacing, double rm
                 struct cone_tip other = *tip;
                 other.u += step * way[k][0];
                 other.v += step * way[k][1];
-                if (hypot(other.u, other.v) < FAR * spacing && fit_there(local, n, &other) &&
-                    other.rms < best.rms)
+                if (hypot_compare(other.u, other.v, FAR * spacing) < 0 &&
+                    fit_there(local, n, &other) && other.rms < best.rms)
                     best = other;
             }
             still = best.rms >= tip->rms;

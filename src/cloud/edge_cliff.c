@@ -26,38 +26,99 @@ static struct vec3 place_above(const struct cliff *cliff, double x, double y)
     return quadric_nearest(cliff->q, p);
 }
 
+/* So far off the flank of point i a point k is on it. */
+static double least_off(const struct edge_work *work, size_t i, size_t k)
+{
+    return edge_within(work, fmax(work->flank[i].spacing, work->flank[k].spacing));
+}
+
 /* Points below the flank whose own surface the point is not above are beyond an edge. */
 static void sort_by_height(const struct edge_work *work, size_t i, size_t k, struct cliff *cliff)
 {
     const struct edge_flank *own = &work->flank[i], *other = &work->flank[k];
     const struct vec3 p = work->options->point_grid->point[k];
-    double least = edge_within(work, fmax(own->spacing, other->spacing));
     struct vec3 normal;
-    double off = edge_flank_above(own, p, &normal), far = vec_distance(p, cliff->from);
-    double down = edge_flank_known(other) ? edge_flank_above(other, cliff->from, &normal) : 0;
+    double off = edge_flank_above(own, p, &normal), least = least_off(work, i, k);
 
-    if (fabs(off) <= least)
+    if (fabs(off) <= least) {
         *array_push(&cliff->on) = p;
-    else if (off < 0 && edge_flank_known(other) && down <= least)
+        return;
+    }
+    if (!(off < 0))
+        return;
+    double far = vec_distance(p, cliff->from);
+    double down = edge_flank_known(other) ? edge_flank_above(other, cliff->from, &normal) : 0;
+    if (edge_flank_known(other) && down <= least)
         *array_push(&cliff->beyond) = k;
     else if (off < -WALL * far ||
              (off < -STEP * far && edge_flank_certain(work, other) && down > STEP * far))
         *array_push(&cliff->below) = p;
 }
 
-/* The points within EDGE_REACH of point i as seen from above. */
-static struct cliff find_cliff(const struct edge_work *work, size_t i)
+/* The points within EDGE_REACH of point i as seen from above, one after the other. */
+struct about {
+    const struct point_grid *grid;
+    size_t i, first, last; /* columns of cells */
+    size_t row, rows;      /* the next one; end of them */
+    size_t k, end;         /* the next point, and where those of its row end */
+    double reach;
+};
+
+static struct about points_about(const struct edge_work *work, size_t i)
 {
     const struct point_grid *b = work->options->point_grid;
-    struct cliff cliff = {.from = b->point[i], .q = &work->flank[i].q};
-    double reach = fmin(EDGE_REACH * point_grid_spacing(b), b->cell);
-    size_t column = point_grid_column(b, cliff.from.x), row = point_grid_row(b, cliff.from.y);
-    size_t c0 = column > 0 ? column - 1 : 0, c1 = column + 1 < b->columns ? column + 1 : column;
+    size_t column = point_grid_column(b, b->point[i].x), row = point_grid_row(b, b->point[i].y);
 
-    for (size_t r = row > 0 ? row - 1 : 0; r <= row + 1 && r < b->rows; r++)
-        for (size_t k = b->first[r * b->columns + c0]; k < b->first[r * b->columns + c1 + 1]; k++)
-            if (k != i && hypot(b->point[k].x - cliff.from.x, b->point[k].y - cliff.from.y) < reach)
-                sort_by_height(work, i, k, &cliff);
+    return (struct about){.grid = b,
+                          .i = i,
+                          .first = column > 0 ? column - 1 : 0,
+                          .last = column + 1 < b->columns ? column + 1 : column,
+                          .row = row > 0 ? row - 1 : 0,
+                          .rows = row + 1 < b->rows ? row + 2 : b->rows,
+                          .reach = fmin(EDGE_REACH * point_grid_spacing(b), b->cell)};
+}
+
+/* Puts the next one into *k; false: there is none. */
+static bool next_about(struct about *a, size_t *k)
+{
+    const struct point_grid *b = a->grid;
+    const struct vec3 from = b->point[a->i];
+
+    for (;;) {
+        for (; a->k < a->end; a->k++) {
+            struct vec3 p = b->point[a->k];
+            if (a->k == a->i || hypot_compare(p.x - from.x, p.y - from.y, a->reach) >= 0)
+                continue;
+            *k = a->k++;
+            return true;
+        }
+        if (a->row == a->rows)
+            return false;
+        a->k = b->first[a->row * b->columns + a->first];
+        a->end = b->first[a->row * b->columns + a->last + 1];
+        a->row++;
+    }
+}
+
+static bool may_be_off(const struct edge_work *work, size_t i)
+{
+    struct about about = points_about(work, i);
+
+    for (size_t k; next_about(&about, &k);)
+        if (!quadric_surely_within(&work->flank[i].q, about.grid->point[k], least_off(work, i, k)))
+            return true;
+    return false;
+}
+
+/* Nothing where all points about are on the flank. */
+static struct cliff find_cliff(const struct edge_work *work, size_t i)
+{
+    struct about about = points_about(work, i);
+    struct cliff cliff = {.from = about.grid->point[i], .q = &work->flank[i].q};
+
+    if (may_be_off(work, i))
+        for (size_t k; next_about(&about, &k);)
+            sort_by_height(work, i, k, &cliff);
     return cliff;
 }
 

@@ -82,7 +82,7 @@ static bool is_surrounded(const struct flank_patch *patch, struct vec3 at, doubl
     for (size_t k = 0; k < patch->side.n; k++) {
         struct vec3 to = vec_sub(patch->side.item[k], at);
         double u = vec_dot(to, q->u), v = vec_dot(to, q->v);
-        if (hypot(u, v) <= near)
+        if (hypot_compare(u, v, near) <= 0)
             has[(int)((atan2(v, u) + PI) / (2 * PI) * SECTORS) % SECTORS] = true;
     }
     for (int from = 0; from < SECTORS; from++) {
@@ -109,7 +109,7 @@ static void fill_patch(const struct edge_work *work, const struct edge_hood *nea
     for (int j = -rings; j <= rings; j++)
         for (int i = -rings; i <= rings; i++) {
             double u = pitch * (i + j / 2.0), v = pitch * j * triangle;
-            if ((i == 0 && j == 0) || hypot(u, v) > reach)
+            if ((i == 0 && j == 0) || hypot_compare(u, v, reach) > 0)
                 continue;
             struct vec3 at = quadric_at(q, vec_dot(off, q->u) + u, vec_dot(off, q->v) + v);
             if (is_on_patch(work, near, patch, at) &&

@@ -69,6 +69,7 @@ bool upsample_needed(const struct upsample *fill)
 /* A surface about a point, and how far the points of the neighbourhood are off it. */
 struct local_surface {
     const struct quadric *q;
+    bool known; /* off[] */
     double off[NEAR];
     bool exact; /* points are where the surface is, not beside it by noise */
 };
@@ -120,9 +121,9 @@ static bool is_nearest(const struct neighbourhood *near, struct vec3 from, struc
     return true;
 }
 
-/* True if p is nearer to `from` than to the other points, all points about bear the surface out,
- * and p is inside of those that do.  *off: of the points about from the surface, the nearer the
- * more. */
+/* Of a p that is nearer to `from` than to the other points: true if all points about bear the
+ * surface out, and p is inside of those that do.  *off: of the points about from the surface, the
+ * nearer the more. */
 static bool is_between(const struct upsample *fill, const struct neighbourhood *near,
                        const struct local_surface *on, struct vec3 from, struct vec3 p, double *off)
 {
@@ -132,8 +133,6 @@ static bool is_between(const struct upsample *fill, const struct neighbourhood *
     double beside2 = near->distance2[k < FEWEST ? k - 1 : FEWEST - 1];
     struct fan fan = {.n = 0};
 
-    if (!is_nearest(near, from, out))
-        return false;
     *off = 0;
     beside2 = fmax(SURROUND * SURROUND * out2, beside2);
     for (size_t i = 0; i < k; i++) {
@@ -155,13 +154,26 @@ static bool is_between(const struct upsample *fill, const struct neighbourhood *
     return fan_surrounds(&fan);
 }
 
-/* The ball would sink deeper between the points than they are off the surface. */
-static bool would_sink(const struct upsample *fill, const struct neighbourhood *near, double spread)
+/* How deep the ball would sink between the points. */
+static double sink_between(const struct upsample *fill, const struct neighbourhood *near)
 {
     size_t sixth = near->n > 6 ? 6 : near->n - 1;
-    double sink = near->distance2[sixth] / (6 * fill->radius);
 
-    return sink > fill->sink / 4 && spread <= fmax(fmax(fill->sink, sink / 2), MUCH * fill->noise);
+    return near->distance2[sixth] / (6 * fill->radius);
+}
+
+/* That is deep enough to be looked at. */
+static bool may_sink(const struct upsample *fill, const struct neighbourhood *near)
+{
+    return near->n > 0 && sink_between(fill, near) > fill->sink / 4;
+}
+
+/* And deeper than they are off the surface. */
+static bool would_sink(const struct upsample *fill, const struct neighbourhood *near, double spread)
+{
+    double sink = sink_between(fill, near);
+
+    return may_sink(fill, near) && spread <= fmax(fmax(fill->sink, sink / 2), MUCH * fill->noise);
 }
 
 /* The ball does not fit in, so that it can't sink in either, and what is there only looks like a
@@ -336,6 +348,14 @@ static bool is_bridged(const struct upsample *fill, const struct local_surface *
     return true;
 }
 
+/* Most surfaces have no place between points that they are asked for. */
+static void measure_off(const struct neighbourhood *near, struct local_surface *on)
+{
+    for (size_t k = 0; !on->known && k < near->n && k < NEAR; k++)
+        on->off[k] = quadric_off(on->q, near->point[k]);
+    on->known = true;
+}
+
 static void add_between(const struct upsample *fill, const struct neighbourhood *near,
                         struct vec3 p, const struct quadric *q, double spread, bool exact,
                         struct vec3s *to)
@@ -352,18 +372,19 @@ static void add_between(const struct upsample *fill, const struct neighbourhood 
 
     if (is_hollow(fill, q))
         return;
-    for (size_t k = 0; k < near->n && k < NEAR; k++)
-        on.off[k] = quadric_off(q, near->point[k]);
     for (int j = -rings; j <= rings; j++) {
         for (int i = -rings; i <= rings; i++) {
             double u = pitch * (i + j / 2.0), v = pitch * j * 0.8660254037844386, aside;
-            if ((i == 0 && j == 0) || hypot(u, v) > reach)
+            if ((i == 0 && j == 0) || hypot_compare(u, v, reach) > 0)
                 continue;
             struct vec3 at = quadric_at(q, u0 + u, v0 + v);
+            if (!is_nearest(near, p, vec_sub(at, p)))
+                continue;
+            measure_off(near, &on);
             if (is_between(fill, near, &on, p, at, &aside) &&
                 (!witness.asked || is_witnessed(fill, near, p, at, &witness)))
                 *array_push(to) = vec_along(at, aside, q->w);
-            else if (smooth && is_nearest(near, p, vec_sub(at, p)) && is_bridged(fill, &on, &at))
+            else if (smooth && is_bridged(fill, &on, &at))
                 *array_push(to) = at;
         }
     }
@@ -385,6 +406,8 @@ double upsample_about(const struct upsample *fill, size_t i, struct vec3s *to)
     struct quadric q;
 
     find_neighbourhood(fill->point_grid, i, NEAR, &near);
+    if (!may_sink(fill, &near))
+        return 0;
     double spread = fit_surface(&near, &q);
     if (spread == HUGE_VAL || !would_sink(fill, &near, spread))
         return 0;

@@ -198,9 +198,13 @@ int quadric_fit_local(const struct vec3 *local, size_t n, struct vec3 origin, st
 int quadric_fit_weighted(const struct vec3 *point, const double *weight, size_t n,
                          struct vec3 origin, struct vec3 guess, struct quadric *quadric)
 {
-    struct vec3 few[SOME], *local = n > SOME ? mem_alloc(n, sizeof *local) : few;
+    struct vec3 few[SOME], *local = few;
 
     *quadric = quadric_frame(origin, guess);
+    if (n < TERMS)
+        return -1;
+    if (n > SOME)
+        local = mem_alloc(n, sizeof *local);
     quadric_local_all(quadric, point, n, local);
     int status = fit_local(local, weight, n, quadric);
     if (local != few)
@@ -398,10 +402,25 @@ struct vec3 quadric_nearest(const struct quadric *q, struct vec3 point)
         double skew = (wu * su + wv * sv) / slope2; /* of the inverse of the first form */
         u += su - wu * skew;
         v += sv - wv * skew;
-        if (hypot(su, sv) < still)
+        if (hypot_compare(su, sv, still) < 0)
             break;
     }
     return quadric_at(q, u, v);
+}
+
+/* The surface is off by no more than its height under the point; and the steps towards the foot get
+ * shorter fast where it bends little within that height. */
+bool quadric_surely_within(const struct quadric *q, struct vec3 point, double limit)
+{
+    const double spare = 0.9, little = 0.05;
+    const double *c = q->c;
+    struct vec3 at = quadric_local(q, point), under = quadric_at(q, at.x, at.y);
+    double height = fabs(vec_dot(vec_sub(point, under), q->w));
+    double far = fabs(at.x) + fabs(at.y) + height;
+    double square = fabs(c[3]) + fabs(c[4]) + fabs(c[5]);
+    double cube = fabs(c[6]) + fabs(c[7]) + fabs(c[8]) + fabs(c[9]);
+
+    return height <= spare * limit && (2 * square + 6 * far * cube) * height <= little;
 }
 
 double quadric_spread(const struct quadric *quadric, const struct vec3 *point, size_t n,

@@ -248,6 +248,25 @@ START_TEST(what_is_exact)
 }
 END_TEST
 
+/* As hypot itself is compared, also with limits that are hypot to the last digit or beside it, of
+ * any size, and with what is no number. */
+START_TEST(hypot_compared)
+{
+    const double odd[] = {0, -0.0, 1e-320, 1e300, HUGE_VAL, -HUGE_VAL, NAN};
+    enum { ODD = sizeof odd / sizeof *odd };
+    for (int i = 0; i < 200000; i++) {
+        int low = i % 3 ? -3 : -1000, high = i % 3 ? 3 : 1000;
+        double x = i % 50 ? of_any_size(low, high, true) : odd[i / 50 % ODD];
+        double y = i % 70 ? of_any_size(low, high, true) : odd[i / 70 % ODD];
+        double h = elementary_hypot(x, y);
+        const double limit[] = {h, nextafter(h, 0), nextafter(h, HUGE_VAL), h * uniform(-1, 2),
+                                odd[i % ODD]};
+        for (size_t k = 0; k < sizeof limit / sizeof *limit; k++)
+            ck_assert_int_eq(hypot_compare(x, y, limit[k]), (h > limit[k]) - (h < limit[k]));
+    }
+}
+END_TEST
+
 /* The bits of 320,000 results, added up: the same on every machine. */
 START_TEST(the_same_bits_everywhere)
 {
@@ -270,6 +289,7 @@ int main(void)
     tcase_add_test(precise, roots_against_long_double);
     tcase_add_test(t, special_values);
     tcase_add_test(t, what_is_exact);
+    tcase_add_test(t, hypot_compared);
     tcase_add_test(t, the_same_bits_everywhere);
     if (has_long_double())
         suite_add_tcase(s, precise);

@@ -109,6 +109,37 @@ START_TEST(lines_carry_no_quadric)
 }
 END_TEST
 
+/* A surface of the third degree, bent as much as it may be. */
+static struct quadric bent(double much)
+{
+    struct vec3 w = vec_unit(vec(uniform() - 0.5, uniform() - 0.5, uniform() - 0.5));
+    struct quadric q = quadric_frame(vec(uniform(), uniform(), uniform()), w);
+    for (int i = 0; i < 10; i++)
+        q.c[i] = (i < 3 ? 2 : much) * (uniform() - 0.5);
+    return q;
+}
+
+/* What is said without a closer look is what the closer look finds: points on both sides of a limit
+ * that is near to where they are, on surfaces that bend much within it or little. */
+START_TEST(surely_within_is_within)
+{
+    int said = 0, were = 0;
+    for (int round = 0; round < 200000; round++) {
+        struct quadric q = bent(pow(10, 6 * uniform() - 3));
+        double height = 0.2 * (uniform() - 0.5), limit = fabs(height) * 2 * uniform();
+        struct vec3 p = quadric_at(&q, 3 * (uniform() - 0.5), 3 * (uniform() - 0.5));
+        p = vec_along(p, height, q.w);
+        bool surely = quadric_surely_within(&q, p, limit);
+        struct vec3 foot = quadric_nearest(&q, p), n = quadric_normal_at(&q, foot);
+        bool is = vec_distance(p, foot) <= limit && fabs(vec_dot(n, vec_sub(p, foot))) <= limit;
+        ck_assert_msg(is || !surely, "round %d", round);
+        said += surely;
+        were += is;
+    }
+    ck_assert_int_gt(said, were / 8); /* or it would be of no use */
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("quadric");
@@ -118,6 +149,7 @@ int main(void)
     tcase_add_test(tests, sphere);
     tcase_add_test(tests, cylinder);
     tcase_add_test(tests, lines_carry_no_quadric);
+    tcase_add_test(tests, surely_within_is_within);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);
     int failed = srunner_ntests_failed(runner);
