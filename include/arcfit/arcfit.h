@@ -16,7 +16,8 @@
  *                     (arcspline_reduce.c over arcspline.h)
  *   3. arcfit_lengthen   no piece shorter than a control likes, where the tolerance allows it
  *   4. arcfit_bridge    and none so short that a block would be over before the next is read
- *   5. arcfit_reverse_*  the first two from the last point back, where that takes fewer arcs
+ *   5. arcfit_calm      and its axes turned at a speed that changes little
+ *   6. arcfit_reverse_*  the first two from the last point back, where that takes fewer arcs
  *
  * Their driver is stage/arcrun.h, which makes the reference, prints the pieces and proves the
  * printed digits.  arcfit_each is paper 1's fit, a biarc for each interval.
@@ -135,6 +136,15 @@ void arcfit_reduce(const struct reference *reference, const struct deviation *wi
  */
 void arcfit_lengthen(const struct reference *reference, const struct deviation *within, int digits,
                      double least, struct pieces *pieces);
+
+/*
+ * Turns the axes at the joints, but for the first and the last, so that their lean off Z and its
+ * bearing, which are the angles of a machine's rotary axes, change their speed along the way as
+ * little as `within` allows: one joint after the other to the least sum of squares of the changes
+ * there and at its neighbours.  What is programmed stays.  Axes beside Z stay.
+ */
+void arcfit_calm(const struct reference *reference, const struct deviation *within,
+                 struct pieces *pieces);
 
 /*
  * Goes round each piece shorter than `least` mm, a few hundredths, by an arc or a biarc from a place

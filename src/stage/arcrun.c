@@ -185,8 +185,10 @@ static void meet_pole(struct fit *f, const struct deviation *within, bool end)
     array_free(&some);
 }
 
-/* What becomes of pieces that keep the tolerance, so far as they keep it then, too. */
-static void refine(struct fit *f, const struct deviation *within, const struct deviation *less)
+/* What becomes of pieces that keep the tolerance, so far as they keep it then, too.  `anew`: of all
+ * of them; else most have been through this. */
+static void refine(struct fit *f, const struct deviation *within, const struct deviation *less,
+                   bool anew)
 {
     struct pieces some = {0};
     double least = fmin(f->options->least, ARC_SHORTEST);
@@ -194,6 +196,11 @@ static void refine(struct fit *f, const struct deviation *within, const struct d
     if (arcfit_shortest(&f->pieces, 0, f->pieces.n) < least) {
         copy_pieces(&f->pieces, &some);
         arcfit_bridge(&f->reference, less, PATH_COORDINATE, least, &some);
+        is_better(f, within, &some);
+    }
+    if (anew && f->reference.turns) {
+        copy_pieces(&f->pieces, &some);
+        arcfit_calm(&f->reference, less, &some);
         is_better(f, within, &some);
     }
     meet_pole(f, within, false);
@@ -211,13 +218,13 @@ static void fit_within(struct fit *f, double tolerance, const struct arcrun_part
     struct deviation less = part_of(within, part);
 
     if (before && fit_moved(f, before, now, &less) && is_proven(f, &within)) {
-        refine(f, &within, &less);
+        refine(f, &within, &less, false);
         return;
     }
     for (int i = 0; i < 6; i++, part *= ARC_RETRY) {
         less = part_of(within, part);
         if (fit_once(f, &within, &less)) {
-            refine(f, &within, &less);
+            refine(f, &within, &less, true);
             return;
         }
     }
