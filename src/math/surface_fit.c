@@ -15,32 +15,72 @@ struct surface_fit_hood {
     size_t n;
     uint32_t index[WIDEST];
     double distance2[WIDEST], weight[WIDEST];
+    double off[WIDEST]; /* the points, off the last surface fitted */
     struct vec3 point[WIDEST];
+    size_t gathered; /* so many, nearest to ... */
+    struct vec3 at;
+    size_t steep; /* a quadric was fitted to so many of them; 0: none yet */
+    struct quadric steep_quadric;
+    int steep_status;
+    struct surface_fit_hood *along; /* room for one that is longer one way */
 };
 
 enum { LEAST = 32, FEW = 64, MOST = 362, STEPS = 8, REFITS = 2 };
 
 static const double TUKEY = 4.685; /* in standard deviations: 95 % efficient on normal noise */
 
-/* The k points nearest to a place. */
+static bool is_same(struct vec3 a, struct vec3 b)
+{
+    return a.x == b.x && a.y == b.y && a.z == b.z;
+}
+
+/* The k points nearest to a place; they may be there already. */
 static void gather_hood(const struct point_grid *b, struct vec3 vertex, size_t k,
                         struct surface_fit_hood *hood)
 {
+    if (hood->gathered >= k && is_same(hood->at, vertex)) {
+        hood->n = k;
+        return;
+    }
     hood->n = point_grid_nearest(b, vertex, k, hood->index, hood->distance2);
     for (size_t i = 0; i < hood->n; i++)
         hood->point[i] = b->point[hood->index[i]];
+    if (!is_same(hood->at, vertex))
+        hood->steep = 0;
+    hood->at = vertex;
+    hood->gathered = hood->n;
 }
 
-/* Weights of the first k points; returns their spread about the quadric.  Where it passes a good
- * part of them by it is not theirs: infinite. *farthest: the largest of their distances. */
-static double weigh_points(const struct quadric *q, struct surface_fit_hood *hood, size_t k,
-                           double sigma, double *farthest)
+/* quadric_fit_steep of the first n points gathered, about the place they are nearest to; `guess` is
+ * that of the place. */
+static int fit_steep(struct surface_fit_hood *hood, size_t n, struct vec3 guess,
+                     struct quadric *quadric)
+{
+    if (hood->steep != n) {
+        hood->steep_status =
+            quadric_fit_steep(hood->point, n, hood->at, guess, &hood->steep_quadric);
+        hood->steep = n;
+    }
+    *quadric = hood->steep_quadric;
+    return hood->steep_status;
+}
+
+static void measure_off(const struct quadric *q, struct surface_fit_hood *hood, size_t k)
+{
+    for (size_t i = 0; i < k; i++)
+        hood->off[i] = quadric_off(q, hood->point[i]);
+}
+
+/* Weights of the first k points by how far they are off a surface; returns their spread about it.
+ * Where it passes a good part of them by it is not theirs: infinite. *farthest: the largest of
+ * their distances. */
+static double weigh_points(struct surface_fit_hood *hood, size_t k, double sigma, double *farthest)
 {
     const double terms = 6, most = 0.6;
     double sum = 0, sum2 = 0;
     *farthest = 0;
     for (size_t i = 0; i < k; i++) {
-        double off = quadric_off(q, hood->point[i]), r = off / (TUKEY * sigma);
+        double off = hood->off[i], r = off / (TUKEY * sigma);
         *farthest = fabs(off) > *farthest ? fabs(off) : *farthest;
         double root = r * r < 1 ? 1 - r * r : 0;
         hood->weight[i] = root * root;
@@ -73,9 +113,10 @@ static int fit_weighted(const struct surface_fit_hood *hood, const double *weigh
 }
 
 /* A surface through the first k points in the frame of a normal, what is far off counting less and
- * less.  -1: there is none. */
-static int fit_through(struct surface_fit_hood *hood, size_t k, struct vec3 vertex,
-                       struct vec3 normal, struct vec3 guess, double sigma, struct surface_fit *fit)
+ * less.  -1: there is none, or all points alike are spread by more than `most` about it. */
+static int fit_within(struct surface_fit_hood *hood, size_t k, struct vec3 vertex,
+                      struct vec3 normal, struct vec3 guess, double sigma, double most,
+                      struct surface_fit *fit)
 {
     const double far = 3.5; /* in sigma */
     struct quadric *q = &fit->q;
@@ -83,18 +124,28 @@ static int fit_through(struct surface_fit_hood *hood, size_t k, struct vec3 vert
     if (fit_weighted(hood, NULL, k, vertex, normal, sigma, q) < 0)
         return -1;
     fit->n = k;
-    fit->spread = weigh_points(q, hood, k, INFINITY, &farthest);
+    measure_off(q, hood, k);
+    fit->spread = weigh_points(hood, k, INFINITY, &farthest);
+    if (fit->spread > most)
+        return -1;
     for (int i = 0; i < REFITS && farthest > far * sigma; i++) {
         struct quadric next;
-        fit->spread = weigh_points(q, hood, k, fmax(sigma, fit->spread), &farthest);
+        fit->spread = weigh_points(hood, k, fmax(sigma, fit->spread), &farthest);
         if (fit_weighted(hood, hood->weight, k, vertex, quadric_normal(q), sigma, &next) < 0)
             break;
         *q = next;
-        fit->spread = weigh_points(q, hood, k, fmax(sigma, fit->spread), &farthest);
+        measure_off(q, hood, k);
+        fit->spread = weigh_points(hood, k, fmax(sigma, fit->spread), &farthest);
     }
     fit->offset = vec_dot(vec_sub(quadric_foot(q), vertex), guess);
     fit->reach = vec_distance(hood->point[k - 1], vertex);
     return 0;
+}
+
+static int fit_through(struct surface_fit_hood *hood, size_t k, struct vec3 vertex,
+                       struct vec3 normal, struct vec3 guess, double sigma, struct surface_fit *fit)
+{
+    return fit_within(hood, k, vertex, normal, guess, sigma, INFINITY, fit);
 }
 
 /* The surface through the first k points, in the frame of a quadric through some of them; where
@@ -108,7 +159,7 @@ static int fit_to(struct surface_fit_hood *hood, size_t k, struct vec3 vertex, s
     for (int i = 0; i < 3 && fitted < 0; i++) {
         struct vec3 normal = vec(0, 0, 1);
         if (some[i] > 0) {
-            if (quadric_fit_steep(hood->point, some[i], vertex, guess, &fit->q) < 0)
+            if (fit_steep(hood, some[i], guess, &fit->q) < 0)
                 continue;
             normal = quadric_normal(&fit->q);
         }
@@ -272,7 +323,7 @@ static void try_other_frames(const struct surface_fit_options *rule, struct vec3
     if (frames_are_alike(rule, vertex, guess, fit))
         return;
     gather_hood(rule->point_grid, vertex, rule->neighbours, hood);
-    if (quadric_fit_steep(hood->point, hood->n, vertex, guess, &other.q) == 0)
+    if (fit_steep(hood, hood->n, guess, &other.q) == 0)
         normal[0] = quadric_normal(&other.q);
     for (int i = 0; i < 2; i++)
         if (fit_through(hood, hood->n, vertex, normal[i], guess, rule->sigma, &other) == 0 &&
@@ -282,11 +333,15 @@ static void try_other_frames(const struct surface_fit_options *rule, struct vec3
 
 struct surface_fit_hood *surface_fit_hood_new(void)
 {
-    return mem_alloc(1, sizeof(struct surface_fit_hood));
+    struct surface_fit_hood *hood = mem_alloc(1, sizeof *hood);
+
+    hood->along = mem_alloc(1, sizeof *hood->along);
+    return hood;
 }
 
 void surface_fit_hood_free(struct surface_fit_hood *hood)
 {
+    free(hood->along);
     free(hood);
 }
 
@@ -306,13 +361,18 @@ struct longer {
     double step; /* ... by so much, radians */
 };
 
+/* What a rib or groove leaves at most, in sigma: else it is a crease.  Where all points alike leave
+ * so many times that, none without weight would bring them there. */
+static const double SHARP = 1.6, HOPELESS = 4;
+
 /* The surface through a neighbourhood that is longer along one of the directions half a turn has,
  * `step` apart about a middle one: the one it fits best.  False: none fits better than *fit. */
 static bool best_along(const struct surface_fit_options *rule, const struct surface_fit_hood *wide,
                        struct vec3 vertex, struct vec3 guess, const struct longer *longer,
                        double *angle, struct surface_fit *fit)
 {
-    struct surface_fit_hood *hood = mem_alloc(1, sizeof *hood);
+    struct surface_fit_hood *hood = wide->along;
+    double most = HOPELESS * SHARP * rule->sigma;
     struct vec3 normal = quadric_normal(&fit->q), u = vec_perpendicular(normal);
     struct vec3 v = vec_cross(normal, u);
     double middle = *angle;
@@ -324,14 +384,13 @@ static bool best_along(const struct surface_fit_options *rule, const struct surf
         struct surface_fit along;
         hood->n = neighbourhood_along(wide->point, wide->n, vertex, way, longer->aspect,
                                       longer->points, hood->point);
-        if (fit_through(hood, hood->n, vertex, normal, guess, rule->sigma, &along) < 0 ||
+        if (fit_within(hood, hood->n, vertex, normal, guess, rule->sigma, most, &along) < 0 ||
             along.spread >= fit->spread || is_useless(&along.q, rule->sigma))
             continue;
         *fit = along;
         *angle = a;
         better = true;
     }
-    free(hood);
     return better;
 }
 
@@ -351,20 +410,20 @@ static void fit_along(const struct surface_fit_options *rule, struct vec3 vertex
                       struct surface_fit_hood *hood, struct surface_fit *fit)
 {
     static const struct longer rough = {3, 36, 1, PI / 9}, fine = {6, 72, 2, PI / 30};
-    const double better = 0.85, sharp = 1.6;
+    const double better = 0.85;
     struct surface_fit along = *fit, best;
     double angle = straight_angle(&fit->q);
 
     gather_hood(rule->point_grid, vertex, (size_t)(rough.aspect * (double)rough.points), hood);
     if (!best_along(rule, hood, vertex, guess, &rough, &angle, &along) ||
-        along.spread > better * fit->spread || along.spread > sharp * rule->sigma)
+        along.spread > better * fit->spread || along.spread > SHARP * rule->sigma)
         return;
     gather_hood(rule->point_grid, vertex, (size_t)(fine.aspect * (double)fine.points), hood);
     best = along;
     best.spread *= 1.1; /* of fewer points and more of them */
     if (best_along(rule, hood, vertex, guess, &fine, &angle, &best))
         along = best;
-    if (along.spread < sharp * rule->sigma) /* else it is a crease */
+    if (along.spread < SHARP * rule->sigma)
         *fit = along;
 }
 
@@ -418,6 +477,7 @@ bool surface_fit_at(const struct surface_fit_options *rule, struct vec3 place, s
                     struct surface_fit_hood *hood, struct surface_fit *fit)
 {
     const double rough = ROUGH, torn = 8; /* in sigma */
+    hood->gathered = hood->steep = 0;     /* of another place */
     if (fit_first(rule, place, guess, fit))
         return true;
     if (!fit_at(rule, place, guess, hood, fit))
@@ -447,6 +507,7 @@ static void choose(void *context, size_t from, size_t to)
     struct surface_fit_hood *hood = surface_fit_hood_new();
     for (size_t i = from; i < to; i++) {
         size_t at = i * sample->places / sample->n;
+        hood->gathered = hood->steep = 0;
         sample->widest[i] = widest_hood(sample->rule, sample->place[at], sample->guess[at], hood);
     }
     surface_fit_hood_free(hood);
