@@ -62,7 +62,8 @@ struct nurbs_curve construct_unit_range(const struct nurbs_curve *c);
 struct nurbs construct_extrusion(const struct nurbs_curve *c, struct vec3 by);
 
 /* The curve turned about the axis (unit) through `at`, counter-clockwise from angle `from` to `to`,
- * at most one turn: u is the angle (at every knot), v runs along the curve. */
+ * at most one turn: u is the angle (at every knot), v runs along the curve.  An end of the curve
+ * within 1e-7 of its width of the axis is put onto it: a pole, not a hole. */
 struct nurbs construct_revolution(const struct nurbs_curve *c, struct vec3 at, struct vec3 axis,
                                   double from, double to);
 

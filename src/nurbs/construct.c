@@ -309,14 +309,27 @@ struct nurbs construct_extrusion(const struct nurbs_curve *c, struct vec3 by)
     return s;
 }
 
+/* How near to the axis an end of a curve is on it: by the width of the curve's poles. */
+static double axis_reach(const struct nurbs_curve *c)
+{
+    const double rounding = 1e-7; /* files have as few as eight digits */
+    double width = 0;
+    for (size_t j = 1; j < c->t.poles; j++)
+        width = fmax(width, vec_distance(pole_point(c->pole[j]), pole_point(c->pole[0])));
+    return rounding * width;
+}
+
 struct nurbs construct_revolution(const struct nurbs_curve *c, struct vec3 at, struct vec3 axis,
                                   double from, double to)
 {
     struct nurbs s = {.u = arc_axis(from, to), .v = copy_axis(&c->t)};
+    double near = axis_reach(c);
     s.pole = mem_alloc(s.u.poles * s.v.poles, sizeof *s.pole);
     for (size_t j = 0; j < s.v.poles; j++) {
         struct vec3 p = vec_sub(pole_point(c->pole[j]), at);
         struct vec3 foot = vec_scale(vec_dot(p, axis), axis), x = vec_sub(p, foot);
+        if ((j == 0 || j + 1 == s.v.poles) && vec_length(x) <= near)
+            x = vec(0, 0, 0);
         struct vec3 y = vec_cross(axis, x);
         foot = vec_add(at, foot);
         for (size_t i = 0; i < s.u.poles; i++) {

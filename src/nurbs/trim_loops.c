@@ -588,16 +588,24 @@ static void begin_at_seam(const struct pullback *s, struct uvs *loop, bool u, in
     *loop = turned;
 }
 
-/* Closes a loop that goes round over one of the ends of the other parameter. */
-static void close_round(const struct pullback *s, struct uvs *loop, bool u, bool high)
+/* Closes a loop that goes round over one of the ends of the other parameter.  One that is alone and
+ * runs along that end, so that nothing is between them, is closed over the other end. */
+static void close_round(const struct pullback *s, struct uvs *loop, bool u, bool high, bool alone)
 {
     const struct nurbs_axis *other = axis_of(s, !u);
-    double end = high ? other->to : other->from;
-    struct uv first = loop->item[0], last = loop->item[loop->n - 1];
-    *(u ? &first.v : &first.u) = end;
-    *(u ? &last.v : &last.u) = end;
-    *array_push(loop) = last;
-    *array_push(loop) = first;
+    double range = width(axis_of(s, u)) * width(other);
+    size_t n = loop->n;
+    for (int side = 0; side < 2; side++) {
+        double end = high == (side == 0) ? other->to : other->from;
+        struct uv first = loop->item[0], last = loop->item[n - 1];
+        *(u ? &first.v : &first.u) = end;
+        *(u ? &last.v : &last.u) = end;
+        loop->n = n;
+        *array_push(loop) = last;
+        *array_push(loop) = first;
+        if (!alone || fabs(loop_area(loop)) > ROUNDING * range)
+            return;
+    }
 }
 
 static bool is_same_place(const struct pullback *s, struct uv a, struct uv b)
@@ -632,7 +640,8 @@ static void trim_seam(const struct pullback *s, const struct uv_polygon *from,
         /* The left of a loop along u is at higher v, of one along v at lower u. */
         if (is_round) {
             begin_at_seam(s, &loop, u, n[u]);
-            close_round(s, &loop, u, round[u] % 2 == 0 || (n[u] > 0) == u);
+            bool high = round[u] % 2 == 0 || (n[u] > 0) == u;
+            close_round(s, &loop, u, high, round[u] == 1);
         }
         wrap_loop(s, &loop, true, &once);
         for (size_t k = 0; k < once.n; k++)

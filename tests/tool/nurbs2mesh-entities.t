@@ -4,6 +4,13 @@
 . "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
 . "$SRC/tests/lib/model.sh"
 
+vertex_box() { # FILE: the least and the largest coordinates
+	awk '/end_header/ { on = 1; next }
+		on && NF == 7 { for (i = 1; i <= 3; i++) { if (!(i in low) || $i < low[i]) low[i] = $i
+			if (!(i in high) || $i > high[i]) high[i] = $i } }
+		END { printf "%.3f %.3f %.3f %.3f %.3f %.3f", low[1] + 0, low[2] + 0, low[3] + 0, high[1], high[2], high[3] }' "$1"
+}
+
 # ---- IGES: curves and surfaces of other kinds
 
 bounded() { # NAME CURVES: a plane bounded by these curves of those from standard input
@@ -71,6 +78,33 @@ for rim in none parameters space; do
 	model "128: flat within a border that bends, trimmed by it: $rim" "$(calc '400 / 3')" - \
 		-e 0.0005 "$TMP/rim-$rim.igs"
 done
+
+# A quarter turn, placed by a matrix that mirrors: it is turned where it is drawn, then mirrored.
+iges mirrored <<'END'
+axis 110 0 0,0,-5,0,0,9
+line 110 0 10,0,0,10,0,20
+face 120 0@mirror {axis},{line},0.,1.5707963267948966
+mirror 124 1 -1,0,0,0,0,1,0,0,0,0,1,0
+END
+model "120: a quarter turn, mirrored" "$(calc 'p / 2 * 10 * 20')" - -e 0.0005 "$TMP/mirrored.igs"
+ok "it is where the mirror shows it" test "$(vertex_box "$TMP/model.ply")" = "-10.000 0.000 0.000 0.000 10.000 20.000"
+
+# A ball whose profile comes to the axis within the last digit of the file, bounded by its seam twice
+# and its equator: there is a pole, not a hole.
+iges pole <<'END'
+axis 110 0 0,0,0,0,0,1
+curve 126 2 2,2,0,0,0,0,0,0,0,1,1,1,1,0.70710678118654757,1,0.000001,0,20,20,0,20,20,0,0,0,1,0,1,0
+half 120 0 {axis},{curve},0.,6.2831853071795865
+disc 108 0 0,0,1,0,0,0,0,0,1
+up 126 2 2,2,0,0,0,0,0,0,0,1,1,1,1,0.70710678118654757,1,20,0,0,20,0,20,0.000001,0,20,0,1,0,1,0
+rim 100 0 0,0,0,20,0,20,0
+seam 102 0 3,{up},{curve},{rim}
+edge 142 0 0,{half},0,{seam},2
+face 144 0 {half},1,0,{edge}
+floor 142 0 0,{disc},0,{rim},2
+under 144 0 {disc},1,0,{floor}
+END
+model "120: half a ball to its pole" "$(calc '3 * p * 400')" "$(calc '2 / 3 * p * 8000')" -e 0.001 "$TMP/pole.igs"
 
 # Twice the same subfigure, one of them twice as large; the definition itself is no part of the model.
 iges figures <<'END'

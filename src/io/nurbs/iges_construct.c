@@ -82,7 +82,8 @@ static int ruled_118(const struct source *s, struct error *error)
     return got;
 }
 
-/* 120: a curve turned about a line (110), from one angle to another. */
+/* 120: a curve turned about a line (110), from one angle to another, where the entity is drawn: a
+ * place that mirrors would turn it the other way round. */
 static int revolution_120(const struct source *s, struct error *error)
 {
     struct nurbs_curve axis = {{0}, NULL}, c = {{0}, NULL};
@@ -93,13 +94,13 @@ static int revolution_120(const struct source *s, struct error *error)
     if (got == 0)
         got = curve_at(s, 2, &c, error);
     if (got == 0) {
-        place_curve(s, &axis);
-        place_curve(s, &c);
         struct vec3 a = nurbs_curve_point(&axis, axis.t.from);
         struct vec3 d = vec_sub(nurbs_curve_point(&axis, axis.t.to), a);
         got = vec_length(d) > 0 ? 0 : refuse(s, "an axis without length, expected a line", error);
-        if (got == 0)
+        if (got == 0) {
             *s->surface = construct_revolution(&c, a, vec_unit(d), from, fmin(to, from + 2 * PI));
+            construct_move(s->place, s->surface->pole, s->surface->u.poles * s->surface->v.poles);
+        }
     }
     nurbs_curve_free(&axis);
     nurbs_curve_free(&c);
