@@ -278,7 +278,7 @@ static void make_sheet(const struct patch *patch, const struct uv_polygon *loops
     bool open = patch->open || loops->open || loops->n == 0;
     trim_grid(u, v, loops, open, &mesh);
     sheet_free(sheet);
-    sheet->unclear = mesh.unclear + uv_polygon_crossings(loops);
+    sheet->unclear = mesh.unclear + uv_polygon_crossings(loops, &patch->surface, how.tolerance);
     sheet->off = loops->off;
     sheet->lost = loops->lost;
     sheet->lines_u = u->n;

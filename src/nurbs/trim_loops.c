@@ -149,45 +149,150 @@ static double turn(struct uv a, struct uv b, struct uv c)
     return (b.u - a.u) * (c.v - a.v) - (b.v - a.v) * (c.u - a.u);
 }
 
-/* Do the sides that begin at i and k cross, and part areas that count? */
-static bool crosses(const struct uvs *loop, size_t i, size_t k)
+/* Is the place p within rounding of q, for sides as long as those from p to a and from q to c? */
+static bool is_corner(struct uv p, struct uv q, struct uv a, struct uv c)
 {
-    const double least = 1e-3;
-    struct uv a = loop->item[i], b = loop->item[(i + 1) % loop->n];
-    struct uv c = loop->item[k], d = loop->item[(k + 1) % loop->n];
-    double ta = turn(c, d, a), tb = turn(c, d, b), area = 0;
-    size_t apart = i < k ? k - i : i - k;
-    /* A corner on the other side counts as left of it: curves may cross at their corners. */
-    if (apart < 2 || apart + 1 >= loop->n || (ta >= 0) == (tb >= 0) ||
-        (turn(a, b, c) >= 0) == (turn(a, b, d) >= 0))
-        return false;
-    double t = ta / (ta - tb);
-    struct uv at = {a.u + t * (b.u - a.u), a.v + t * (b.v - a.v)};
-    size_t from = i < k ? i : k, to = i < k ? k : i;
-    for (size_t m = from + 1; m < to; m++)
-        area += turn(at, loop->item[m], loop->item[m + 1]) / 2;
-    double rest = loop_area(loop) - area;
-    return fmin(fabs(area), fabs(rest)) > least * fmax(fabs(area), fabs(rest));
+    const double rounding = 1e-9;
+    double size = fabs(a.u - p.u) + fabs(a.v - p.v) + fabs(c.u - q.u) + fabs(c.v - q.v);
+    return fabs(p.u - q.u) + fabs(p.v - q.v) <= rounding * size;
 }
 
-size_t uv_polygon_crossings(const struct uv_polygon *loops)
+/* Does the way from `from` by p to `to` part the two places, which are not on it? */
+static bool parts(struct uv from, struct uv p, struct uv to, struct uv c, struct uv d)
+{
+    bool left = turn(from, p, to) > 0;
+    bool is_c = left ? turn(from, p, c) > 0 && turn(p, to, c) > 0
+                     : turn(from, p, c) > 0 || turn(p, to, c) > 0;
+    bool is_d = left ? turn(from, p, d) > 0 && turn(p, to, d) > 0
+                     : turn(from, p, d) > 0 || turn(p, to, d) > 0;
+    return is_c != is_d;
+}
+
+/* Twice the area of the corners from `from` to `to` of a loop on the surface by their length, mm:
+ * about the width of what is narrow. */
+static double width_on(const struct nurbs *s, const struct uvs *loop, size_t from, size_t to,
+                       struct uv at)
+{
+    struct vec3 first = nurbs_point(s, at), last = first, area = {0, 0, 0};
+    double length = 0;
+    for (size_t m = from; m <= to; m++) {
+        struct vec3 next = nurbs_point(s, loop->item[m % loop->n]);
+        length += vec_distance(last, next);
+        area = vec_add(area, vec_cross(vec_sub(last, first), vec_sub(next, first)));
+        last = next;
+    }
+    length += vec_distance(last, first);
+    return length > 0 ? 2 * vec_length(area) / length : 0;
+}
+
+/* Where the sides that begin at i and k, i before k, cross but for their corners. */
+static bool is_crossing(const struct uvs *loop, size_t i, size_t k, struct uv *at)
+{
+    struct uv a = loop->item[i], b = loop->item[(i + 1) % loop->n];
+    struct uv c = loop->item[k], d = loop->item[(k + 1) % loop->n];
+    double ta = turn(c, d, a), tb = turn(c, d, b);
+    if (k - i < 2 || k - i + 1 >= loop->n || is_corner(b, d, a, c) || is_corner(a, c, b, d) ||
+        is_corner(a, d, b, c) || is_corner(b, c, a, d))
+        return false;
+    /* A corner on the other side counts as left of it: curves may cross at their corners. */
+    if ((ta >= 0) == (tb >= 0) || (turn(a, b, c) >= 0) == (turn(a, b, d) >= 0))
+        return false;
+    double t = ta / (ta - tb);
+    *at = (struct uv){a.u + t * (b.u - a.u), a.v + t * (b.v - a.v)};
+    return true;
+}
+
+/* Do the ways through one corner, by the sides that begin at i and k, cross there? */
+static bool is_corner_crossed(const struct uvs *loop, size_t i, size_t k)
+{
+    struct uv a = loop->item[i], b = loop->item[(i + 1) % loop->n];
+    struct uv c = loop->item[k], d = loop->item[(k + 1) % loop->n];
+    return k - i > 1 && k - i + 1 < loop->n && is_corner(b, d, a, c) &&
+           parts(a, b, loop->item[(i + 2) % loop->n], c, loop->item[(k + 2) % loop->n]);
+}
+
+/* Of the two parts of a loop that crosses itself: is the one from i to k the smaller, and does it
+ * count, or is it as narrow as the tolerance? */
+static bool is_part(const struct uvs *loop, const struct nurbs *s, double tolerance, size_t i,
+                    size_t k, struct uv at, bool *smaller)
+{
+    const double least = 1e-3;
+    double area = 0;
+    for (size_t m = i + 1; m < k; m++)
+        area += turn(at, loop->item[m], loop->item[m + 1]) / 2;
+    double rest = loop_area(loop) - area;
+    *smaller = fabs(area) < fabs(rest);
+    return fmin(fabs(area), fabs(rest)) > least * fmax(fabs(area), fabs(rest)) &&
+           (*smaller ? width_on(s, loop, i + 1, k, at)
+                     : width_on(s, loop, k + 1, i + loop->n, at)) > tolerance;
+}
+
+static struct side *sorted_sides(const struct uvs *loop)
+{
+    struct side *side = mem_alloc(loop->n + 1, sizeof *side);
+    for (size_t i = 0; i < loop->n; i++) {
+        double u = loop->item[i].u, next = loop->item[(i + 1) % loop->n].u;
+        side[i] = (struct side){fmin(u, next), fmax(u, next), i};
+    }
+    if (loop->n > 0)
+        qsort(side, loop->n, sizeof *side, compare_sides);
+    return side;
+}
+
+static size_t crossings_of(const struct uvs *loop, const struct nurbs *s, double tolerance)
 {
     size_t count = 0;
-    for (size_t k = 0; k < loops->n; k++) {
-        const struct uvs *loop = &loops->item[k];
-        struct side *side = mem_alloc(loop->n + 1, sizeof *side);
-        for (size_t i = 0; i < loop->n; i++) {
-            double u = loop->item[i].u, next = loop->item[(i + 1) % loop->n].u;
-            side[i] = (struct side){fmin(u, next), fmax(u, next), i};
+    struct side *side = sorted_sides(loop);
+    for (size_t i = 0; i < loop->n; i++)
+        for (size_t m = i + 1; m < loop->n && side[m].low <= side[i].high; m++) {
+            size_t p = side[i].i, q = side[m].i, low = p < q ? p : q, high = p < q ? q : p;
+            struct uv at;
+            bool smaller;
+            count += is_corner_crossed(loop, low, high) ||
+                     (is_crossing(loop, low, high, &at) &&
+                      is_part(loop, s, tolerance, low, high, at, &smaller));
         }
-        if (loop->n > 0)
-            qsort(side, loop->n, sizeof *side, compare_sides);
-        for (size_t i = 0; i < loop->n; i++)
-            for (size_t m = i + 1; m < loop->n && side[m].low <= side[i].high; m++)
-                count += crosses(loop, side[i].i, side[m].i);
-        free(side);
-    }
+    free(side);
     return count;
+}
+
+size_t uv_polygon_crossings(const struct uv_polygon *loops, const struct nurbs *s, double tolerance)
+{
+    size_t count = 0;
+    for (size_t k = 0; k < loops->n; k++)
+        count += crossings_of(&loops->item[k], s, tolerance);
+    return count;
+}
+
+/* Leaves out one part of a loop that crosses itself, if it does not count; false: there is none. */
+static bool drop_part(const struct nurbs *s, double tolerance, struct uvs *loop)
+{
+    struct side *side = sorted_sides(loop);
+    size_t low = 0, high = 0;
+    struct uv at = {0, 0};
+    bool found = false, smaller = false;
+    for (size_t i = 0; i < loop->n && !found; i++)
+        for (size_t m = i + 1; m < loop->n && side[m].low <= side[i].high && !found; m++) {
+            size_t p = side[i].i, q = side[m].i;
+            low = p < q ? p : q;
+            high = p < q ? q : p;
+            found = is_crossing(loop, low, high, &at) &&
+                    !is_part(loop, s, tolerance, low, high, at, &smaller);
+        }
+    free(side);
+    if (!found)
+        return false;
+    struct uvs rest = {0};
+    for (size_t m = 0; m < loop->n; m++) {
+        bool between = m > low && m <= high;
+        if (m == (smaller ? low + 1 : high + 1) % loop->n)
+            *array_push(&rest) = at;
+        if (between != smaller)
+            *array_push(&rest) = loop->item[m];
+    }
+    array_free(loop);
+    *loop = rest;
+    return true;
 }
 
 void uv_polygon_free(struct uv_polygon *loops)
@@ -199,7 +304,7 @@ void uv_polygon_free(struct uv_polygon *loops)
     loops->lost = 0;
 }
 
-enum { DEPTH_MAX = 10, SPACE_PARTS = 8, SEEKS = 64 };
+enum { DEPTH_MAX = 10, SPACE_PARTS = 8, SEEKS = 64, PARTS_MAX = 8 };
 
 /* How far from a pole, by a piece of a curve, its direction is still told; by the size of the
  * surface: how near to a pole a curve runs through it; by the width of the range: what is
@@ -667,8 +772,37 @@ static struct uv uv_reach(const struct nurbs *s, struct uv at, double distance)
                        fmin(1e-4 * width(&s->v), distance / fmax(vec_length(d[0][1]), 1e-300))};
 }
 
+static bool is_within(struct uv a, struct uv b, struct uv near)
+{
+    return fabs(a.u - b.u) <= near.u && fabs(a.v - b.v) <= near.v;
+}
+
+/* Drops the ways there and back again that bound nothing, such as an edge that a loop runs along
+ * twice; what is left begins elsewhere where one is at the loop's beginning. */
+static void drop_spurs(const struct nurbs *s, double tolerance, struct uvs *loop)
+{
+    size_t kept = 0, first = 0;
+    for (size_t i = 0; i < loop->n; i++) {
+        struct uv at = loop->item[i], near = uv_reach(s, at, CORNER * tolerance);
+        loop->item[kept++] = at;
+        while (kept > 2 && is_within(at, loop->item[kept - 3], near))
+            kept -= 2;
+    }
+    while (kept > first + 2) {
+        struct uv at = loop->item[first], near = uv_reach(s, at, CORNER * tolerance);
+        bool begins = is_within(loop->item[first + 1], loop->item[kept - 1], near);
+        if (!begins && !is_within(at, loop->item[kept - 2], near))
+            break;
+        first += begins;
+        kept -= begins ? 1 : 2;
+    }
+    for (size_t i = first; i < kept; i++)
+        loop->item[i - first] = loop->item[i];
+    loop->n = kept - first;
+}
+
 /* Brings corners that lie within rounding of the border of the range onto it, and drops those that
- * repeat the one before. */
+ * repeat the one before, and spurs. */
 static void tidy_polygon(const struct nurbs *s, double tolerance, struct uvs *loop)
 {
     size_t kept = 0;
@@ -683,13 +817,14 @@ static void tidy_polygon(const struct nurbs *s, double tolerance, struct uvs *lo
             near = (struct uv){near.u * CORNER / BORDER, near.v * CORNER / BORDER};
         }
         struct uv last = kept > 0 ? loop->item[kept - 1] : at;
-        bool same = kept > 0 && fabs(at.u - last.u) <= near.u && fabs(at.v - last.v) <= near.v;
+        bool same = kept > 0 && is_within(at, last, near);
         if (end)
             kept -= same && kept > 3;
         else if (!same)
             loop->item[kept++] = at;
     }
     loop->n = kept;
+    drop_spurs(s, tolerance, loop);
 }
 
 /* Are the directed loops all holes?  Then the largest polygon runs clockwise; the surface itself
@@ -722,8 +857,11 @@ void trim_loops(const struct patch *patch, double tolerance, struct uv_polygon *
         *array_push(&raw) = loop;
     }
     trim_seam(&f.on, &raw, loops);
-    for (size_t i = 0; i < loops->n; i++)
+    for (size_t i = 0; i < loops->n; i++) {
         tidy_polygon(&patch->surface, tolerance, &loops->item[i]);
+        for (int k = 0; k < PARTS_MAX && drop_part(&patch->surface, tolerance, &loops->item[i]);)
+            k++;
+    }
     loops->off = f.off;
     loops->open = are_holes(patch, &f.on, loops);
     uv_polygon_free(&raw);

@@ -54,8 +54,10 @@ void uv_rows_free(struct uv_rows *rows);
 bool uv_polygon_backwards(const struct uv_polygon *loops, size_t index, bool open);
 
 /* How often a loop crosses itself and so bounds two areas; one of less than a thousandth of the
- * other is the end of a curve that reaches a little too far. */
-size_t uv_polygon_crossings(const struct uv_polygon *loops);
+ * other is the end of a curve that reaches a little too far, and so is one that is narrower than
+ * the tolerance, mm, on the surface.  Ways that meet in a corner and part again do not cross. */
+size_t uv_polygon_crossings(const struct uv_polygon *loops, const struct nurbs *surface,
+                            double tolerance);
 
 void uv_polygon_free(struct uv_polygon *loops);
 

@@ -8,7 +8,8 @@ vertex_box() { # FILE: the least and the largest coordinates
 	awk '/end_header/ { on = 1; next }
 		on && NF == 7 { for (i = 1; i <= 3; i++) { if (!(i in low) || $i < low[i]) low[i] = $i
 			if (!(i in high) || $i > high[i]) high[i] = $i } }
-		END { printf "%.3f %.3f %.3f %.3f %.3f %.3f", low[1] + 0, low[2] + 0, low[3] + 0, high[1], high[2], high[3] }' "$1"
+		END { for (i = 1; i <= 6; i++)
+			printf "%s%.3f", i > 1 ? " " : "", (i < 4 ? low[i] : high[i - 3]) + 0 }' "$1"
 }
 
 # ---- IGES: curves and surfaces of other kinds
@@ -87,7 +88,8 @@ face 120 0@mirror {axis},{line},0.,1.5707963267948966
 mirror 124 1 -1,0,0,0,0,1,0,0,0,0,1,0
 END
 model "120: a quarter turn, mirrored" "$(calc 'p / 2 * 10 * 20')" - -e 0.0005 "$TMP/mirrored.igs"
-ok "it is where the mirror shows it" test "$(vertex_box "$TMP/model.ply")" = "-10.000 0.000 0.000 0.000 10.000 20.000"
+ok "it is where the mirror shows it" test \
+	"$(vertex_box "$TMP/model.ply")" = "-10.000 0.000 0.000 0.000 10.000 20.000"
 
 # A ball whose profile comes to the axis within the last digit of the file, bounded by its seam twice
 # and its equator: there is a pole, not a hole.
@@ -104,7 +106,8 @@ face 144 0 {half},1,0,{edge}
 floor 142 0 0,{disc},0,{rim},2
 under 144 0 {disc},1,0,{floor}
 END
-model "120: half a ball to its pole" "$(calc '3 * p * 400')" "$(calc '2 / 3 * p * 8000')" -e 0.001 "$TMP/pole.igs"
+model "120: half a ball to its pole" "$(calc '3 * p * 400')" "$(calc '2 / 3 * p * 8000')" \
+	-e 0.001 "$TMP/pole.igs"
 
 # Twice the same subfigure, one of them twice as large; the definition itself is no part of the model.
 iges figures <<'END'
@@ -157,6 +160,57 @@ part_of() { # NAME EDGES
 		echo "SOLID SHELL_BASED_SURFACE_MODEL('',({open}))"
 	} | step "$name"
 }
+# A square whose loop runs into it and back along one edge, and beyond it, and one with a hole that
+# touches its border: neither crosses itself.
+part_of spur "e1 e2 e3 e4 f1 f2" <<'END'
+p1 CARTESIAN_POINT('',(0.,0.,5.))
+p2 CARTESIAN_POINT('',(10.,0.,5.))
+p3 CARTESIAN_POINT('',(10.,10.,5.))
+p4 CARTESIAN_POINT('',(0.,10.,5.))
+p5 CARTESIAN_POINT('',(14.,6.,5.))
+l1 POLYLINE('',({p1},{p2}))
+l2 POLYLINE('',({p2},{p3}))
+l3 POLYLINE('',({p3},{p4}))
+l4 POLYLINE('',({p4},{p1}))
+l5 POLYLINE('',({p1},{p5}))
+v1 VERTEX_POINT('',{p1})
+v2 VERTEX_POINT('',{p2})
+v3 VERTEX_POINT('',{p3})
+v4 VERTEX_POINT('',{p4})
+v5 VERTEX_POINT('',{p5})
+e1 EDGE_CURVE('',{v1},{v2},{l1},.T.)
+e2 EDGE_CURVE('',{v2},{v3},{l2},.T.)
+e3 EDGE_CURVE('',{v3},{v4},{l3},.T.)
+e4 EDGE_CURVE('',{v4},{v1},{l4},.T.)
+f1 EDGE_CURVE('',{v1},{v5},{l5},.T.)
+f2 EDGE_CURVE('',{v5},{v1},{l5},.F.)
+END
+model "a loop with a spur" 100 - -e 0.01 "$TMP/spur.step"
+part_of touch "e1 e2 k e3 e4 e5" <<'END'
+p1 CARTESIAN_POINT('',(0.,0.,5.))
+p2 CARTESIAN_POINT('',(10.,0.,5.))
+p3 CARTESIAN_POINT('',(10.,10.,5.))
+p4 CARTESIAN_POINT('',(0.,10.,5.))
+p5 CARTESIAN_POINT('',(10.,5.,5.))
+l1 POLYLINE('',({p1},{p2}))
+l2 POLYLINE('',({p2},{p5}))
+l3 POLYLINE('',({p5},{p3}))
+l4 POLYLINE('',({p3},{p4}))
+l5 POLYLINE('',({p4},{p1}))
+c CIRCLE('',{a 7,5,5 0,0,1 1,0,0},3.)
+v1 VERTEX_POINT('',{p1})
+v2 VERTEX_POINT('',{p2})
+v3 VERTEX_POINT('',{p3})
+v4 VERTEX_POINT('',{p4})
+v5 VERTEX_POINT('',{p5})
+e1 EDGE_CURVE('',{v1},{v2},{l1},.T.)
+e2 EDGE_CURVE('',{v2},{v5},{l2},.T.)
+k EDGE_CURVE('',{v5},{v5},{c},.F.)
+e3 EDGE_CURVE('',{v5},{v3},{l3},.T.)
+e4 EDGE_CURVE('',{v3},{v4},{l4},.T.)
+e5 EDGE_CURVE('',{v4},{v1},{l5},.T.)
+END
+model "a hole that touches the border" "$(calc '100 - 9 * p')" - -e 0.0005 "$TMP/touch.step"
 part_of ellipse "e1" <<'END'
 c ELLIPSE('',{a 1,2,5 0,0,1 0.6,0.8,0},3.,2.)
 v VERTEX_POINT('',{p 2.8 4.4 5})
