@@ -23,11 +23,13 @@ enum {
     GROUP = 16    /* cells that one thread looks at, at a time */
 };
 
-#define CELL 0.25    /* of the radius: width of a cell */
-#define SPARSE 0.34  /* of the radius: the points that stand for all are so far apart */
-#define STEEP 0.3    /* a normal is upright with less than this of Z */
-#define AHEAD 0.75   /* cosine between the normal and the ball's direction, at least */
-#define FREE 0.1     /* mm: less play has no way in for the tool that would be looked for */
+#define CELL 0.25        /* of the radius: width of a cell */
+#define SPARSE 0.34      /* of the radius: the points that stand for all are so far apart */
+#define STEEP 0.3        /* a normal is upright with less than this of Z */
+#define LEANS_LEAST 0.03 /* Z of a normal that is not upright ... */
+#define SIGMAS 3         /* ... by so many standard deviations more */
+#define AHEAD 0.75       /* cosine between the normal and the ball's direction, at least */
+#define FREE 0.1         /* mm: less play has no way in for the tool that would be looked for */
 #define SURE 0.5     /* of the limit: nearer than that a ball has to come that could cut a point */
 #define LINE 0.9     /* of the radius: thickness of the middle line that has to come from outside */
 #define FACES_UP 0.5 /* Z of a normal, at least, of what is material below */
@@ -285,15 +287,32 @@ static bool find_on_side(struct look *l, size_t i, struct vec3 normal, bool insi
     return false;
 }
 
-static struct vec3 normal_at(const struct reach *r, size_t i)
+/* The normal of a point, on the side of what is seen from above. */
+struct facing {
+    struct vec3 normal;
+    bool sure; /* and that is its side: it leans more than it may be wrong */
+};
+
+static struct facing facing_at(const struct reach *r, size_t i)
 {
     size_t index[NEAR];
-    struct vec3 near[NEAR];
+    struct vec3 near[NEAR], mean = {0, 0, 0};
     size_t n = kdtree_nearest(r->tree, r->point[i], NEAR, index, NULL);
-    for (size_t k = 0; k < n; k++)
+    for (size_t k = 0; k < n; k++) {
         near[k] = r->point[index[k]];
+        mean = vec_along(mean, 1 / (double)n, near[k]);
+    }
     struct vec3 normal = plane_normal(near, n);
-    return normal.z < 0 ? vec_scale(-1, normal) : normal;
+    normal = normal.z < 0 ? vec_scale(-1, normal) : normal;
+    struct vec3 up = vec_unit(vec_reject(vec(0, 0, 1), normal));
+    double off2 = 0, high2 = 0;
+    for (size_t k = 0; k < n; k++) {
+        struct vec3 d = vec_sub(near[k], mean);
+        off2 += vec_dot(d, normal) * vec_dot(d, normal);
+        high2 += vec_dot(d, up) * vec_dot(d, up);
+    }
+    double wrong = n > 3 && high2 > 0 ? sqrt(off2 / ((double)(n - 3) * high2)) : 1;
+    return (struct facing){normal, normal.z > LEANS_LEAST + SIGMAS * wrong};
 }
 
 /* Balls on either side of a surface that stands upright. */
@@ -304,7 +323,9 @@ static bool find_access(struct look *l, size_t i, struct vec3 normal, bool insid
            (normal.z < STEEP && find_on_side(l, i, vec_scale(-1, normal), inside, access));
 }
 
-/* LEFT, KEPT_OFF or OUT_OF_REACH. */
+/* LEFT, KEPT_OFF or OUT_OF_REACH.  A ball behind a surface that surely leans is in the part, where
+ * the scan is open above it too: within a hollow body, or under a slope that is steep all the way
+ * up. */
 static enum part_class class_of(struct look *l, size_t i, struct access *access)
 {
     const struct reach *r = l->r;
@@ -312,9 +333,14 @@ static enum part_class class_of(struct look *l, size_t i, struct access *access)
     if (access->known && ball_clears(r, r->point[i], access->ball, &centre) &&
         !ball_is_inside(r, i, centre) && tool_clears(l, centre, access->ball, access->axis))
         return COVERAGE_LEFT;
-    struct vec3 normal = normal_at(r, i);
-    if (find_access(l, i, normal, false, access))
+    struct facing facing = facing_at(r, i);
+    struct vec3 normal = facing.normal;
+    if (find_on_side(l, i, normal, false, access))
         return COVERAGE_LEFT;
+    if (normal.z < STEEP && find_on_side(l, i, vec_scale(-1, normal), false, access)) {
+        access->known = !facing.sure;
+        return facing.sure ? COVERAGE_KEPT_OFF : COVERAGE_LEFT;
+    }
     return find_access(l, i, normal, true, access) ? COVERAGE_KEPT_OFF : COVERAGE_OUT_OF_REACH;
 }
 
@@ -353,7 +379,7 @@ static void measure_areas(void *context, size_t from, size_t to)
         double distance2[BESIDE];
         size_t n = kdtree_nearest(r->tree, r->point[i], BESIDE, index, distance2);
         r->area[i] = n > 1 ? PI * distance2[n - 1] / ((double)n - 1) : 0;
-        r->up[i] = normal_at(r, i).z > FACES_UP;
+        r->up[i] = facing_at(r, i).normal.z > FACES_UP;
     }
 }
 

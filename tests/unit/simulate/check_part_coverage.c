@@ -150,6 +150,39 @@ START_TEST(past_a_wall_without_points)
 }
 END_TEST
 
+/* A chimney 20 high, open at its top, in a pit 5 wide, in which no ball of 3 goes down: its wall
+ * is 8 in radius at the top, and leans by so much. */
+static struct vec3s chimney(double lean)
+{
+    struct vec3s points = {0};
+    for (int k = 0; k <= 50; k++)
+        for (int i = 0; i < 180; i++) {
+            double z = 0.4 * k, r = 8 + (20 - z) * tan(lean),
+                   a = 2 * PI * (i + 0.5 * (k % 2)) / 180;
+            *array_push(&points) = vec(r * cos(a), r * sin(a), z);
+            r += 5 + z * tan(lean);
+            *array_push(&points) = vec(r * cos(a), r * sin(a), z);
+        }
+    return points;
+}
+
+/* From above only its outer side was seen, if it leans: what a ball touches from within is not
+ * what is left to cut.  Of an upright wall nobody knows which side it is. */
+START_TEST(within_a_hollow_body_is_in_the_part)
+{
+    const struct tool_shape slim = {1, {{0, 30, R, R}}};
+    const struct verify_kinematics table = verify_kinematics_trunnion('A', 1);
+    for (int k = 0; k < 2; k++) {
+        struct vec3s points = chimney(k ? RADIANS(6) : 0);
+        double r = k ? 8 + 18 * tan(RADIANS(6)) : 8;
+        int class = class_at(&points, vec(r, 0, 2), 1, &slim, &table);
+        ck_assert_int_eq(class, k ? COVERAGE_KEPT_OFF : COVERAGE_LEFT);
+        ck_assert_int_eq(class_at(&points, vec(8, 0, 20), 1, &slim, &table), COVERAGE_LEFT);
+        array_free(&points);
+    }
+}
+END_TEST
+
 START_TEST(areas_and_threads)
 {
     struct vec3s points = groove(), axis = part_coverage_axes(&upright);
@@ -187,6 +220,7 @@ int main(void)
     tcase_add_test(tcase, as_deep_as_the_holder_lets);
     tcase_add_test(tcase, as_far_as_the_axes_turn);
     tcase_add_test(tcase, past_a_wall_without_points);
+    tcase_add_test(tcase, within_a_hollow_body_is_in_the_part);
     tcase_add_test(tcase, areas_and_threads);
     tcase_set_timeout(tcase, 60);
     suite_add_tcase(suite, tcase);
