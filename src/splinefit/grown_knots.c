@@ -88,28 +88,44 @@ static struct pose3 {
     return (struct pose3){p, vec_along(p, g->reference->offset, axis), axis};
 }
 
-/* How far q is from the data beside interval k: from it, or from the one before. */
-static double off_polyline(const struct vec3 *data, size_t k, bool between, struct vec3 q)
-{
-    double off = vec_segment_distance(data[k], data[k + 1], q);
+/* The largest squares of how far a span is off; one root is enough for all of them. */
+struct off2 {
+    double point, other, axis;
+};
 
-    return k > 0 && !between ? fmin(off, vec_segment_distance(data[k - 1], data[k], q)) : off;
+/* How far q is from the data beside interval k: from it, or from the one before; squared. */
+static double off2_polyline(const struct vec3 *data, size_t k, bool between, struct vec3 q)
+{
+    struct vec3 after = vec_sub(q, vec_segment_nearest(data[k], data[k + 1], q));
+
+    if (k == 0 || between)
+        return vec_dot(after, after);
+    struct vec3 before = vec_sub(q, vec_segment_nearest(data[k - 1], data[k], q));
+    return fmin(vec_dot(after, after), vec_dot(before, before));
 }
 
 /* At point k, or in the middle between it and the next. */
-static double off_at(const struct growth *g, size_t span, size_t k, bool between)
+static void measure_at(const struct growth *g, size_t span, size_t k, bool between,
+                       struct off2 *most)
 {
     const struct reference *t = g->reference;
     double s = between ? 0.5 : 0, u = t->length[k] + s * (t->length[k + 1] - t->length[k]);
     struct pose3 at = place_at(g, span, u);
-    double off = off_polyline(t->point, k, between, at.point) / g->options->tolerance;
 
+    most->point = fmax(most->point, off2_polyline(t->point, k, between, at.point));
     if (g->head) {
-        struct vec3 axis = vec_mix(t->axis[k], t->axis[k + 1], s);
-        off = fmax(off, off_polyline(t->other, k, between, at.other) / g->options->tolerance);
-        off = fmax(off, vec_distance(axis, at.axis) / g->options->angle);
+        struct vec3 turned = vec_sub(vec_mix(t->axis[k], t->axis[k + 1], s), at.axis);
+        most->other = fmax(most->other, off2_polyline(t->other, k, between, at.other));
+        most->axis = fmax(most->axis, vec_dot(turned, turned));
     }
-    return off;
+}
+
+/* In parts of the tolerance. */
+static double off_of(const struct growth *g, const struct off2 *most)
+{
+    double off = sqrt(fmax(most->point, most->other)) / g->options->tolerance;
+
+    return fmax(off, sqrt(most->axis) / g->options->angle);
 }
 
 /* Fits the curve and measures its spans; the largest figure, or infinite without a curve. */
@@ -117,6 +133,7 @@ static double fit_curve(struct growth *g)
 {
     const struct reference *t = g->reference;
     size_t degree = (size_t)g->options->degree, span = degree;
+    struct off2 most = {0};
     double worst = 0;
 
     set_curve(g);
@@ -127,12 +144,15 @@ static double fit_curve(struct growth *g)
     for (size_t k = 0; k + 1 < t->n; k++)
         for (int between = 0; between < 2; between++) {
             double u = between ? (t->length[k] + t->length[k + 1]) / 2 : t->length[k];
-            while (span + 1 < g->curve.poles && g->curve.knot[span + 1] <= u)
-                span++;
-            double off = off_at(g, span, k, between);
-            g->worst[span - degree] = fmax(g->worst[span - degree], off);
-            worst = fmax(worst, off);
+            for (; span + 1 < g->curve.poles && g->curve.knot[span + 1] <= u; span++) {
+                g->worst[span - degree] = off_of(g, &most);
+                most = (struct off2){0};
+            }
+            measure_at(g, span, k, between, &most);
         }
+    g->worst[span - degree] = off_of(g, &most);
+    for (size_t i = 0; i < g->curve.poles; i++)
+        worst = fmax(worst, g->worst[i]);
     return worst;
 }
 
