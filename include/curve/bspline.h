@@ -33,6 +33,9 @@ void bspline_free(struct bspline *b);
 /* The span i with knot[i] <= u < knot[i+1] (the last one that is not empty at the end). */
 size_t bspline_span(int degree, size_t poles, const double *knot, double u);
 
+/* The same, for parameters one after the other: quick where it is span `from` or soon after it. */
+size_t bspline_span_from(int degree, size_t poles, const double *knot, double u, size_t from);
+
 /* The degree + 1 basis functions that are not zero in the span, at u. */
 void bspline_basis(int degree, const double *knot, size_t span, double u, double *value);
 

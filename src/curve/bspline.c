@@ -63,6 +63,15 @@ size_t bspline_span(int degree, size_t poles, const double *knot, double u)
     return low;
 }
 
+size_t bspline_span_from(int degree, size_t poles, const double *knot, double u, size_t from)
+{
+    if (!(knot[from] <= u && u < knot[poles]))
+        return bspline_span(degree, poles, knot, u);
+    while (knot[from + 1] <= u)
+        from++;
+    return from;
+}
+
 void bspline_basis(int degree, const double *knot, size_t span, double u, double *value)
 {
     double left[WIDTH], right[WIDTH];

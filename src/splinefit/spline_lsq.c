@@ -177,7 +177,7 @@ static void take_poles(const double *x, size_t columns, size_t inner, struct vec
 bool lsq_fit(struct bspline *curve, const double *u, const struct vec3 *point,
              const struct vec3 *head, size_t n)
 {
-    size_t inner = curve->poles - 2, degree = (size_t)curve->degree;
+    size_t inner = curve->poles - 2, degree = (size_t)curve->degree, span = degree;
     size_t columns = curve->head != NULL ? 6 : 3;
     double value[BSPLINE_DEGREE_MAX + 1];
 
@@ -193,7 +193,7 @@ bool lsq_fit(struct bspline *curve, const double *u, const struct vec3 *point,
     double *right = mem_alloc(columns * inner, sizeof *right);
 
     for (size_t k = 1; k + 1 < n; k++) {
-        size_t span = bspline_span(curve->degree, curve->poles, curve->knot, u[k]);
+        span = bspline_span_from(curve->degree, curve->poles, curve->knot, u[k], span);
         bspline_basis(curve->degree, curve->knot, span, u[k], value);
         add_products(curve, span - degree, value, &matrix);
         add_point(curve, span - degree, value, curve->pole, point[k], right, columns);

@@ -93,6 +93,26 @@ START_TEST(span_at_the_ends)
 }
 END_TEST
 
+/* Wherever it begins: as without a place to begin, at knots, between, before and behind them. */
+START_TEST(span_from_another)
+{
+    for (int round = 0; round < 200; round++) {
+        int degree = 1 + round % 5;
+        size_t poles = (size_t)degree + 1 + (size_t)(12 * chance());
+        struct bspline b = random_curve(degree, poles, false);
+        for (int k = 0; k < 50; k++) {
+            size_t from = (size_t)degree + (size_t)(chance() * (double)(poles - (size_t)degree));
+            double first = b.knot[0], last = b.knot[poles];
+            double u = k % 2 ? b.knot[(size_t)(chance() * (double)(poles + (size_t)degree + 1))]
+                             : first + (1.2 * chance() - 0.1) * (last - first);
+            ck_assert_uint_eq(bspline_span_from(degree, poles, b.knot, u, from),
+                              bspline_span(degree, poles, b.knot, u));
+        }
+        bspline_free(&b);
+    }
+}
+END_TEST
+
 START_TEST(basis_is_the_recursion)
 {
     seed = 1;
@@ -254,6 +274,7 @@ int main(void)
 
     tcase_add_test(tests, worked_example);
     tcase_add_test(tests, span_at_the_ends);
+    tcase_add_test(tests, span_from_another);
     tcase_add_test(tests, basis_is_the_recursion);
     tcase_add_test(tests, derivatives_are_the_hodograph);
     tcase_add_test(tests, a_cubic_is_reproduced);
