@@ -52,6 +52,18 @@ static inline double angle_nearest(double q, double from)
     return q + 2 * PI * round((from - q) / (2 * PI));
 }
 
+/* remainder(q, 2 PI), to the bit: one whole turn taken off is exact, and none needs no division. */
+static inline double angle_remainder(double q)
+{
+    double turn = 2 * PI, size = fabs(q);
+
+    if (size <= PI)
+        return q;
+    if (size < 1.49 * turn && size != turn)
+        return q > 0 ? q - turn : q + turn;
+    return remainder(q, turn);
+}
+
 /* Angles as their cosines and sines, where the trigonometry would be most of the time. */
 struct turned {
     double cosine[ROTARY_MAX], sine[ROTARY_MAX];

@@ -60,7 +60,7 @@ void ik_branch_angles(const struct ik_branches *s, const struct ik_branch_target
     for (int i = 0; i < ROTARY_MAX; i++) {
         double base = target->found.q[k][i];
         if (i == 0 && target->stays)
-            base = remainder(from[0], 2 * PI);
+            base = angle_remainder(from[0]);
         double whole =
             s->range[i].endless ? round((from[i] - base) / (2 * PI)) : turns[i] + s->range[i].least;
         q[i] = i < s->chain->n ? base + 2 * PI * whole : 0;
@@ -78,8 +78,8 @@ bool ik_branch_end(const struct kinematic_chain *chain, const struct chain_solut
         if (!has_end(chain, i / 2))
             continue;
         double here = from->q[solution][i / 2];
-        double turn = remainder(to->q[solution][i / 2] - here, 2 * PI);
-        double far = remainder((i % 2 ? r->max : r->min) - here, 2 * PI);
+        double turn = angle_remainder(to->q[solution][i / 2] - here);
+        double far = angle_remainder((i % 2 ? r->max : r->min) - here);
         if (fabs(turn) < jump && far / turn > 0 && far / turn < *share)
             *share = far / turn;
     }

@@ -97,7 +97,7 @@ static void extend_by_block(struct search *s, const struct ik_plan_place *place,
             q[i] = angle_nearest(base[i], from->q[i]);
             if (i == 0 && target->stays) {
                 q[i] = from->q[i];
-                base[i] = remainder(q[i], 2 * PI);
+                base[i] = angle_remainder(q[i]);
             }
             if (i > 0 || !target->loose)
                 most = fmax(most, fabs(q[i] - from->q[i]));

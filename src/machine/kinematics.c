@@ -139,7 +139,7 @@ static struct chain_solutions angles_of_two(const struct kinematic_chain *chain,
     s.free = wanted < singular || PI - wanted < singular;
     s.n = 2;
     for (int i = 0; i < 2; i++) {
-        double q1 = remainder(triangle.zero + (i ? -half : half), 2 * PI);
+        double q1 = angle_remainder(triangle.zero + (i ? -half : half));
         s.q[i][1] = q1;
         s.q[i][0] = s.free ? 0 : turn_between(u0, vec_turn(chain->tool, u1, q1), axis);
     }

@@ -334,13 +334,21 @@ static void add_crossing(struct lookahead *ahead, const struct motion *motion, s
     *array_push(&ahead->crossing) = crossing;
 }
 
+/* To the bit: a zero of the other sign has other angles. */
+static bool is_same_axis(struct vec3 a, struct vec3 b)
+{
+    return vec_compare(&a, &b) == 0 && signbit(a.x) == signbit(b.x) &&
+           signbit(a.y) == signbit(b.y) && signbit(a.z) == signbit(b.z);
+}
+
 static void add_motion(struct lookahead *ahead, const struct kinematic_chain *chain,
                        const struct motion *motion)
 {
     double s = 0;
     struct vec3 a = motion_at(motion, 0).a;
     size_t start = ahead->n - 1;
-    ahead->found = chain_angles(chain, a);
+    const struct ik_plan_place *last = &ahead->item[start];
+    ahead->found = is_same_axis(a, last->axis) ? last->solutions : chain_angles(chain, a);
     while (s < 1) {
         double from = s, next = motion_next_knot(motion, s);
         int pieces = motion->kind == MOTION_SPLINE ? SPAN_PIECES : 1;

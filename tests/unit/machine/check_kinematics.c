@@ -27,6 +27,28 @@ START_TEST(published_axis)
 }
 END_TEST
 
+static void same_remainder(double q)
+{
+    double got = angle_remainder(q), right = remainder(q, 2 * PI);
+    ck_assert_msg(got == right && !signbit(got) == !signbit(right), "%a: %a, %a", q, got, right);
+}
+
+/* Beside whole and half turns, at zeros of both signs, far off, and anywhere. */
+START_TEST(remainder_of_a_turn)
+{
+    for (int half = -9; half <= 9; half++) {
+        same_remainder(half * PI);
+        same_remainder(nextafter(half * PI, 100));
+        same_remainder(nextafter(half * PI, -100));
+    }
+    same_remainder(-0.0);
+    same_remainder(1e17);
+    seed = 3;
+    for (int i = 0; i < 100000; i++)
+        same_remainder((i % 2 ? 12 : 1000) * (2 * chance() - 1));
+}
+END_TEST
+
 START_TEST(inverse_is_inverse)
 {
     struct kinematic_chain chain = chain_of(_i);
@@ -243,6 +265,7 @@ int main(void)
     tcase_add_test(tests, head_carries_the_tip);
     tcase_add_test(tests, fewer_axes);
     tcase_add_loop_test(tests, every_machine, 0, SHIPPED);
+    tcase_add_test(tests, remainder_of_a_turn);
     tcase_add_test(tests, any_two_axes);
     suite_add_tcase(suite, tests);
 
