@@ -5,7 +5,8 @@
  * The angles of a machine's rotary axes are averaged along the chain of runs, over lengths that
  * become smaller, as far as each axis stays near its rule or no further off it than it was, to its
  * side of the pole, and the whole tool clear, at all points and on the straight lines between;
- * beside places where it would not be, axes stay as they were.
+ * beside places where it would not be, axes stay as they were, and are then eased as far as they
+ * are clear (axis_chain.h).
  */
 #ifndef CLOUDMILL_AXIS_CALM_H
 #define CLOUDMILL_AXIS_CALM_H

@@ -151,6 +151,48 @@ START_TEST(clear_of_wall)
 }
 END_TEST
 
+/* The sum of the squares of what the axis's turn changes from one half millimetre to the next. */
+static double roughness(const struct rows *r)
+{
+    double sum = 0;
+
+    for (int k = 0; k < ROWS; k++)
+        for (int i = k * POINTS + 1; i + 1 < (k + 1) * POINTS; i++) {
+            struct vec3 a = r->point[i - 1].axis, b = r->point[i].axis, c = r->point[i + 1].axis;
+            struct vec3 change = vec_add(vec_sub(a, b), vec_sub(c, b));
+            sum += vec_dot(change, change);
+        }
+    return sum;
+}
+
+/* The rule leans to the wall: beside it axes have to stand up, and jump there.  They come to that
+ * slowly, and are as clear. */
+START_TEST(slowly_past_a_wall)
+{
+    struct vec3s scan = {0};
+    struct gouge_check *guard = floor_and_wall(25, &scan);
+    struct axis_calm_options options = options_of(guard);
+    struct rows r;
+
+    make_rows(&r);
+    for (int i = 0; i < ROWS * POINTS; i++) {
+        struct run_point *p = &r.point[i];
+        bool beside = p->ball.x > 4 && p->ball.x < 26;
+        r.rule[i] = vec_unit(vec(0, -tan(RADIANS(15)), 1));
+        p->axis = beside ? vec_unit(vec(0, -tan(RADIANS(1)), 1)) : r.rule[i];
+        p->tip = vec_along(p->ball, -RADIUS, p->axis);
+        ck_assert_double_le(deepest(&scan, p), TOLERANCE / 2 + SLACK);
+    }
+    double before = roughness(&r);
+    axis_calm_chain(&options, r.run, ROWS);
+    ck_assert_double_lt(roughness(&r), 0.001 * before);
+    for (int i = 0; i < ROWS * POINTS; i++)
+        ck_assert_double_le(deepest(&scan, &r.point[i]), TOLERANCE / 2 + SLACK);
+    gouge_free(guard);
+    array_free(&scan);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("axis_calm");
@@ -159,6 +201,7 @@ int main(void)
     tcase_set_timeout(tests, 60);
     tcase_add_test(tests, alike);
     tcase_add_test(tests, clear_of_wall);
+    tcase_add_test(tests, slowly_past_a_wall);
     suite_add_tcase(suite, tests);
 
     SRunner *runner = srunner_create(suite);

@@ -1,0 +1,188 @@
+/* axis_chain - see axis_chain.h. */
+#include "axis_chain.h"
+
+#include <stdlib.h>
+
+#include "gouge/axis_smooth.h"
+#include "gouge/holder_sweep.h"
+
+static const double OVER = 1.4;        /* of the radius: rules are averaged over so much, twice */
+static const double AIR = RADIANS(60); /* how far axes in the air may be off those they had */
+static const double STEEPEST = RADIANS(80); /* of an axis from the normal */
+
+/* The rules of a run, averaged. */
+static struct vec3 *rules_of(const struct axis_calm_run *run, double half)
+{
+    struct vec3 *rule = mem_alloc(run->n, sizeof *rule);
+
+    for (size_t i = 0; i < run->n; i++)
+        rule[i] = run->rule ? run->rule[i] : run->point[i].axis;
+    axis_smooth_rules(run->point, run->n, half, rule);
+    return rule;
+}
+
+struct axis_chain axis_chain_of(const struct axis_calm_options *options,
+                                const struct axis_calm_run run[], size_t n)
+{
+    struct axis_chain c = {.options = options, .frame = rotary_frame_of(&options->chain)};
+    struct rotary_angles last = {0, 0};
+
+    for (size_t k = 0; k < n; k++)
+        c.n += run[k].n;
+    c.at = mem_alloc(c.n, sizeof *c.at);
+    for (size_t k = 0, i = 0; k < n; k++) {
+        struct vec3 *rules = rules_of(&run[k], OVER * options->radius);
+        for (size_t j = 0; j < run[k].n; j++, i++) {
+            struct run_point *p = &run[k].point[j];
+            struct vec3 rule = run_point_touches(p) ? rules[j] : p->axis;
+            c.at[i] = (struct axis_station){.point = p,
+                                            .rule = rule,
+                                            .begins = j == 0 && !run[k].joined,
+                                            .far = HUGE_VAL,
+                                            .seen.lean = HUGE_VAL};
+            if (i > 0)
+                c.at[i].along = c.at[i - 1].along + vec_distance(c.at[i - 1].point->ball, p->ball);
+            else
+                last.turn = rotary_angles_near(&c.frame, p->axis, last).turn;
+            c.at[i].was = c.at[i].angles = last = rotary_angles_near(&c.frame, p->axis, last);
+        }
+        free(rules);
+    }
+    for (size_t i = 0; i < c.n; i++) {
+        const struct run_point *p = c.at[i].point;
+        double play = run_point_touches(p) ? fmax(options->play - AXIS_CHAIN_SPARE, 0) : AIR;
+        c.at[i].allow = fmax(play, vec_angle(p->axis, c.at[i].rule));
+    }
+    return c;
+}
+
+/* The station may have the angles, as far as no guard is asked. */
+bool axis_chain_may_have(const struct axis_chain *c, const struct axis_station *s,
+                         struct rotary_angles a)
+{
+    struct vec3 axis = rotary_axis(&c->frame, a), normal = s->point->normal;
+
+    if (a.lean * s->was.lean <= 0 || vec_dot(axis, s->rule) < cos(s->allow + c->spare))
+        return false;
+    if (s->far < PI && vec_dot(axis, s->point->axis) < cos(s->far))
+        return false;
+    return !run_point_touches(s->point) ||
+           vec_dot(axis, normal) >= fmin(cos(STEEPEST), vec_dot(s->point->axis, normal));
+}
+
+/* The integral of the angles up to a place between the stations i and i + 1. */
+static struct rotary_angles integral_at(const struct axis_chain *c,
+                                        const struct rotary_angles sum[], size_t i, double along)
+{
+    const struct axis_station *a = &c->at[i], *b = i + 1 < c->n ? a + 1 : a;
+    double length = b->along - a->along, by = along - a->along;
+    double s = length > 0 ? by / length : 0;
+
+    return (struct rotary_angles){
+        sum[i].lean + by * (a->angles.lean + s / 2 * (b->angles.lean - a->angles.lean)),
+        sum[i].turn + by * (a->angles.turn + s / 2 * (b->angles.turn - a->angles.turn))};
+}
+
+/* The mean of the angles over `half` mm before and after each station, less near the ends. */
+struct rotary_angles *axis_chain_means(const struct axis_chain *c, double half)
+{
+    struct rotary_angles *sum = mem_alloc(c->n + 1, sizeof *sum);
+    struct rotary_angles *mean = mem_alloc(c->n + 1, sizeof *mean);
+    const struct axis_station *at = c->at;
+    double end = at[c->n - 1].along;
+
+    for (size_t i = 0; i + 1 < c->n; i++) { /* integrals up to station i */
+        double length = at[i + 1].along - at[i].along;
+        sum[i + 1].lean = sum[i].lean + length * (at[i].angles.lean + at[i + 1].angles.lean) / 2;
+        sum[i + 1].turn = sum[i].turn + length * (at[i].angles.turn + at[i + 1].angles.turn) / 2;
+    }
+    for (size_t i = 0, low = 0, high = 0; i < c->n; i++) {
+        double reach = fmin(half, fmin(at[i].along, end - at[i].along));
+        double from = at[i].along - reach, to = at[i].along + reach;
+        while (low > 0 && at[low].along > from)
+            low--;
+        while (low + 1 < c->n && at[low + 1].along <= from)
+            low++;
+        while (high > 0 && at[high].along > to)
+            high--;
+        while (high + 1 < c->n && at[high + 1].along <= to)
+            high++;
+        struct rotary_angles a = integral_at(c, sum, low, from), b = integral_at(c, sum, high, to);
+        mean[i] = at[i].angles;
+        if (reach > 1e-6)
+            mean[i] = (struct rotary_angles){(b.lean - a.lean) / (2 * reach),
+                                             (b.turn - a.turn) / (2 * reach)};
+    }
+    free(sum);
+    return mean;
+}
+
+/* The station's angles when it has gone so far from those that it had. */
+struct rotary_angles axis_chain_angles(const struct axis_station *s, double part)
+{
+    return (struct rotary_angles){s->was.lean + part * (s->angles.lean - s->was.lean),
+                                  s->was.turn + part * (s->angles.turn - s->was.turn)};
+}
+
+/* The point as it is for this part of the way. */
+struct run_point axis_chain_point(const struct axis_chain *c, const struct axis_station *s)
+{
+    struct run_point p = *s->point;
+
+    if (s->part > 0) {
+        p.axis = rotary_axis(&c->frame, axis_chain_angles(s, s->part));
+        p.tip = vec_along(p.ball, -c->options->radius, p.axis);
+    }
+    return p;
+}
+
+bool axis_chain_same(struct rotary_angles a, struct rotary_angles b)
+{
+    return a.lean == b.lean && a.turn == b.turn;
+}
+
+/* The tool is not clear, or would swing the ball off its straight line, on the way to a station. */
+static bool is_way_bad(const struct axis_chain *c, const struct holder_sweep *sweep,
+                       const struct axis_station *s, const struct run_point *last,
+                       const struct run_point *p)
+{
+    const struct axis_calm_options *o = c->options;
+    double turned = vec_angle(last->axis, p->axis), swing = sqrt(0.8 * o->tolerance / o->radius);
+
+    if (turned > swing && turned > vec_angle(s[-1].point->axis, s->point->axis) + 1e-9)
+        return true;
+    return fmin(s[-1].clear, s->clear) >= -sweep->slack &&
+           !holder_sweep_clear_between(sweep, last, s[-1].clear, p, s->clear);
+}
+
+/* Looks at the stations that have moved since: those at which the tool would not be clear, or to
+ * which it would not come. */
+size_t axis_chain_find_bad(struct axis_chain *c)
+{
+    const double far = 1; /* mm: clearances beyond are all the same */
+    const struct axis_calm_options *o = c->options;
+    const struct holder_sweep sweep = {o->guard, o->holder, o->tolerance / 2};
+    struct run_point last = {.given = false};
+    size_t found = 0;
+    bool moved_before = false;
+
+    for (size_t i = 0; i < c->n; i++) {
+        struct axis_station *s = &c->at[i];
+        struct run_point p = axis_chain_point(c, s);
+        struct rotary_angles now = axis_chain_angles(s, s->part);
+        bool moved = !axis_chain_same(now, s->seen), joined = i > 0 && !s->begins;
+        joined = joined && (s->part > 0 || s[-1].part > 0);
+        if (moved)
+            s->clear = holder_sweep_clearance(&sweep, &p, far);
+        if (moved || moved_before) {
+            s->bad = s->part > 0 && (s->clear < -sweep.slack || !rotary_reaches(&o->chain, p.axis));
+            if (joined && !s->bad && !s[-1].bad)
+                s->bad = is_way_bad(c, &sweep, s, &last, &p);
+        }
+        s->seen = now;
+        moved_before = moved;
+        found += s->bad;
+        last = p;
+    }
+    return found;
+}
