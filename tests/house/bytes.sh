@@ -1,7 +1,8 @@
 #!/bin/sh
 # bytes.sh - a chain of small jobs through all tools, for mutate.sh: does a changed tool still write
-# the same bytes, with the same exit status?  What freeze.sh asks of thousands of jobs in half an
-# hour, in seconds; it says that a change is noticed, not which of the two is right.
+# the same bytes, with the same exit status and words on standard error?  What freeze.sh asks of
+# thousands of jobs in half an hour, in seconds; it says that a change is noticed, not which of the
+# two is right.
 #
 #	BIN=build/bin sh tests/house/bytes.sh --make DIR    runs all jobs there
 #	BIN=build/bin sh tests/house/bytes.sh DIR NAME      runs one again: exit 0 if it is the same
@@ -92,7 +93,158 @@ jobs() {
 		program.svg ncplot --speed shapes.fanuc
 		compare.svg ncplot --compare wave.ply noise.ply
 		splines.svg ncplot --poles --axes --normals splines.cl
+		wave.arcs.compare ncverify -c fanuc -r 2 -g wave.xyz -p wave.cl arcs.fanuc
+		wave.splines.compare judged siemens -p wave.cl --map /dev/stdout splines.siemens
+		stock.txt judged fanuc --stock box,1 --cell 0.5 splines.fanuc
+		stock-holder.txt judged fanuc --stock offset,1 --holder 2:5+8:30 --map /dev/stdout arcs.fanuc
+		stock-page.html judged fanuc --stock box --cell 0.6 --report /dev/stdout splines.fanuc
+		partial.txt judged fanuc --partial -e 0.001 --left 0.01 --flute 20 splines.fanuc
+		surfaces.txt ncverify -c fanuc -r 2 -g wave.nurbs splines.fanuc
+		stream.ply cloud2mesh --stream -t 2 noise.xyz
+		stray.xyz { cat noise.xyz; echo 1 1 30; echo 2 2 -9; cat noise.xyz | head -n 9; }
+		stray.ply cloud2mesh stray.xyz
+		stray-keep.ply cloud2mesh --outliers keep --normals facet -t 2 stray.xyz
+		inch.ply cloud2mesh -u inch --origin -t 30 wave.xyz
+		roof-free.ply cloud2mesh --no-features -t 1.5 roof.xyz
+		block.xyz shape block 20 16 0.5 0 random
+		block.ply cloud2mesh -t 2 block.xyz
+		corner.xyz shape corner 16 16 0.5 0 random
+		corner.ply cloud2mesh -t 4 corner.xyz
+		box.xyz box
+		box-parts.ply cloud2mesh --subdivide -t 2 box.xyz
+		meet.igs cloud2surf --bspline -e 0.02 --iges wave.xyz
+		igs.ply nurbs2mesh -n 12 meet.igs
+		bezier.igs cloud2surf --bezier -t 12 --iges wave.xyz
+		down.ply nurbs2mesh --up 0,0,-1 -n 10 bezier.igs
+		grid nurbs2mesh --grid 6 meet.nurbs
+		radii nurbs2mesh -k torus.nurbs
 	END
+	for kind in bounded placed cylinder; do
+		echo "$kind.igs iges $kind"
+		echo "$kind.ply nurbs2mesh -e 0.1 $kind.igs"
+	done
+	for kind in sphere cube frame disc part; do
+		echo "$kind.nurbs surface $kind"
+		echo "$kind.ply nurbs2mesh -n 6 $kind.nurbs"
+	done
+	cat <<-'END'
+		region.txt printf -- '-5 -4\n5 -4\n5 4\n-5 4\n\n-2 -2\n2 -2\n0 2\n'
+		region.cl meshnorm -r 2 --region region.txt wave.ply
+		region-cut.cl planecut -r 2 -s 1 --region region.txt wave.ply
+		boxed.cl meshnorm -r 2 --box -4,-4,-9,4,4,9 wave.ply
+		boxed-cut.cl planecut -r 2 -s 1 --box -4,-4,-9,4,4,9 -a 30 wave.ply
+		from-point.cl meshnorm --rows mesh -r 3 --from-point 0,0,-90 --one-way noise.ply
+		to-point.cl planecut -r 3 -s 2 --to-point 0,0,99 --tool 3 --coolant off noise.ply
+		circle.cl meshnorm --rows mesh -r 3 --circle 0,0,90,0,0,1,20 noise.ply
+		least-turn.cl meshnorm --rows mesh -r 3 --lead 10 --least-turn 20 noise.ply
+		rate.cl meshnorm --rows mesh -r 2 --axis-rate 3 --axis-play 4 wave.ply
+		gouraud.cl meshnorm --rows mesh -r 2 --normals gouraud --limit 0.3 --avoid wave.ply
+		cube.cl planecut -r 2 -s 2 -a 30 cube.ply
+		on.cl planecut -r 2 -s 3 --surface meet.nurbs --avoid meet.ply
+		frame.cl planecut -r 2 -s 1 --gap 1 frame.ply
+		wall.cl meshnorm -r 2 --avoid -g wall.xyz wall.ply
+		rib.cl planecut -r 1.5 -s 1 --avoid -g rib.xyz --holder 1.5:3+6:20 rib.ply
+		table biarcfit -q --table wave.cl
+		arcs-g.cl biarcfit -e 0.02 -g wave.xyz --noise 0.02 wave.cl
+		arcs-tilt.cl biarcfit -e 0.02 --tilt 30 --linear-arcs fixed.cl
+		splines-table bsplfit -q --table wave.cl
+		uniform.cl bsplfit -e 0.05 --knots uniform --params chord fixed.cl
+		average.cl bsplfit -e 0.05 --knots average --params centripetal --degree 2 fixed.cl
+		free.cl bsplfit -e 0.05 --knots free --degree 5 --track tip fixed.cl
+		contact.cl bsplfit -e 0.05 --track contact fixed.cl
+		interpolate.cl bsplfit --interpolate fixed.cl
+		centre.cl bsplfit -e 0.05 --track centre fixed.cl
+		arcs-centre.cl biarcfit -e 0.05 centre.cl
+		words.cl path words
+		steep.cl path steep
+		leaning.cl path leaning
+		spiral.cl path spiral
+	END
+	for control in fanuc siemens heidenhain linuxcnc; do
+		for path in words steep leaning spiral; do
+			echo "$path.$control ncpost -c $control $path.cl"
+			echo "$path.$control.txt ncverify -c $control -g wave.xyz -r 2 $path.$control"
+		done
+		for machine in head-cb table-bc table-ac-notcp nutating-head; do
+			echo "$machine.$control ncpost -c $control -m $machine shapes.cl"
+		done
+		echo "three-axis.$control ncpost -c $control -m three-axis fixed.cl"
+		echo "self.$control ncpost -c $control -m head-table-bc --self-test"
+		echo "inch.$control ncpost -c $control --inch --vectors winding.cl"
+		echo "rotary.$control ncpost -c $control --rotary --inch --set c.min=-360 spiral.cl"
+		echo "split.$control split $control spiral.cl"
+		echo "own.$control program $control"
+		echo "own.$control.txt ncverify -c $control -r 4 -g noise.xyz own.$control"
+		echo "own.$control.svg ncplot own.$control"
+		echo "words.$control.line ncpost -c $control --set arcs=no --set cycles=no words.cl"
+		echo "feeds.$control ncpost -c $control --set feeds=inverse --set tcp=no --strict shapes.cl"
+	done
+	cat <<-'END'
+		awkward-clouds awkward '^(cloud|las|e57)|[.](xyz|csv|asc|txt)$'
+		awkward-meshes awkward '^mesh|^not-ply|^empty[.]ply'
+		awkward-surfaces awkward '[.](igs|nurbs|step)$'
+		awkward-paths awkward '^path|[.]cl$'
+		awkward-machines awkward '^machine'
+		seeds-clouds each cloud2mesh fuzz/seeds/cloud fuzz/seeds/cloud-ply fuzz/seeds/las
+		seeds-others each cloud2mesh fuzz/seeds/obj fuzz/seeds/pcd fuzz/seeds/ptx
+		seeds-meshes each 'planecut -r 4 -s 2' fuzz/seeds/off fuzz/seeds/stl
+		seeds-surfaces each 'nurbs2mesh -n 4 --partial' fuzz/seeds/step
+		seeds-paths each 'ncpost -c siemens' fuzz/seeds/cl fuzz/seeds/cl-others
+		seeds-systems each 'ncpost -c siemens' fuzz/seeds/cl-creo fuzz/seeds/cl-nx
+		seeds-fanuc each 'ncverify -c fanuc -r 4 -g noise.xyz' fuzz/seeds/nc-fanuc
+		seeds-heidenhain each 'ncverify -c heidenhain -r 4 -g noise.xyz' fuzz/seeds/nc-heidenhain
+		seeds-linuxcnc each 'ncverify -c linuxcnc -r 4 -g noise.xyz' fuzz/seeds/nc-linuxcnc
+		foreign-fanuc each 'ncpost -c fanuc' data/cl
+		foreign-heidenhain each 'ncpost -c heidenhain' data/cl
+		foreign-programs each 'ncverify -r 4 -g noise.xyz' data/foreign
+		bad-options bad_options
+	END
+}
+
+# What the tools say and write for these files of tests/data/awkward, with the commands there.
+awkward() { # REGEX
+	cd "$SRC/tests/data/awkward" || return
+	awk -F, -v these="$1" 'NR > 1 && $1 ~ these && !seen[$1]++ {
+		command = $2; sub(/@/, $1 ~ /^machine/ ? "./" $1 : $1, command)
+		sub(/^nurbs2mesh/, "& -n 6", command); print command }' expected.csv |
+		while read -r command; do
+			(eval "$command -q") 2>&1 </dev/null
+			echo "exit $?"
+		done
+}
+
+# The same for all files in these folders of tests.
+each() { # COMMAND FOLDER...
+	command=$1
+	shift
+	for folder; do
+		for file in "$SRC/tests/$folder"/*.*; do
+			$command "$file" 2>&1
+		done
+	done
+}
+
+# Options that are help, wrong or lack something.
+bad_options() {
+	for tool in cloud2mesh cloud2surf nurbs2mesh meshnorm planecut biarcfit bsplfit ncpost ncverify \
+		ncplot; do
+		$tool --help all && $tool -V
+		for option in -o -r --frob '-r six' '-e -1' '--fixed 0,1' '--coolant much' nowhere; do
+			# shellcheck disable=SC2086 # words
+			$tool $option 2>&1
+			echo "exit $?"
+		done
+	done
+}
+
+judged() { # CONTROL ARGUMENT...
+	control=$1
+	shift
+	ncverify -c "$control" -r 2 -g wave.xyz "$@"
+}
+
+split() { # CONTROL PATH: all parts of its program
+	ncpost -c "$1" --split 70 -o "split.$1.part" "$2" && cat split."$1"-*
 }
 
 case ${1:-} in
@@ -102,7 +254,7 @@ case ${1:-} in
 --make)
 	mkdir -p "$2" && cd "$2" || exit 1
 	jobs | while read -r name command; do
-		(eval "$command") >"$name" 2>/dev/null </dev/null
+		(eval "$command") >"$name" 2>"$name.err" </dev/null
 		echo $? >"$name.status"
 	done
 	: >made
@@ -111,8 +263,8 @@ case ${1:-} in
 	cd "$1" || exit 1
 	command=$(jobs | awk -v name="$2" '$1 == name { sub(/^[^ ]+ /, ""); print }')
 	again=$(mktemp "${TMPDIR:-/tmp}/cloudmill.XXXXXX") || exit 1
-	trap 'rm -f "$again"' EXIT
-	(eval "$command") >"$again" 2>/dev/null </dev/null
-	[ $? -eq "$(cat "$2.status")" ] && cmp -s "$again" "$2"
+	trap 'rm -f "$again" "$again.err"' EXIT
+	(eval "$command") >"$again" 2>"$again.err" </dev/null
+	[ $? -eq "$(cat "$2.status")" ] && cmp -s "$again" "$2" && cmp -s "$again.err" "$2.err"
 	;;
 esac
