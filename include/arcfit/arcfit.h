@@ -138,13 +138,13 @@ void arcfit_lengthen(const struct reference *reference, const struct deviation *
                      double least, struct pieces *pieces);
 
 /*
- * Turns the axes at the joints, but for the first and the last, so that their lean off Z and its
+ * Turns the axes at the joints between the pieces [from, to) so that their lean off Z and its
  * bearing, which are the angles of a machine's rotary axes, change their speed along the way as
  * little as `within` allows: one joint after the other to the least sum of squares of the changes
  * there and at its neighbours.  What is programmed stays.  Axes beside Z stay.
  */
-void arcfit_calm(const struct reference *reference, const struct deviation *within,
-                 struct pieces *pieces);
+void arcfit_calm(const struct reference *reference, const struct deviation *within, size_t from,
+                 size_t to, struct pieces *pieces);
 
 /*
  * Goes round each piece shorter than `least` mm, a few hundredths, by an arc or a biarc from a place

@@ -127,12 +127,14 @@ static void calm_chain(struct calm *c)
     free(c->at);
 }
 
-void arcfit_calm(const struct reference *reference, const struct deviation *within,
-                 struct pieces *pieces)
+void arcfit_calm(const struct reference *reference, const struct deviation *within, size_t from,
+                 size_t to, struct pieces *pieces)
 {
-    struct calm c = {
-        .reference = reference, .within = within, .n = pieces->n, .piece = pieces->item};
+    struct calm c = {.reference = reference, .within = within};
 
-    if (pieces->n > 1 && reference->turns)
-        calm_chain(&c);
+    if (from + 1 >= to || !reference->turns)
+        return;
+    c.n = to - from;
+    c.piece = &pieces->item[from];
+    calm_chain(&c);
 }

@@ -185,10 +185,25 @@ static void meet_pole(struct fit *f, const struct deviation *within, bool end)
     array_free(&some);
 }
 
-/* What becomes of pieces that keep the tolerance, so far as they keep it then, too.  `anew`: of all
- * of them; else most have been through this. */
+/* The pieces [from, to) that were not the same before, and two on each side. */
+static void find_changed(const struct pieces *now, const struct pieces *before, size_t *from,
+                         size_t *to)
+{
+    enum { ASIDE = 2 };
+    size_t first = 0, last = 0, least = now->n < before->n ? now->n : before->n;
+    while (first < least && vec_distance(now->item[first].arc.to, before->item[first].arc.to) <= 0)
+        first++;
+    while (last < least - first && vec_distance(now->item[now->n - 1 - last].arc.from,
+                                                before->item[before->n - 1 - last].arc.from) <= 0)
+        last++;
+    *from = first > ASIDE ? first - ASIDE : 0;
+    *to = last > ASIDE ? now->n - last + ASIDE : now->n;
+}
+
+/* What becomes of pieces that keep the tolerance, so far as they keep it then, too.  Those that
+ * were there before, if there are any, have been through this. */
 static void refine(struct fit *f, const struct deviation *within, const struct deviation *less,
-                   bool anew)
+                   const struct pieces *before)
 {
     struct pieces some = {0};
     double least = fmin(f->options->least, ARC_SHORTEST);
@@ -198,9 +213,12 @@ static void refine(struct fit *f, const struct deviation *within, const struct d
         arcfit_bridge(&f->reference, less, PATH_COORDINATE, least, &some);
         is_better(f, within, &some);
     }
-    if (anew && f->reference.turns) {
+    if (f->reference.turns) {
+        size_t from = 0, to = f->pieces.n;
         copy_pieces(&f->pieces, &some);
-        arcfit_calm(&f->reference, less, &some);
+        if (before)
+            find_changed(&some, before, &from, &to);
+        arcfit_calm(&f->reference, less, from, to, &some);
         is_better(f, within, &some);
     }
     meet_pole(f, within, false);
@@ -218,13 +236,13 @@ static void fit_within(struct fit *f, double tolerance, const struct arcrun_part
     struct deviation less = part_of(within, part);
 
     if (before && fit_moved(f, before, now, &less) && is_proven(f, &within)) {
-        refine(f, &within, &less, false);
+        refine(f, &within, &less, &before->pieces);
         return;
     }
     for (int i = 0; i < 6; i++, part *= ARC_RETRY) {
         less = part_of(within, part);
         if (fit_once(f, &within, &less)) {
-            refine(f, &within, &less, true);
+            refine(f, &within, &less, NULL);
             return;
         }
     }

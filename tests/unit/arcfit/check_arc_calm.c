@@ -52,7 +52,7 @@ static void assert_calmed(double tolerance, double off, double part)
     double bearing[2], lean[2];
     jumps(&p, &bearing[0], &lean[0]);
     ck_assert_double_gt(bearing[0], 1e-5);
-    arcfit_calm(&t, &within, &p);
+    arcfit_calm(&t, &within, 0, p.n, &p);
     jumps(&p, &bearing[1], &lean[1]);
     ck_assert_double_lt(bearing[1], part * bearing[0]);
     ck_assert_double_lt(lean[1], part * lean[0]);
@@ -85,6 +85,30 @@ START_TEST(as_far_as_the_tolerance_allows)
 }
 END_TEST
 
+START_TEST(beyond_the_range_all_stays)
+{
+    struct run run = trial_screw(401, 0.02);
+    struct reference t = reference_of(&run, 0, run.n, false, false);
+    const struct deviation within = {0.02, 0.02, 0.02};
+    struct pieces p = off_in_turns(&t, 8, 0.001), was = off_in_turns(&t, 8, 0.001);
+    arcfit_calm(&t, &within, 10, 20, &p);
+    int moved = 0;
+    for (size_t i = 0; i < p.n; i++) {
+        bool same = vec_distance(p.item[i].axis_to, was.item[i].axis_to) <= 0;
+        moved += !same;
+        ck_assert(same || (i >= 10 && i < 19));
+    }
+    ck_assert_int_gt(moved, 5);
+    arcfit_calm(&t, &within, 30, 31, &p);
+    arcfit_calm(&t, &within, 30, 30, &p);
+    ck_assert_double_eq(vec_distance(p.item[30].axis_to, was.item[30].axis_to), 0);
+    array_free(&p);
+    array_free(&was);
+    array_free(&run);
+    reference_free(&t);
+}
+END_TEST
+
 START_TEST(a_fixed_axis_stays)
 {
     struct reference t = trial_wave(201, 0.25, 0, 0);
@@ -92,7 +116,7 @@ START_TEST(a_fixed_axis_stays)
     struct pieces p = {0};
     arcfit_beam(&t, &within, 6, ARCFIT_QUICK, &p);
     struct vec3 axis = p.item[0].axis;
-    arcfit_calm(&t, &within, &p);
+    arcfit_calm(&t, &within, 0, p.n, &p);
     for (size_t i = 0; i < p.n; i++)
         ck_assert_double_eq(vec_distance(p.item[i].axis_to, axis), 0);
     array_free(&p);
@@ -105,6 +129,7 @@ int main(void)
     TCase *t = tcase_create("arc_calm");
     tcase_add_test(t, even_again);
     tcase_add_test(t, as_far_as_the_tolerance_allows);
+    tcase_add_test(t, beyond_the_range_all_stays);
     tcase_add_test(t, a_fixed_axis_stays);
     Suite *s = suite_create("arc_calm");
     suite_add_tcase(s, t);
