@@ -27,10 +27,11 @@ struct skin_body {
     size_t facets, edges;
     size_t fans;         /* points of the surface: fans of facets about a place */
     size_t open;         /* edges of one facet alone */
-    size_t many;         /* edges of more than two */
+    size_t many;         /* edges of more than two: the body touches itself there, or another */
+    size_t uneven;       /* of these, those that are not as often gone along there as back */
     size_t unlike;       /* edges whose two facets are turned differently */
     double area, volume; /* mm^2; mm^3, of what is enclosed: only of a closed one */
-    long genus;          /* handles, of a closed one */
+    long genus;          /* handles, of a closed one that nowhere touches itself along an edge */
 };
 
 struct skin_bodies {
@@ -44,7 +45,8 @@ struct skin {
     size_t open, many, unlike; /* edges, of all bodies */
 };
 
-/* Closed: no open edge, none with more than two facets, all facets turned alike. */
+/* Closed: no open edge, and all facets turned alike; along an edge of more than two as many of them
+ * go there as go back, so that the body bounds a volume although it touches itself. */
 bool skin_body_closed(const struct skin_body *body);
 
 /* Of the patches as they are joined and turned.  Facets whose corners have less than three places

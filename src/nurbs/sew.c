@@ -226,6 +226,18 @@ static void find_near(const struct sewing *s, struct vec3 p, double far, int she
     found->n = kept;
 }
 
+/* How far the surface is off the chord of an edge: however unevenly the parameters run along it. */
+static double bulge_of(const struct nurbs *part, const struct patch_mesh_vertex *a,
+                       const struct patch_mesh_vertex *b)
+{
+    double most = 0;
+    for (int i = 1; i < 4; i++) {
+        struct vec3 on = nurbs_point(part, uv_mix(a->at, b->at, i / 4.0));
+        most = fmax(most, vec_segment_distance(a->point, b->point, on));
+    }
+    return most;
+}
+
 /* The vertices, in the order of the edge, that lie between its ends, near its chord as far as the
  * surface and the slack allow, and within the gap of the edge's surface `part`. */
 static void find_t_vertices(const struct sewing *s, const struct nurbs *part,
@@ -245,7 +257,7 @@ static void find_t_vertices(const struct sewing *s, const struct nurbs *part,
             (s->slits && !joins_end(s, p->place, a->place, b->place)))
             continue;
         if (bulge < 0)
-            bulge = vec_distance(middle, nurbs_point(part, uv_mix(a->at, b->at, 0.5)));
+            bulge = bulge_of(part, a, b);
         struct vec3 r = vec_sub(p->point, a->point);
         double t = vec_dot(r, d) / (length * length);
         double off = vec_length(vec_along(r, -t, d));

@@ -189,9 +189,18 @@ static void count_fans(const struct patch_mesh *q, const struct skin_side *side,
     free(parent);
 }
 
+/* Do as many of the facets along an edge go there as go back? */
+static bool is_even(const struct skin_side *side, size_t n)
+{
+    size_t forwards = 0;
+    for (size_t i = 0; i < n; i++)
+        forwards += side[i].forward;
+    return 2 * forwards == n;
+}
+
 bool skin_body_closed(const struct skin_body *body)
 {
-    return body->open == 0 && body->many == 0 && body->unlike == 0;
+    return body->open == 0 && body->uneven == 0 && body->unlike == 0;
 }
 
 struct skin skin_of(const struct patch_mesh *q)
@@ -217,6 +226,7 @@ struct skin skin_of(const struct patch_mesh *q)
         b->edges++;
         b->open += k == 1;
         b->many += k > 2;
+        b->uneven += k > 2 && !is_even(&side[i], k);
         b->unlike += k == 2 && side[i].forward == side[i + 1].forward;
         if (k == 1)
             *array_push(&open) = side[i];

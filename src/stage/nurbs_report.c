@@ -171,9 +171,14 @@ void nurbs_report_skin(const struct patches *patches, const struct skin *skin)
 {
     for (size_t i = 0; i < skin->body.n && i < NAMED; i++) {
         const struct skin_body *b = &skin->body.item[i];
-        if (skin_body_closed(b))
+        const char *about = b->volume < 0 ? " about a void" : "";
+        if (skin_body_closed(b) && b->many > 0)
+            note("body %zu: closed%s, touches itself along %zu edges, area %.6f mm2, "
+                 "volume %.6f mm3, %zu facets",
+                 i + 1, about, b->many, b->area, b->volume, b->facets);
+        else if (skin_body_closed(b))
             note("body %zu: closed%s, genus %ld, area %.6f mm2, volume %.6f mm3, %zu facets", i + 1,
-                 b->volume < 0 ? " about a void" : "", b->genus, b->area, b->volume, b->facets);
+                 about, b->genus, b->area, b->volume, b->facets);
         else
             note("body %zu: open at %zu edges, area %.6f mm2, %zu facets", i + 1, b->open, b->area,
                  b->facets);
