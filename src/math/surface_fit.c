@@ -8,6 +8,7 @@
 #include "math/cubic.h"
 #include "math/moment_fit.h"
 #include "math/ridge_direction.h"
+#include "rough_place.h"
 
 enum { WIDEST = 1024 };
 
@@ -432,8 +433,8 @@ static void fit_along(const struct surface_fit_options *rule, struct vec3 vertex
 /* What points may be spread about a surface that explains them, in sigma. */
 static const double ROUGH = 1.2;
 
-/* The cubic through about k points around the foot of a place; false: it does not explain them, or
- * they are not all around. */
+/* The cubic through about k points around the foot of a place, fit->n 0: they carry none.  False: it
+ * does not explain them, or they are not all around. */
 static bool fit_moments(const struct surface_fit_options *rule, struct vec3 place,
                         struct vec3 guess, size_t k, struct surface_fit *fit)
 {
@@ -442,6 +443,7 @@ static bool fit_moments(const struct surface_fit_options *rule, struct vec3 plac
     struct moment_fit m;
     struct vec3 from = place;
 
+    fit->n = 0;
     if (moment_fit_ball(rule->point_grid, from, guess, radius, &m) < 0)
         return false;
     if (sigma > narrow * radius) { /* points near to one that is off are off to the same side */
@@ -463,6 +465,7 @@ static bool fit_first(const struct surface_fit_options *rule, struct vec3 place,
     size_t k = rule->neighbours;
     struct surface_fit other;
 
+    fit->n = 0;
     if (k > MOMENT_FIT_MOST / 2 || !fit_moments(rule, place, guess, k, fit))
         return false;
     if (is_settled(&fit->q, rule->sigma))
@@ -473,12 +476,23 @@ static bool fit_first(const struct surface_fit_options *rule, struct vec3 place,
     return true;
 }
 
+/* The points are so far off the first round's surface, and those of each cell off a plane, that none
+ * is there to be found: that is as good as any. */
+static bool has_no_surface(const struct surface_fit_options *rule, struct vec3 place,
+                           const struct surface_fit *fit)
+{
+    const double far = 10; /* in sigma */
+
+    return fit->n > 0 && fit->spread > far * rule->sigma &&
+           rough_place(rule->point_grid, place, far * rule->sigma);
+}
+
 bool surface_fit_at(const struct surface_fit_options *rule, struct vec3 place, struct vec3 guess,
                     struct surface_fit_hood *hood, struct surface_fit *fit)
 {
     const double rough = ROUGH, torn = 8; /* in sigma */
     hood->gathered = hood->steep = 0;     /* of another place */
-    if (fit_first(rule, place, guess, fit))
+    if (fit_first(rule, place, guess, fit) || has_no_surface(rule, place, fit))
         return true;
     if (!fit_at(rule, place, guess, hood, fit))
         return false;
