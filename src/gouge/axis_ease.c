@@ -9,7 +9,7 @@ enum { SWEEPS = 2 };
 static const double WIDEST = 16;     /* mm: first half length of averages, halved each time */
 static const double NARROWEST = 1;   /* mm: and none is shorter */
 static const double BESIDE = 24;     /* mm: so near to a held station others are eased, too */
-static const double BESIDE_POLE = 8; /* mm: and none is so near to the pole */
+static const double BESIDE_POLE = 3; /* mm: and none is so near to the pole */
 static const double SLACKENS =
     0.03; /* radians for each mm: from an axis that is far off its rule */
 

@@ -198,7 +198,7 @@ struct axis_planner *toolpath_new_planner(const struct toolpath *t)
 /* Cuts off the loops of a strip where the ball does not fit. */
 static void remove_loops(const struct toolpath *t, struct toolpath_strip *strip)
 {
-    const double gap = 0.2, longest = 10; /* radii */
+    const double gap = 0.1, longest = 10; /* radii */
     const struct gouge_lift_options *lift = &strip->lift;
     const struct retrace_options options = {.offset = lift->offset,
                                             .tolerance = lift->tolerance,
