@@ -198,13 +198,17 @@ static bool try_straight(const struct search *s, struct splinefit *fit)
     return fit->within;
 }
 
-/* What always serves: the data's own polyline. */
+/* What always serves: the data's own polyline.  Between two points the ball goes as it does on the
+ * path, where a straight way of the tip swings it off its own: no deviation of the curve's. */
 static void set_polyline(const struct search *s, struct splinefit *fit)
 {
+    struct deviation made;
+
     *fit = (struct splinefit){.curve = spline_polyline(s->reference), .kind = SPLINEFIT_POLYLINE};
     spline_bound_print(&fit->curve);
     spline_bound_polyline(&fit->curve, s->reference, &fit->proof);
-    fit->within = deviation_within(&fit->proof, &s->within);
+    made = (struct deviation){fit->proof.point, 0, fit->proof.axis};
+    fit->within = deviation_within(&made, &s->within);
 }
 
 /* False: nothing was found. */

@@ -199,6 +199,31 @@ START_TEST(what_is_rough_stays_a_polyline)
 }
 END_TEST
 
+/* From one point to the next the axis turns by 10 degrees while the tip goes straight: on the path,
+ * too, the ball of 8 then swings 8 (1 - cos 5 degrees) off its straight way. */
+START_TEST(a_swing_of_the_path_is_no_deviation)
+{
+    struct run run = {.radius = 8};
+
+    for (int k = 0; k < 2; k++) {
+        struct run_point p = {.tip = vec(k, 0, 0),
+                              .axis = vec(sin(RADIANS(10) * k), 0, cos(RADIANS(10) * k))};
+        p.ball = vec_along(p.tip, 8, p.axis);
+        *array_push(&run) = p;
+    }
+    struct reference t = reference_distinct(&run, false);
+    struct splinefit fit;
+    splinefit_search(&t, &ALL, &fit);
+    ck_assert_int_eq(fit.kind, SPLINEFIT_POLYLINE);
+    ck_assert_double_lt(fit.proof.point, 1e-6);
+    ck_assert_double_gt(fit.proof.other, ALL.tolerance); /* said all the same */
+    ck_assert(fit.within);
+    splinefit_free(&fit);
+    reference_free(&t);
+    array_free(&run);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("splinefit");
@@ -211,6 +236,7 @@ int main(void)
     tcase_add_test(tests, straight_and_two_points);
     tcase_add_test(tests, another_kind_of_curve_is_found_again);
     tcase_add_test(tests, what_is_rough_stays_a_polyline);
+    tcase_add_test(tests, a_swing_of_the_path_is_no_deviation);
     suite_add_tcase(suite, tests);
 
     SRunner *runner = srunner_create(suite);
