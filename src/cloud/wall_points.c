@@ -22,7 +22,7 @@ struct raster {
     size_t columns, rows;
     double *low, *high;   /* z */
     unsigned char *near;  /* is a cell where the cloud rises so much, or beside one */
-    unsigned char *steep; /* has points on a wall, or is within WITHIN cells of one that has */
+    unsigned char *steep; /* points on a wall in cells within WITHIN of it, FEWEST: or more */
 };
 
 /* Points to be looked at closely, and whether they lie on walls: by their neighbourhood, and in the
@@ -135,7 +135,7 @@ static void grow_walls(void *context, size_t from, size_t to)
         struct vec3 near[NEAR];
         struct plane_fit plane;
         l->wall[i] = l->steep[i];
-        bool looked = l->wall[i] || !l->raster->steep[cell_of(l->raster, l->point[i])];
+        bool looked = l->wall[i] || l->raster->steep[cell_of(l->raster, l->point[i])] < FEWEST;
         size_t n = looked ? 0 : kdtree_nearest(l->tree, l->point[i], WIDER, index, NULL);
         for (size_t k = 0; k < n; k++) {
             const struct plane_fit *other = &l->plane[index[k]];
@@ -152,21 +152,20 @@ static void grow_walls(void *context, size_t from, size_t to)
     }
 }
 
-/* Marks the cells near to points of walls: the WIDER points nearest to those of others are as near
- * as WITHIN cells, so that none of them is on a wall. */
+/* Counts the points of walls near to cells: the WIDER points nearest to those of others are as near
+ * as WITHIN cells, so that too few of them are on a wall. */
 static void mark_steep(struct raster *r, const struct candidates *l, size_t n)
 {
     r->steep = mem_alloc(r->columns * r->rows, 1);
     for (size_t i = 0; i < n; i++) {
         size_t c = cell_of(r, l->point[i]), row = c / r->columns, column = c % r->columns;
-        if (!l->steep[i] || r->steep[c] == 2)
+        if (!l->steep[i])
             continue;
-        r->steep[c] = 2;
         for (size_t j = row > WITHIN ? row - WITHIN : 0; j <= row + WITHIN && j < r->rows; j++)
             for (size_t k = column > WITHIN ? column - WITHIN : 0;
                  k <= column + WITHIN && k < r->columns; k++)
-                if (r->steep[j * r->columns + k] == 0)
-                    r->steep[j * r->columns + k] = 1;
+                if (r->steep[j * r->columns + k] < FEWEST)
+                    r->steep[j * r->columns + k]++;
     }
 }
 
