@@ -192,6 +192,7 @@ struct beam {
     double most_turned, straight; /* cosine of half of TURN_MAX, sine of ARCFIT_KINK */
     struct nodes done;            /* all that are part of chains */
     struct proposals next;
+    struct sizes heap;          /* of these */
     struct arc_windows windows; /* for use within propose_next */
     size_t stepped;             /* pieces that are no single arcs, where these would not do */
 };
@@ -218,6 +219,16 @@ static void propose_arc(struct beam *b, size_t before, size_t j, struct vec3 to)
     *array_push(&b->next) = next;
 }
 
+/* An arc that is bent so, its centre x behind the aim and y beside it, is far off a joint whatever
+ * the last digits are: most are. */
+static bool is_far_off(const struct beam *b, double bent, double x, double y)
+{
+    const double rounding = 1e-14;
+    double radius = 1 / bent, most = ARC_JOINT_OFF * b->within->point + rounding * radius + 1e-9;
+
+    return fabs(sqrt(x * x + y * y) - radius) > most;
+}
+
 /* The arc of curvature k up to where it is nearest to point j. */
 static void propose_curvature(struct beam *b, size_t before, size_t j, struct vec3 k)
 {
@@ -227,7 +238,10 @@ static void propose_curvature(struct beam *b, size_t before, size_t j, struct ve
     struct vec3 to = vec_along(from->p, x, from->tangent);
     if (bent * x * x > STRAIGHT) { /* from the centre in the direction of the aim */
         struct vec3 inward = vec_scale(1 / bent, k);
-        double y = 1 / bent - vec_dot(e, inward), l = hypot(x, y);
+        double y = 1 / bent - vec_dot(e, inward);
+        if (is_far_off(b, bent, x, y))
+            return;
+        double l = hypot(x, y);
         double sine = x / l, height = sine * x / (l + y);
         to = vec_along(from->p, sine / bent, from->tangent);
         to = vec_along(to, height / bent, inward);
@@ -332,16 +346,53 @@ static bool keep_best_finished(struct beam *b)
     return any;
 }
 
+/* A heap of proposals by their number, the one that reaches furthest on top: few of them are
+ * wanted in order. */
+static void sift_down(const struct proposals *p, size_t *heap, size_t n, size_t at)
+{
+    size_t moved = heap[at];
+
+    for (size_t child = 2 * at + 1; child < n; child = 2 * at + 1) {
+        if (child + 1 < n && by_reach(&p->item[heap[child + 1]], &p->item[heap[child]]) < 0)
+            child++;
+        if (by_reach(&p->item[moved], &p->item[heap[child]]) < 0)
+            break;
+        heap[at] = heap[child];
+        at = child;
+    }
+    heap[at] = moved;
+}
+
+static void heap_up(const struct proposals *p, struct sizes *heap)
+{
+    heap->n = 0;
+    for (size_t i = 0; i < p->n; i++)
+        *array_push(heap) = i;
+    for (size_t i = heap->n / 2; i-- > 0;)
+        sift_down(p, heap->item, heap->n, i);
+}
+
+/* Takes the one on top away. */
+static const struct proposal *take_furthest(const struct proposals *p, struct sizes *heap)
+{
+    const struct proposal *furthest = &p->item[heap->item[0]];
+
+    heap->item[0] = heap->item[--heap->n];
+    if (heap->n > 0)
+        sift_down(p, heap->item, heap->n, 0);
+    return furthest;
+}
+
 /* Moves the best of the proposals that hold into the chains; returns how many. */
 static size_t keep_best(struct beam *b)
 {
     size_t kept = keep_best_finished(b);
-    if (b->next.n > 1)
-        qsort(b->next.item, b->next.n, sizeof *b->next.item, by_reach);
-    for (size_t i = 0; i < b->next.n && kept < b->width && !beam_finished(b); i++) {
+
+    heap_up(&b->next, &b->heap);
+    while (b->heap.n > 0 && kept < b->width && !beam_finished(b)) {
         struct node l;
         struct deviation found;
-        if (!prove_piece(b, &b->next.item[i], &l, &found))
+        if (!prove_piece(b, take_furthest(&b->next, &b->heap), &l, &found))
             continue;
         *array_push(&b->done) = l;
         kept++;
@@ -449,6 +500,7 @@ void arcfit_beam(const struct reference *reference, const struct deviation *with
         *array_push(pieces) = best->item[i];
     array_free(&b.done);
     array_free(&b.next);
+    array_free(&b.heap);
     array_free(&b.windows);
     array_free(&arcs);
     array_free(&biarcs);
