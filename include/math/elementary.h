@@ -33,6 +33,13 @@ double elementary_asinh(double x);
 double elementary_hypot(double x, double y);
 double elementary_cbrt(double x);
 
+/* Both of one angle, to the bit as elementary_sin and elementary_cos say them: the angle is reduced
+ * once. */
+struct sine_cosine {
+    double sine, cosine;
+};
+struct sine_cosine elementary_sine_cosine(double x);
+
 /* C leaves open which zero fmax(0, -0) is: here the first of two equals.  A NaN, b if b != b, gives
  * the other. */
 static inline double elementary_fmax(double a, double b)

@@ -45,9 +45,9 @@ static struct position position_at(const struct measurement *f, double s)
     struct position position = {.p = arc_at(f->arc, s)};
     if (f->alone)
         return position;
-    double u = s * f->turn, c = cos(u), d = sin(u);
-    position.axis = vec_along(vec_scale(c, f->axis), d, f->aside);
-    position.turn = vec_along(vec_scale(-d, f->axis), c, f->aside);
+    struct sine_cosine u = elementary_sine_cosine(s * f->turn);
+    position.axis = vec_along(vec_scale(u.cosine, f->axis), u.sine, f->aside);
+    position.turn = vec_along(vec_scale(-u.sine, f->axis), u.cosine, f->aside);
     position.other = vec_along(position.p, f->reference->offset, position.axis);
     return position;
 }

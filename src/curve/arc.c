@@ -76,16 +76,17 @@ struct vec3 arc_at(const struct arc *arc, double s)
 {
     if (arc_straight(arc))
         return vec_mix(arc->from, arc->to, s);
-    double half = s * arc->angle / 2, chord = 2 * arc->radius * sin(half);
-    struct vec3 p = vec_along(arc->from, chord * cos(half), arc->tangent);
-    p = vec_along(p, chord * sin(half), arc->inward);
+    struct sine_cosine half = elementary_sine_cosine(s * arc->angle / 2);
+    double chord = 2 * arc->radius * half.sine;
+    struct vec3 p = vec_along(arc->from, chord * half.cosine, arc->tangent);
+    p = vec_along(p, chord * half.sine, arc->inward);
     return vec_along(p, s, arc->drift);
 }
 
 struct vec3 arc_tangent(const struct arc *arc, double s)
 {
-    double u = s * arc->angle;
-    return vec_unit(vec_along(vec_scale(cos(u), arc->tangent), sin(u), arc->inward));
+    struct sine_cosine u = elementary_sine_cosine(s * arc->angle);
+    return vec_unit(vec_along(vec_scale(u.cosine, arc->tangent), u.sine, arc->inward));
 }
 
 double arc_foot(const struct arc *arc, struct vec3 p)

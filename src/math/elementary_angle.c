@@ -173,6 +173,22 @@ double elementary_cos(double x)
     return a.quarter == 1 || a.quarter == 2 ? -value : value;
 }
 
+struct sine_cosine elementary_sine_cosine(double x)
+{
+    if (!isfinite(x))
+        return (struct sine_cosine){x - x, x - x};
+    struct reduced a = reduce(x);
+    double s = sin_kernel(a.rest), c = cos_kernel(a.rest);
+    struct sine_cosine value =
+        a.quarter & 1 ? (struct sine_cosine){c, s} : (struct sine_cosine){s, c};
+
+    if (fabs(x) < 0x1p-27)
+        value.sine = x;
+    value.sine = a.quarter & 2 ? -value.sine : value.sine;
+    value.cosine = a.quarter == 1 || a.quarter == 2 ? -value.cosine : value.cosine;
+    return value;
+}
+
 double elementary_tan(double x)
 {
     if (!isfinite(x))

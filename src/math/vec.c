@@ -3,7 +3,9 @@
 
 struct vec3 vec_turn(struct vec3 a, struct vec3 axis, double angle)
 {
-    return vec_turn_by(a, axis, cos(angle), sin(angle));
+    struct sine_cosine turn = elementary_sine_cosine(angle);
+
+    return vec_turn_by(a, axis, turn.cosine, turn.sine);
 }
 
 struct great_circle great_circle_of(struct vec3 a, struct vec3 b)

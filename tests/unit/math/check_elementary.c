@@ -248,6 +248,23 @@ START_TEST(what_is_exact)
 }
 END_TEST
 
+/* To the bit as each of them alone, of angles of any size, beside quarter turns, of what is none. */
+START_TEST(sine_and_cosine_at_once)
+{
+    const double odd[] = {0, -0.0, 1e-320, 0x1p-27, 1e300, HUGE_VAL, NAN};
+    enum { ODD = sizeof odd / sizeof *odd };
+    for (int i = 0; i < 300000; i++) {
+        double x = i % 3 == 0   ? uniform(-8, 8)
+                   : i % 3 == 1 ? of_any_size(-40, 60, true)
+                                : i % 99 * 0x1.921fb54442d18p-1 * (1 + uniform(-1, 1) * 1e-15);
+        x = i % 100 ? x : odd[i / 100 % ODD];
+        struct sine_cosine both = elementary_sine_cosine(x);
+        same(both.sine, elementary_sin(x));
+        same(both.cosine, elementary_cos(x));
+    }
+}
+END_TEST
+
 /* As hypot itself is compared, also with limits that are hypot to the last digit or beside it, of
  * any size, and with what is no number. */
 START_TEST(hypot_compared)
@@ -289,6 +306,7 @@ int main(void)
     tcase_add_test(precise, roots_against_long_double);
     tcase_add_test(t, special_values);
     tcase_add_test(t, what_is_exact);
+    tcase_add_test(t, sine_and_cosine_at_once);
     tcase_add_test(t, hypot_compared);
     tcase_add_test(t, the_same_bits_everywhere);
     if (has_long_double())
