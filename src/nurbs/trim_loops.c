@@ -131,7 +131,7 @@ bool uv_polygon_backwards(const struct uv_polygon *loops, size_t index, bool ope
 
 /* A side of a loop, by its lowest u. */
 struct side {
-    double low, high;
+    double low, high, low_v, high_v;
     size_t i;
 };
 
@@ -231,8 +231,8 @@ static struct side *sorted_sides(const struct uvs *loop)
 {
     struct side *side = mem_alloc(loop->n + 1, sizeof *side);
     for (size_t i = 0; i < loop->n; i++) {
-        double u = loop->item[i].u, next = loop->item[(i + 1) % loop->n].u;
-        side[i] = (struct side){fmin(u, next), fmax(u, next), i};
+        struct uv a = loop->item[i], b = loop->item[(i + 1) % loop->n];
+        side[i] = (struct side){fmin(a.u, b.u), fmax(a.u, b.u), fmin(a.v, b.v), fmax(a.v, b.v), i};
     }
     if (loop->n > 0)
         qsort(side, loop->n, sizeof *side, compare_sides);
@@ -248,6 +248,8 @@ static size_t crossings_of(const struct uvs *loop, const struct nurbs *s, double
             size_t p = side[i].i, q = side[m].i, low = p < q ? p : q, high = p < q ? q : p;
             struct uv at;
             bool smaller;
+            if (side[i].high_v < side[m].low_v || side[m].high_v < side[i].low_v)
+                continue;
             count += is_corner_crossed(loop, low, high) ||
                      (is_crossing(loop, low, high, &at) &&
                       is_part(loop, s, tolerance, low, high, at, &smaller));
@@ -276,6 +278,8 @@ static bool drop_part(const struct nurbs *s, double tolerance, struct uvs *loop)
             size_t p = side[i].i, q = side[m].i;
             low = p < q ? p : q;
             high = p < q ? q : p;
+            if (side[i].high_v < side[m].low_v || side[m].high_v < side[i].low_v)
+                continue;
             found = is_crossing(loop, low, high, &at) &&
                     !is_part(loop, s, tolerance, low, high, at, &smaller);
         }
