@@ -7,19 +7,21 @@
  *   1. A point whose neighbourhood is no one quadric gets the surface of its own side, its flank:
  *      of the planes through it and two of its neighbours the one that most neighbours lie on
  *      (RANSAC, Fischler and Bolles 1981, but all of them), fitted to these, and bent where that is
- *      better (side_fit.h).  It counts if the flanks of the points on it agree.
+ *      better (side_fit.h).  It counts if the flanks of the points on it agree.  A point that none
+ *      of these tell gets the level top of a narrow wall, whose points lie along a line, or a
+ *      quadric of neighbours along a rib (ridge_direction.h).
  *   2. Where the flanks of two neighbours are no continuation of each other and each of the two
  *      lies below the flank of the other, points are put on the curve in which these intersect, and
  *      at a tip where they meet a third flank; no further than REACH spacings from a point of the
  *      scan.
- *   3. Where the ball would sink in between points of a flank, points are put on it, up to its
- *      edges and into sharp hollows, where points or edges of the flank are on all sides; for no
- *      surface of all nearest points goes through there.
+ *   3. Where the ball would sink in between points of a flank that is certain, or has an edge, or is
+ *      a rib's, points are put on it, up to its edges and into sharp hollows, where points or edges
+ *      of the flank are on all sides; for no surface of all nearest points goes through there.
  *   4. Where points lie below a flank, so steeply that a wall must be between, or as far below it
  *      as it is above their own surface, nobody knows where the wall is: the flank goes on up to
- *      these points, and down to them goes a wall, so that a ball is kept off whatever may be
- *      there.  Only flanks are continued that are certain: their points are off them by no more
- *      than noise, or than a ball may sink.
+ *      these points, at a corner a little beyond between them, and down to them goes a wall, so that
+ *      a ball is kept off whatever may be there.  Only flanks are continued that are certain:
+ *      their points are off them by no more than noise, or than a ball may sink.
  *   5. The tip of a cone is put where its straight lines, continued, meet (cone_tip.h), and places
  *      round it as far as all neighbours know.
  * On scan lines (scan_lines.h) flanks are those of neighbours on several lines, for through three

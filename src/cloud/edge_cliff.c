@@ -4,12 +4,15 @@
 /* A point so far below a flank, by its distance, is down a wall; where the other side is known,
  * too, and lies as far below: down a step. */
 static const double WALL = 0.9, STEP = 0.1;
+static const double CORNER = 1.5;  /* spacings */
 static const double FACING = 0.35; /* least z of a flank that is continued over its wall */
 
 /* What is seen from above about a point of a flank: points of the flank, those so steeply below it
  * that a wall is between, and points whose flank meets it in a known edge. */
 struct cliff {
     struct vec3 from;
+    double reach;  /* so far the flank may go on, seen from above, mm */
+    double corner; /* and so far between points below */
     const struct quadric *q;
     struct vec3s on, below;
     struct sizes beyond;
@@ -114,7 +117,10 @@ static bool may_be_off(const struct edge_work *work, size_t i)
 static struct cliff find_cliff(const struct edge_work *work, size_t i)
 {
     struct about about = points_about(work, i);
-    struct cliff cliff = {.from = about.grid->point[i], .q = &work->flank[i].q};
+    struct cliff cliff = {.from = about.grid->point[i],
+                          .reach = about.reach,
+                          .corner = CORNER * point_grid_spacing(about.grid),
+                          .q = &work->flank[i].q};
 
     if (may_be_off(work, i))
         for (size_t k; next_about(&about, &k);)
@@ -123,10 +129,10 @@ static struct cliff find_cliff(const struct edge_work *work, size_t i)
 }
 
 /* The wall may be beyond the place: this is on the way to a point below it, before all others of
- * these, and no other point of the flank is nearer. */
+ * these or, as at a corner, far beside them, and no other point of the flank is nearer. */
 static bool is_before_wall(const struct cliff *cliff, double u, double v)
 {
-    const double beside = 0.7; /* cosine of 45 degrees */
+    const double beside = 0.7, past = 0.3; /* cosine of 45 degrees; of its way from the point */
     bool before = false;
 
     for (size_t k = 0; k < cliff->on.n; k++) {
@@ -137,7 +143,8 @@ static bool is_before_wall(const struct cliff *cliff, double u, double v)
     for (size_t k = 0; k < cliff->below.n; k++) {
         double x = cliff->below.item[k].x - cliff->from.x;
         double y = cliff->below.item[k].y - cliff->from.y, ahead = u * x + v * y;
-        if (ahead > x * x + y * y)
+        if (ahead > x * x + y * y &&
+            (hypot(u, v) > cliff->corner || hypot(x - u, y - v) < past * hypot(u, v)))
             return false;
         before = before || ahead > beside * sqrt((u * u + v * v) * (x * x + y * y));
     }
@@ -158,12 +165,11 @@ static bool is_before_edges(const struct edge_work *work, const struct cliff *cl
 }
 
 /* The flank of point i goes on up to the points below: where the wall between is nobody knows. */
-static void fill_cliff(const struct edge_work *work, const struct cliff *cliff, double reach,
-                       struct vec3s *to)
+static void fill_cliff(const struct edge_work *work, const struct cliff *cliff, struct vec3s *to)
 {
     const double dense = 0.65, triangle = 0.8660254037844386;
     double pitch = dense * work->options->along;
-    int rings = (int)fmin(reach / pitch, EDGE_RINGS);
+    int rings = (int)fmin(cliff->reach / pitch, EDGE_RINGS);
 
     for (int j = -rings; j <= rings; j++)
         for (int k = -rings; k <= rings; k++) {
@@ -214,7 +220,7 @@ double edge_cliff_add(const struct edge_work *work, size_t i, struct vec3s *to)
     double width = 0;
 
     if (cliff.below.n > 0) {
-        fill_cliff(work, &cliff, EDGE_REACH * work->flank[i].spacing, to);
+        fill_cliff(work, &cliff, to);
         fill_wall(work, &cliff, to);
     }
     if (to->n > before)

@@ -123,7 +123,8 @@ void edge_fill_add(const struct edge_work *work, const struct edge_hood *near, s
 {
     struct flank_patch patch = find_patch(work, near, i);
 
-    if (patch.edges > 0 || patch.sharp >= EDGE_FEWEST) /* elsewhere it is rough */
+    if (patch.edges > 0 || patch.sharp >= EDGE_FEWEST || patch.flank->along ||
+        edge_flank_certain(work, patch.flank)) /* elsewhere it is rough */
         fill_patch(work, near, &patch, to);
     array_free(&patch.side);
 }

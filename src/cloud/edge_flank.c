@@ -16,7 +16,6 @@ enum { SMOOTH = EDGE_SMOOTH, LINED = 36, TRIED = 12 };
  * far from all others is on none of theirs. */
 static const double FLAT = 0.02, BENT = 0.015, NARROW = 0.25, APART = 2,
                     LONE = 1; /* in cells of the grid */
-static const double UPRIGHT = 0.004;
 
 /* The normal of a flank below or above a place, and how far that is above the flank. */
 double edge_flank_above(const struct edge_flank *flank, struct vec3 p, struct vec3 *normal)
@@ -179,7 +178,7 @@ static void find_flank(const struct edge_work *work, const struct edge_hood *nea
     flank->q = fit.q;
     flank->rms = fit.rms;
     quadric_face_up(&flank->q);
-    flank->valid = quadric_normal(&flank->q).z > UPRIGHT;
+    flank->valid = quadric_normal(&flank->q).z > EDGE_UPRIGHT;
 }
 
 static void find_flanks(void *context, size_t from, size_t to)
@@ -314,6 +313,16 @@ bool edge_flank_holds(const struct point_grid *point_grid, double noise, size_t 
 
 /* The flanks of all points; on scan lines from neighbours on many of these, and where these do not
  * tell, on few. */
+static void find_ribs(void *context, size_t from, size_t to)
+{
+    const struct edge_work *work = context;
+
+    for (size_t i = from; i < to; i++)
+        if (!edge_flank_known(&work->flank[i]) ||
+            (work->flank[i].rough && !edge_flank_certain(work, &work->flank[i])))
+            edge_along_find(work, i);
+}
+
 void edge_flanks_find(struct edge_work *work)
 {
     size_t n = work->options->point_grid->n;
@@ -330,4 +339,6 @@ void edge_flanks_find(struct edge_work *work)
     parallel_for(threads, n, choose_flanks, work);
     free(work->flank);
     work->flank = work->chosen;
+    if (work->options->fill)
+        parallel_for(threads, n, find_ribs, work);
 }

@@ -29,13 +29,15 @@ enum {
 #define EDGE_REACH 2.8  /* spacings: so far beyond the points an edge may be */
 #define EDGE_EVEN 0.012 /* spacings: a surface off its points by less is smooth */
 #define EDGE_SIGMAS 3.0
-#define EDGE_SHARP 0.94 /* cosine of two flanks' normals: 20 degrees */
+#define EDGE_UPRIGHT 0.004 /* least z of the normal of a flank */
+#define EDGE_SHARP 0.94    /* cosine of two flanks' normals: 20 degrees */
 
 /* The surface of a point's own side. */
 struct edge_flank {
     bool bent, rough; /* the neighbourhood is no one quadric; nor a cubic */
     bool valid;       /* it has a flank */
     bool confirmed;   /* by those of its neighbours */
+    bool along;       /* it is of neighbours along a rib or wall */
     double spacing, rms;
     struct quadric q; /* if valid, or of the neighbourhood; faces up */
 };
@@ -81,6 +83,12 @@ bool edge_flank_certain(const struct edge_work *work, const struct edge_flank *f
 /* Points of a surface may be off it by this; on average by this. */
 double edge_within(const struct edge_work *work, double spacing);
 double edge_even(const struct edge_work *work, double spacing);
+
+/* ---- edge_along: the surface of a point i that no neighbourhood as wide as long tells: the top of
+ * a narrow wall, level across where its points do not tell, or a quadric through neighbours along a
+ * rib.  Its flank stays as it is where there is neither. */
+
+void edge_along_find(const struct edge_work *work, size_t i);
 
 /* ---- edge_meet: appends the places of edges between point i and neighbours after it. */
 

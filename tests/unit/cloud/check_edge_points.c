@@ -410,6 +410,53 @@ START_TEST(unseen_walls)
 }
 END_TEST
 
+/* A wall 0.6 mm thick, on which there are one or two points across; and a blade of 14 degrees, on
+ * whose sides a scan from above has few. */
+static double narrow_wall(double x, double y)
+{
+    turned(&x, &y);
+    return fabs(x) < 0.3 ? 4 : 0;
+}
+
+static double thin_blade(double x, double y)
+{
+    turned(&x, &y);
+    return fmax(0, 8 - 8 * fabs(x));
+}
+
+/* A ball that comes to the rim of the wall, or to a side of the blade, from outside goes in no
+ * deeper; more between the blade's points where chance leaves them a gap. */
+START_TEST(thin_parts)
+{
+    enum { POINTS = 24000, PLACES = 300 };
+    double (*height)(double, double) = _i % 2 ? thin_blade : narrow_wall;
+    struct guarded g = {0};
+
+    turn = 0.2 + 0.3 * _i;
+    noisy_seed(80 + (unsigned)_i);
+    noisy_scan(&g.scan, height, POINTS, _i / 2 ? NOISY_GRID : NOISY_RANDOM, 0);
+    crop(&g.scan, 14, 14);
+    guarded_make(&g, 0.41, 0);
+    struct gouge_check *guard = guarded_gouge(&g);
+    for (int i = 0; i < PLACES; i++) {
+        double v = 16 * noisy_uniform() - 8, deep = RADIUS - (_i % 2 ? 10 : 5) * TOLERANCE, u = 0.3,
+               z = 4;
+        double level = noisy_uniform();
+        if (_i % 2) {
+            z = 2 + 5.5 * noisy_uniform();
+            u = 1 - z / 8;
+            level = 8 / sqrt(65);
+        }
+        double x = u + deep * level;
+        struct vec3 c = vec(x * cos(turn) - v * sin(turn), x * sin(turn) + v * cos(turn),
+                            z + deep * sqrt(1 - level * level));
+        ck_assert_double_gt(gouge_depth(guard, c, RADIUS), 0);
+    }
+    gouge_free(guard);
+    guarded_free(&g);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("edge_points");
@@ -421,6 +468,7 @@ int main(void)
     tcase_add_loop_test(tests, points_on_a_ridge, 0, 3);
     tcase_add_loop_test(tests, on_scan_lines, 0, 3);
     tcase_add_loop_test(tests, unseen_walls, 0, 3);
+    tcase_add_loop_test(tests, thin_parts, 0, 4);
     suite_add_tcase(suite, tests);
     tcase_set_timeout(tests, 60);
     srunner_run_all(runner, CK_ENV);
