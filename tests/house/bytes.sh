@@ -247,6 +247,11 @@ split() { # CONTROL PATH: all parts of its program
 	ncpost -c "$1" --split 70 -o "split.$1.part" "$2" && cat split."$1"-*
 }
 
+# What is only told with -v is compared too.
+for tool in cloud2mesh cloud2surf nurbs2mesh meshnorm planecut biarcfit bsplfit ncpost ncverify ncplot; do
+	eval "$tool() { command $tool -v \"\$@\"; }"
+done
+
 case ${1:-} in
 --names)
 	jobs | cut -d ' ' -f 1
