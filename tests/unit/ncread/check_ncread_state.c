@@ -346,6 +346,34 @@ START_TEST(statements)
 }
 END_TEST
 
+static void words_of(const char *line)
+{
+    c.words.n = 0;
+    ck_assert_int_eq(ncread_word_fanuc(line, &c.words, &error), 0);
+}
+
+/* A G that nobody knows may move the tool when the block has a place for it, and only then; it
+ * stays on, an M does not. */
+START_TEST(words_that_nobody_knows)
+{
+    static const char *const places[] = {"X", "Y", "Z", "A", "B", "C"};
+    char text[40];
+    for (int i = 0; i < 6; i++) {
+        snprintf(text, sizeof text, "G333 Q1. %s2.", places[i]);
+        words_of(text);
+        ck_assert_int_lt(ncread_unknown(&c, &c.words.item[0], &error), 0);
+        says("found G333 with a place");
+    }
+    ck_assert(!c.setting);
+    words_of("M333 X1.");
+    ck_assert_int_eq(ncread_unknown(&c, &c.words.item[0], &error), 0);
+    ck_assert(!c.setting);
+    words_of("G333 Q1. P2. R3.");
+    ck_assert_int_eq(ncread_unknown(&c, &c.words.item[0], &error), 0);
+    ck_assert(c.setting);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("ncread_state");
@@ -360,6 +388,7 @@ int main(void)
     tcase_add_test(tests, modal_words);
     tcase_add_test(tests, addresses);
     tcase_add_test(tests, statements);
+    tcase_add_test(tests, words_that_nobody_knows);
     suite_add_tcase(suite, tests);
     SRunner *runner = srunner_create(suite);
     srunner_run_all(runner, CK_ENV);
