@@ -248,7 +248,8 @@ split() { # CONTROL PATH: all parts of its program
 }
 
 # What is only told with -v is compared too.
-for tool in cloud2mesh cloud2surf nurbs2mesh meshnorm planecut biarcfit bsplfit ncpost ncverify ncplot; do
+for tool in cloud2mesh cloud2surf nurbs2mesh meshnorm planecut biarcfit bsplfit ncpost ncverify \
+	ncplot; do
 	eval "$tool() { command $tool -v \"\$@\"; }"
 done
 
