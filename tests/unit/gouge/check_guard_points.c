@@ -147,8 +147,10 @@ static double deepest_in_wave(double noise)
 
 START_TEST(holes_and_gaps_of_a_border_are_bridged)
 {
-    ck_assert_double_lt(deepest_in_wave(0), 0.015);    /* 0.06 without */
-    ck_assert_double_lt(deepest_in_wave(0.01), 0.045); /* 0.1 */
+    /* the widest hole by chance decides: of 12 seeds the worst are 0.026 and 0.068; without 0.06
+     * and 0.1 */
+    ck_assert_double_lt(deepest_in_wave(0), 0.04);
+    ck_assert_double_lt(deepest_in_wave(0.01), 0.09);
 }
 END_TEST
 
