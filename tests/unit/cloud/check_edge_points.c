@@ -396,7 +396,7 @@ START_TEST(unseen_walls)
     }
     struct gouge_check *guard = guarded_gouge(&g);
     for (int i = 0; i < PLACES; i++) {
-        double v = 12 * noisy_uniform() - 6, level = noisy_uniform(), deep = RADIUS - 5 * TOLERANCE;
+        double v = 12 * noisy_uniform() - 6, level = noisy_uniform(), deep = RADIUS - 3 * TOLERANCE;
         double x = 6 + deep * level, z = 5 + deep * sqrt(1 - level * level);
         if (i % 2) { /* beside the wall, under its rim */
             x = 6 + RADIUS - 0.1;
