@@ -191,6 +191,23 @@ static void check_rough(const struct patches *patches, double tolerance, struct 
                   roughest->entity, rough, tolerance);
 }
 
+/* Of a model of closed shells alone nothing may stay open. */
+static void check_closed(const struct patches *patches, const struct skin *skin,
+                         struct unmets *unmet)
+{
+    size_t open = skin->open + skin->unlike;
+    for (size_t i = 0; i < skin->body.n; i++)
+        open += skin->body.item[i].uneven;
+    for (size_t i = 0; i < patches->n; i++)
+        if (patches->item[i].body == 0)
+            return;
+    if (open > 0)
+        unmet_say(unmet,
+                  "%zu edges of a model of closed shells are open or turned differently, "
+                  "expected none: a smaller -e may help",
+                  open);
+}
+
 /* Everything between reading and writing; returns how far triangles are off. */
 static double make_patch_mesh(const struct cli *cli, const struct settings *s,
                               const struct patches *patches, struct sheet *sheet,
@@ -237,6 +254,7 @@ static double make_patch_mesh(const struct cli *cli, const struct settings *s,
     if (out.conflicts > 0 && skin.unlike > 0)
         say("%zu neighbours cannot be oriented alike", out.conflicts);
     nurbs_report_skin(patches, &skin);
+    check_closed(patches, &skin, unmet);
     skin_free(&skin);
     return error;
 }

@@ -69,4 +69,13 @@ nurbs2mesh -v -e 0.01 "$TMP/cubes.igs" >/dev/null 2>"$TMP/report"
 has "two cubes that touch along an edge are closed" \
 	"closed, touches itself along [0-9]+ edges, area 1200.* volume 2000" "$TMP/report"
 
+# A shell that its file calls closed, without its lid.
+printf 'at 0 0\nline 10 0\nline 10 30\nline 0 30\n' >"$TMP/profile"
+awk -v kind=step -f "$SRC/tests/lib/turned.awk" "$TMP/profile" |
+	sed '/CLOSED_SHELL/s/({f1},{f2},{f3})/({f1},{f2})/' | step lidless
+status 3 "a closed shell that stays open is told" \
+	nurbs2mesh -e 0.01 -o "$TMP/lidless.ply" "$TMP/lidless.step"
+nurbs2mesh -e 0.01 "$TMP/lidless.step" >/dev/null 2>"$TMP/report"
+has "with its edges" "[1-9][0-9]* edges of a model of closed shells are open" "$TMP/report"
+
 done_testing
