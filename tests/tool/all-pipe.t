@@ -7,7 +7,8 @@ face=$SRC/samples/face_nefertiti_26493.xyz
 cd "$TMP" || exit 1
 
 ok "cloud2mesh makes a mesh of the face" cloud2mesh -q -t 4 -o mesh.ply "$face"
-ok "meshnorm makes a path of it" meshnorm -q -r 8 --rows mesh --no-guard -o none.cl mesh.ply
+ok "meshnorm makes a path of it" meshnorm -q -r 8 --rows mesh --no-guard \
+	--axis-play 12 -o none.cl mesh.ply
 ok "biarcfit fits arcs" biarcfit -q -o biarcfit.cl none.cl
 ok "bsplfit fits B-splines" bsplfit -q -o bsplfit.cl none.cl
 has "the path of arcs has arcs" '^CIRCLE/' biarcfit.cl
@@ -56,7 +57,8 @@ hasnt "no TCP: none is asked for" 'G43\.[45]' fanuc-notcp-none
 hasnt "no TCP: none is asked for (Siemens)" 'TRAORI' siemens-notcp-none
 
 # The whole pipe in one line gives the same program as its stages one by one.
-sh -c "cloud2mesh -q -t 4 '$face' | meshnorm -q -r 8 --rows mesh --no-guard | biarcfit -q | ncpost -q -c siemens" >whole
+sh -c "cloud2mesh -q -t 4 '$face' | meshnorm -q -r 8 --rows mesh --no-guard --axis-play 12 |
+	biarcfit -q | ncpost -q -c siemens" >whole
 grep -v ';' whole >a
 grep -v ';' siemens-biarcfit >b
 same "the pipe is its stages" a b
