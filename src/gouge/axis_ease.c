@@ -17,7 +17,7 @@ static const double SLACKENS =
 static bool is_station_clear(const struct axis_chain *c, const struct holder_sweep *sweep,
                              struct axis_station *s)
 {
-    const double far = 1; /* mm: clearances beyond are all the same */
+    const double far = 0.001; /* mm: more is not asked for */
     struct run_point p = axis_chain_point(c, s);
 
     return holder_sweep_clearance(sweep, &p, far) >= -sweep->slack &&

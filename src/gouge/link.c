@@ -353,6 +353,33 @@ static bool ends_off(const struct search *s, struct retract *r)
     return true;
 }
 
+/* The way at feed as the path is judged in the end: step by step it may come a little deeper than
+ * where the steps are. */
+static bool is_feed_clear(const struct search *s, const struct retract *r)
+{
+    const struct link_options *options = s->options;
+    const struct gouge_refit_options tool = {.guard = options->lift->guard,
+                                             .radius = options->radius,
+                                             .tolerance = options->lift->tolerance,
+                                             .holder = *options->holder};
+    struct gouge_track track = {0};
+    struct gouges gouges = {0};
+    struct run_point last = *s->p;
+    bool clear = true;
+
+    for (size_t i = 0; i < (r->rapid ? 1 : r->n) && clear; i++) {
+        struct run_point next = {.ball = r->at[i], .axis = s->p->axis};
+        struct motion line =
+            motion_line(tip_of(&last, options->radius), tip_of(&next, options->radius));
+        gouge_refit_motion(&tool, &line, &track, &gouges);
+        clear = !(gouge_refit_beyond(&tool, &gouges).depth > 0);
+        last = next;
+    }
+    array_free(&gouges);
+    gouge_track_free(&track);
+    return clear;
+}
+
 /* Tries a way whose corners are known: near, and up from the last of them to the plane. */
 static void try_way(struct search *s, struct retract r)
 {
@@ -364,6 +391,8 @@ static void try_way(struct search *s, struct retract r)
         return;
     r.rapid = is_way_clear(&s->rapid, &r) && ends_off(s, &r);
     r.clear = r.rapid || (!s->best.clear && is_way_clear(&s->feed, &r));
+    if (r.clear && !is_feed_clear(s, &r))
+        return;
     if (r.rapid || (r.clear && !s->best.clear))
         s->best = r;
     s->done = r.rapid;

@@ -2,6 +2,7 @@
 #include "gouge/link.h"
 
 #include <check.h>
+#include <stdint.h>
 #include <stdlib.h>
 
 static const double R = 5;
@@ -241,6 +242,53 @@ START_TEST(all_legs_of_a_way_are_clear)
 }
 END_TEST
 
+/* A flank with points that stand out of it by chance, up which the tool goes back along its own
+ * axis, leaning nearly as the flank does: the flute, too, goes no deeper than the tolerance,
+ * between the steps at which it was looked at. */
+START_TEST(no_flute_goes_deeper_between_steps)
+{
+    const double tolerance = 0.01, fine = 0.003;
+    const struct holder flute = {1, {{R, R, 25}}};
+    struct vec3s points = {0};
+    uint32_t state = 7;
+    size_t ways = 0;
+
+    for (int i = -30; i <= 30; i++)
+        for (int k = 0; k < 90; k++) {
+            state = state * 1664525u + 1013904223u;
+            double out = 0.06 * (double)(state >> 8) / (1 << 24);
+            *array_push(&points) = vec(0.4 * i, 2 + 0.1 * k - out, 0.4 * k);
+        }
+    struct gouge_check *guard = gouge_from_points(points.item, points.n);
+    struct gouge_lift_options rule = {.guard = guard, .offset = R, .tolerance = tolerance};
+    struct link_options options = {
+        .lift = &rule, .holder = &flute, .radius = R, .clearance = 45, .approach = 6};
+    for (int i = 0; i < 64; i++) {
+        double lean = atan(0.25) + 0.0004 * (i % 8 - 3);
+        struct run_point p = {.axis = vec(0, sin(lean), cos(lean)), .normal = vec(0, -1, 0)};
+        p.ball = vec(0.05 * (i / 8), -6, 4 + 0.1 * (i % 13));
+        p.ball.y += gouge_distance(guard, p.ball, 100) - R; /* nearly touches it */
+        p.ball.y -= gouge_depth_along(guard, p.ball, p.ball, R);
+        if (gouge_holder(guard, &flute, p.ball, p.axis, 1) < -0.9 * tolerance)
+            continue;
+        struct retract r = link_retract(&options, &p);
+        struct vec3 last = p.ball;
+        for (size_t k = 0; r.clear && k < (r.rapid ? 1 : r.n); k++) {
+            double length = vec_distance(last, r.at[k]);
+            for (double s = 0; s < fmin(length, 8); s += fine)
+                ck_assert_double_ge(
+                    gouge_holder(guard, &flute, vec_mix(last, r.at[k], s / length), p.axis, 0.02),
+                    -1.01 * tolerance);
+            last = r.at[k];
+        }
+        ways += r.clear;
+    }
+    ck_assert_uint_gt(ways, 20);
+    array_free(&points);
+    gouge_free(guard);
+}
+END_TEST
+
 START_TEST(a_retract_goes_straight_up_where_the_axis_leads_into_the_part)
 {
     struct gouge_check *guard = floor_with_wall(30);
@@ -426,6 +474,7 @@ int main(void)
     tcase_add_test(tests, a_retract_goes_up_the_axis);
     tcase_add_test(tests, a_rapid_ends_off_the_flank_that_it_leads_along);
     tcase_add_test(tests, all_legs_of_a_way_are_clear);
+    tcase_add_test(tests, no_flute_goes_deeper_between_steps);
     tcase_add_test(tests, a_retract_goes_straight_up_where_the_axis_leads_into_the_part);
     tcase_add_test(tests, the_tool_turns_above_the_guard);
     tcase_add_test(tests, a_way_out_is_bent_where_a_roof_is_over_the_point);
