@@ -164,23 +164,25 @@ size_t axis_chain_find_bad(struct axis_chain *c)
     const struct holder_sweep sweep = {o->guard, o->holder, o->tolerance / 2};
     struct run_point last = {.given = false};
     size_t found = 0;
-    bool moved_before = false;
+    bool moved_before = false, bad_before = false; /* it: the way from there was not looked at */
 
     for (size_t i = 0; i < c->n; i++) {
         struct axis_station *s = &c->at[i];
         struct run_point p = axis_chain_point(c, s);
         struct rotary_angles now = axis_chain_angles(s, s->part);
         bool moved = !axis_chain_same(now, s->seen), joined = i > 0 && !s->begins;
+        bool was_bad = s->bad;
         joined = joined && (s->part > 0 || s[-1].part > 0);
         if (moved)
             s->clear = holder_sweep_clearance(&sweep, &p, far);
-        if (moved || moved_before) {
+        if (moved || moved_before || bad_before) {
             s->bad = s->part > 0 && (s->clear < -sweep.slack || !rotary_reaches(&o->chain, p.axis));
             if (joined && !s->bad && !s[-1].bad)
                 s->bad = is_way_bad(c, &sweep, s, &last, &p);
         }
         s->seen = now;
         moved_before = moved;
+        bad_before = was_bad;
         found += s->bad;
         last = p;
     }

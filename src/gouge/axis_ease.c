@@ -64,6 +64,14 @@ static void take_back(struct axis_chain *c, const struct rotary_angles *old, con
     }
 }
 
+/* All as it was before, if any is bad now. */
+static void take_all_back(struct axis_chain *c, const struct axis_station *before)
+{
+    if (axis_chain_find_bad(c) > 0)
+        for (size_t i = 0; i < c->n; i++)
+            c->at[i] = before[i];
+}
+
 static void ease(struct axis_chain *c, const bool *eased)
 {
     const struct axis_calm_options *o = c->options;
@@ -153,7 +161,13 @@ void axis_chain_ease(struct axis_chain *c)
         s->far = HUGE_VAL;
     }
     slacken(c);
-    if (any)
+    if (any) {
+        struct axis_station *before = mem_alloc(c->n, sizeof *before);
+        for (size_t i = 0; i < c->n; i++)
+            before[i] = c->at[i];
         ease(c, eased);
+        take_all_back(c, before);
+        free(before);
+    }
     free(eased);
 }

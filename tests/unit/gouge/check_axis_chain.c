@@ -1,0 +1,124 @@
+/* axis_chain - which stations are bad is the same whether all are looked at or those that moved. */
+#include "gouge/axis_chain.h"
+
+#include <check.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+#include "machine/machine.h"
+
+enum { RADIUS = 5, POINTS = 40 };
+
+static const struct holder flute = {1, {{RADIUS, RADIUS, 30}}};
+
+/* A floor, and a wall beside the points from x = 4 to 12. */
+static struct gouge_check *floor_and_wall(void)
+{
+    struct vec3s points = {0};
+
+    for (int i = -20; i <= 100; i++)
+        for (int k = -20; k <= 20; k++)
+            *array_push(&points) = vec(i * 0.25, k * 0.5, 0);
+    for (int i = 0; i <= 32; i++)
+        for (int k = 1; k <= 100; k++)
+            *array_push(&points) = vec(4 + i * 0.25, 6, k * 0.25);
+    return gouge_new(points, 1);
+}
+
+struct scene {
+    struct gouge_check *guard;
+    struct run_point point[POINTS];
+    struct vec3 rule[POINTS];
+    struct axis_calm_options options;
+    struct axis_chain chain;
+};
+
+/* Points along X, all axes leaning 20 degrees from the wall. */
+static void setup_scene(struct scene *s, int points)
+{
+    struct machine machine = machine_default();
+    struct error error;
+
+    ck_assert_int_eq(machine_finish(&machine, &error), 0);
+    s->guard = floor_and_wall();
+    for (int i = 0; i < points; i++) {
+        struct run_point p = {.contact = vec(0.5 * i, 0, 0), .normal = vec(0, 0, 1)};
+        p.ball = vec(0.5 * i, 0, RADIUS);
+        p.axis = s->rule[i] = vec(0, -sin(RADIANS(20)), cos(RADIANS(20)));
+        p.tip = vec_along(p.ball, -RADIUS, p.axis);
+        s->point[i] = p;
+    }
+    s->options =
+        (struct axis_calm_options){s->guard, &flute, machine.chain, RADIUS, 0.01, RADIANS(15)};
+    struct axis_calm_run run = {s->point, s->rule, (size_t)points, false};
+    s->chain = axis_chain_of(&s->options, &run, 1);
+    for (int i = 0; i < points; i++)
+        s->chain.at[i].part = 1;
+}
+
+static void teardown_scene(struct scene *s)
+{
+    free(s->chain.at);
+    gouge_free(s->guard);
+}
+
+/* The way to a station is not looked at while the one before is bad; it is when that is no more,
+ * though neither has moved. */
+START_TEST(a_way_from_what_was_bad_is_looked_at)
+{
+    struct scene s;
+    const double turn = RADIANS(10);
+
+    setup_scene(&s, 3);
+    ck_assert_uint_eq(axis_chain_find_bad(&s.chain), 0);
+    s.chain.at[0].angles.lean += turn;
+    s.chain.at[2].angles.lean -= turn;
+    ck_assert_uint_eq(axis_chain_find_bad(&s.chain), 1);
+    ck_assert(s.chain.at[1].bad);
+    s.chain.at[0].angles.lean -= turn;
+    ck_assert_uint_eq(axis_chain_find_bad(&s.chain), 1);
+    ck_assert(s.chain.at[2].bad);
+    s.chain.at[2].angles.lean += turn;
+    ck_assert_uint_eq(axis_chain_find_bad(&s.chain), 0);
+    teardown_scene(&s);
+}
+END_TEST
+
+/* Axes moved by chance, some into the wall: what is found after each move is none, if none is
+ * found by who looks at all. */
+START_TEST(moved_by_chance_none_is_forgotten)
+{
+    struct scene s;
+    uint32_t state = (uint32_t)_i + 1;
+
+    setup_scene(&s, POINTS);
+    for (int round = 0; round < 60; round++) {
+        for (int k = 0; k < 4; k++) {
+            state = state * 1664525u + 1013904223u;
+            struct axis_station *at = &s.chain.at[(state >> 16) % POINTS];
+            at->angles.lean = at->was.lean + RADIANS(3) * ((double)(state >> 28) - 7);
+        }
+        size_t found = axis_chain_find_bad(&s.chain);
+        for (int i = 0; i < POINTS; i++)
+            s.chain.at[i].seen.lean = NAN;
+        ck_assert_uint_eq(found > 0, axis_chain_find_bad(&s.chain) > 0);
+        for (int i = 0; i < POINTS && round % 3 == 2; i += 2)
+            s.chain.at[i].angles = s.chain.at[i].was;
+    }
+    teardown_scene(&s);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("axis_chain");
+    TCase *tcase = tcase_create("axis_chain");
+    tcase_add_test(tcase, a_way_from_what_was_bad_is_looked_at);
+    tcase_add_loop_test(tcase, moved_by_chance_none_is_forgotten, 0, 3);
+    suite_add_tcase(suite, tcase);
+    SRunner *runner = srunner_create(suite);
+    srunner_run_all(runner, CK_ENV);
+    int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed > 0;
+}
