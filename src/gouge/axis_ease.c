@@ -138,16 +138,28 @@ static bool find_eased(const struct axis_chain *c, bool *eased)
     return any;
 }
 
+/* How far the axes beside a station may be off their rule for its sake: in the air it has none. */
+static double loosens(const struct axis_station *s)
+{
+    return run_point_touches(s->point) ? s->allow : 0;
+}
+
 static void slacken(struct axis_chain *c)
 {
     struct axis_station *at = c->at;
+    double from = 0;
 
-    for (size_t i = 1; i < c->n; i++)
-        at[i].allow =
-            fmax(at[i].allow, at[i - 1].allow - SLACKENS * (at[i].along - at[i - 1].along));
-    for (size_t i = c->n - 1; i-- > 0;)
-        at[i].allow =
-            fmax(at[i].allow, at[i + 1].allow - SLACKENS * (at[i + 1].along - at[i].along));
+    for (size_t i = 0; i < c->n; i++) {
+        from -= i > 0 ? SLACKENS * (at[i].along - at[i - 1].along) : 0;
+        from = fmax(from, loosens(&at[i]));
+        at[i].allow = fmax(at[i].allow, from);
+    }
+    from = 0;
+    for (size_t i = c->n; i-- > 0;) {
+        from -= i + 1 < c->n ? SLACKENS * (at[i + 1].along - at[i].along) : 0;
+        from = fmax(from, loosens(&at[i]));
+        at[i].allow = fmax(at[i].allow, from);
+    }
 }
 
 void axis_chain_ease(struct axis_chain *c)

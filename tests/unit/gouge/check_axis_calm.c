@@ -193,6 +193,38 @@ START_TEST(slowly_past_a_wall)
 }
 END_TEST
 
+/* A link in the air leads from row to row, its axis 50 degrees off what theirs is by rule: the rows
+ * themselves stay within play, for nothing is in their way. */
+START_TEST(a_link_in_the_air_loosens_no_row)
+{
+    static struct rows r;
+    struct vec3s copy = {0};
+    struct gouge_check *guard = floor_and_wall(0, &copy);
+    struct axis_calm_options options = options_of(guard);
+    struct run_point link[5];
+    struct axis_calm_run run[3];
+
+    make_rows(&r);
+    for (int i = 0; i < 5; i++) {
+        struct run_point p = r.point[POINTS - 1];
+        p.ball = vec_along(p.ball, 1 + 2 * i, vec(0, 0.1, 1));
+        p.normal = vec(0, 0, 0);
+        p.axis = vec_unit(vec(-1.5, tan(RADIANS(20)), 1));
+        p.tip = vec_along(p.ball, -RADIUS, p.axis);
+        link[i] = p;
+    }
+    run[0] = r.run[0];
+    run[1] = (struct axis_calm_run){link, NULL, 5, true};
+    run[2] = r.run[1];
+    run[2].joined = true;
+    axis_calm_chain(&options, run, 3);
+    for (int i = 0; i < 2 * POINTS; i++)
+        ck_assert_double_le(vec_angle(r.point[i].axis, r.rule[i]), PLAY + RADIANS(1.5));
+    gouge_free(guard);
+    array_free(&copy);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("axis_calm");
@@ -202,6 +234,7 @@ int main(void)
     tcase_add_test(tests, alike);
     tcase_add_test(tests, clear_of_wall);
     tcase_add_test(tests, slowly_past_a_wall);
+    tcase_add_test(tests, a_link_in_the_air_loosens_no_row);
     suite_add_tcase(suite, tests);
 
     SRunner *runner = srunner_create(suite);
