@@ -178,16 +178,16 @@ static bool find_way(struct bridge *b, double window)
 
 static void replace(struct pieces *pieces, const struct bridge *b)
 {
-    struct pieces all = {0};
+    struct pieces old = *pieces, all = {0};
 
     for (size_t i = 0; i < b->first; i++)
-        *array_push(&all) = pieces->item[i];
+        *array_push(&all) = old.item[i];
     for (size_t i = 0; i < b->n; i++)
         *array_push(&all) = b->some[i];
-    for (size_t i = b->end; i < pieces->n; i++)
-        *array_push(&all) = pieces->item[i];
-    array_free(pieces);
+    for (size_t i = b->end; i < old.n; i++)
+        *array_push(&all) = old.item[i];
     *pieces = all;
+    array_free(&old);
 }
 
 /* Ways that become longer. */
