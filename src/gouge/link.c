@@ -163,32 +163,53 @@ static struct pose tip_of(const struct run_point *p, double radius)
     return (struct pose){vec_along(p->ball, -radius, p->axis), p->axis};
 }
 
+/* What of the whole tool is too deep on straight motions of its tip. */
+struct straight_sweep {
+    struct gouge_refit_options tool;
+    struct gouge_track track;
+    struct gouges gouges;
+};
+
+static struct straight_sweep sweep_begin(const struct link_options *options)
+{
+    return (struct straight_sweep){.tool = {.guard = options->lift->guard,
+                                            .radius = options->radius,
+                                            .tolerance = options->lift->tolerance,
+                                            .holder = *options->holder}};
+}
+
+static void sweep_to(struct straight_sweep *s, const struct run_point *from,
+                     const struct run_point *to)
+{
+    struct motion line = motion_line(tip_of(from, s->tool.radius), tip_of(to, s->tool.radius));
+
+    gouge_refit_motion(&s->tool, &line, &s->track, &s->gouges);
+}
+
+static void sweep_end(struct straight_sweep *s)
+{
+    array_free(&s->gouges);
+    gouge_track_free(&s->track);
+}
+
 /* The axis turns no faster than it may, and the whole tool is clear on the straight motions of its
  * tip, on the link from point `first` of it on. */
 static bool is_link_free(const struct link_options *options, const struct run_point *from,
                          const struct run_point *to, const struct run *link, size_t first)
 {
-    struct gouge_refit_options tool = {.guard = options->lift->guard,
-                                       .radius = options->radius,
-                                       .tolerance = options->lift->tolerance,
-                                       .holder = *options->holder};
+    struct straight_sweep sweep = sweep_begin(options);
     struct run_point before = *from;
-    struct gouge_track track = {0};
-    struct gouges gouges = {0};
     bool is_free = true;
 
     for (size_t i = first; i <= link->n && is_free; i++) {
         struct run_point ends[2] = {before, i < link->n ? link->item[i] : *to};
         struct run both = {.n = 2, .item = ends, .radius = options->radius};
-        struct motion line =
-            motion_line(tip_of(&ends[0], options->radius), tip_of(&ends[1], options->radius));
-        gouge_refit_motion(&tool, &line, &track, &gouges);
-        is_free =
-            gouges.n == 0 && !(options->rate > 0 && axis_smooth_fastest(&both) > options->rate);
+        sweep_to(&sweep, &ends[0], &ends[1]);
+        is_free = sweep.gouges.n == 0 &&
+                  !(options->rate > 0 && axis_smooth_fastest(&both) > options->rate);
         before = ends[1];
     }
-    array_free(&gouges);
-    gouge_track_free(&track);
+    sweep_end(&sweep);
     return is_free;
 }
 
@@ -357,26 +378,17 @@ static bool ends_off(const struct search *s, struct retract *r)
  * where the steps are. */
 static bool is_feed_clear(const struct search *s, const struct retract *r)
 {
-    const struct link_options *options = s->options;
-    const struct gouge_refit_options tool = {.guard = options->lift->guard,
-                                             .radius = options->radius,
-                                             .tolerance = options->lift->tolerance,
-                                             .holder = *options->holder};
-    struct gouge_track track = {0};
-    struct gouges gouges = {0};
+    struct straight_sweep sweep = sweep_begin(s->options);
     struct run_point last = *s->p;
     bool clear = true;
 
     for (size_t i = 0; i < (r->rapid ? 1 : r->n) && clear; i++) {
         struct run_point next = {.ball = r->at[i], .axis = s->p->axis};
-        struct motion line =
-            motion_line(tip_of(&last, options->radius), tip_of(&next, options->radius));
-        gouge_refit_motion(&tool, &line, &track, &gouges);
-        clear = !(gouge_refit_beyond(&tool, &gouges).depth > 0);
+        sweep_to(&sweep, &last, &next);
+        clear = !(gouge_refit_beyond(&sweep.tool, &sweep.gouges).depth > 0);
         last = next;
     }
-    array_free(&gouges);
-    gouge_track_free(&track);
+    sweep_end(&sweep);
     return clear;
 }
 

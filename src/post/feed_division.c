@@ -1,20 +1,15 @@
 /* feed_division - see feed_division.h. */
 #include "feed_division.h"
 
-#include <math.h>
 #include <stdlib.h>
 
 #include "base/array.h"
+#include "math/elementary.h"
 
 static const double SHARE = 0.1;      /* of the time, saved at least */
 static const double LEAST = 0.2 / 60; /* the same for a place, minutes */
 
 enum { GROUPS = 256 };
-
-static inline double larger(double a, double b)
-{
-    return a > b ? a : b;
-}
 
 /* What the spans from each on take together, at one rate; n + 1 of them. */
 static double *minutes_after(const struct feed_spans *spans)
@@ -24,7 +19,7 @@ static double *minutes_after(const struct feed_spans *spans)
     after[spans->n] = 0;
     for (size_t i = spans->n; i-- > 0;) {
         length += spans->item[i].length;
-        rate = larger(rate, spans->item[i].rate);
+        rate = fmax(rate, spans->item[i].rate);
         after[i] = length * rate;
     }
     return after;
@@ -37,13 +32,13 @@ static double at_one_place(const struct feed_spans *spans, const double *after)
 
     for (size_t i = 0; i + 1 < spans->n; i++) {
         length += spans->item[i].length;
-        rate = larger(rate, spans->item[i].rate);
+        rate = fmax(rate, spans->item[i].rate);
         if (length * rate + after[i + 1] < minutes) {
             minutes = length * rate + after[i + 1];
             best = spans->item[i].s;
         }
     }
-    return after[0] - minutes > larger(SHARE * after[0], LEAST) ? best : 1;
+    return after[0] - minutes > fmax(SHARE * after[0], LEAST) ? best : 1;
 }
 
 /* The first of two. */
@@ -54,10 +49,10 @@ static double at_two_places(const struct feed_spans *spans, const double *after)
     for (size_t i = 0; i + 2 < spans->n; i++) {
         double between = 0, slowest = 0;
         length += spans->item[i].length;
-        rate = larger(rate, spans->item[i].rate);
+        rate = fmax(rate, spans->item[i].rate);
         for (size_t k = i + 1; k + 1 < spans->n; k++) {
             between += spans->item[k].length;
-            slowest = larger(slowest, spans->item[k].rate);
+            slowest = fmax(slowest, spans->item[k].rate);
             double sum = length * rate + between * slowest + after[k + 1];
             if (sum < minutes) {
                 minutes = sum;
@@ -65,7 +60,7 @@ static double at_two_places(const struct feed_spans *spans, const double *after)
             }
         }
     }
-    return after[0] - minutes > larger(SHARE * after[0], 2 * LEAST) ? best : 1;
+    return after[0] - minutes > fmax(SHARE * after[0], 2 * LEAST) ? best : 1;
 }
 
 /* The spans in even groups, each at its slowest. */
@@ -79,7 +74,7 @@ static struct feed_spans group(const struct feed_spans *spans)
         for (size_t k = i; k < i + each && k < spans->n; k++) {
             sum.s = spans->item[k].s;
             sum.length += spans->item[k].length;
-            sum.rate = larger(sum.rate, spans->item[k].rate);
+            sum.rate = fmax(sum.rate, spans->item[k].rate);
         }
         *array_push(&groups) = sum;
     }

@@ -287,32 +287,36 @@ static bool find_on_side(struct look *l, size_t i, struct vec3 normal, bool insi
     return false;
 }
 
-/* The normal of a point, on the side of what is seen from above. */
-struct facing {
-    struct vec3 normal;
-    bool sure; /* and that is its side: it leans more than it may be wrong */
-};
-
-static struct facing facing_at(const struct reach *r, size_t i)
+static size_t points_about(const struct reach *r, size_t i, struct vec3 near[NEAR])
 {
     size_t index[NEAR];
-    struct vec3 near[NEAR], mean = {0, 0, 0};
     size_t n = kdtree_nearest(r->tree, r->point[i], NEAR, index, NULL);
-    for (size_t k = 0; k < n; k++) {
+    for (size_t k = 0; k < n; k++)
         near[k] = r->point[index[k]];
-        mean = vec_along(mean, 1 / (double)n, near[k]);
-    }
+    return n;
+}
+
+/* Of points about a place, on the side of what is seen from above. */
+static struct vec3 upper_normal(const struct vec3 *near, size_t n)
+{
     struct vec3 normal = plane_normal(near, n);
-    normal = normal.z < 0 ? vec_scale(-1, normal) : normal;
-    struct vec3 up = vec_unit(vec_reject(vec(0, 0, 1), normal));
+    return normal.z < 0 ? vec_scale(-1, normal) : normal;
+}
+
+/* That is its side: it leans more than it may be wrong. */
+static bool surely_leans(const struct vec3 *near, size_t n, struct vec3 normal)
+{
+    struct vec3 mean = {0, 0, 0}, up = vec_unit(vec_reject(vec(0, 0, 1), normal));
     double off2 = 0, high2 = 0;
+    for (size_t k = 0; k < n; k++)
+        mean = vec_along(mean, 1 / (double)n, near[k]);
     for (size_t k = 0; k < n; k++) {
         struct vec3 d = vec_sub(near[k], mean);
         off2 += vec_dot(d, normal) * vec_dot(d, normal);
         high2 += vec_dot(d, up) * vec_dot(d, up);
     }
     double wrong = n > 3 && high2 > 0 ? sqrt(off2 / ((double)(n - 3) * high2)) : 1;
-    return (struct facing){normal, normal.z > LEANS_LEAST + SIGMAS * wrong};
+    return normal.z > LEANS_LEAST + SIGMAS * wrong;
 }
 
 /* Balls on either side of a surface that stands upright. */
@@ -333,13 +337,14 @@ static enum part_class class_of(struct look *l, size_t i, struct access *access)
     if (access->known && ball_clears(r, r->point[i], access->ball, &centre) &&
         !ball_is_inside(r, i, centre) && tool_clears(l, centre, access->ball, access->axis))
         return COVERAGE_LEFT;
-    struct facing facing = facing_at(r, i);
-    struct vec3 normal = facing.normal;
+    struct vec3 near[NEAR];
+    size_t n = points_about(r, i, near);
+    struct vec3 normal = upper_normal(near, n);
     if (find_on_side(l, i, normal, false, access))
         return COVERAGE_LEFT;
     if (normal.z < STEEP && find_on_side(l, i, vec_scale(-1, normal), false, access)) {
-        access->known = !facing.sure;
-        return facing.sure ? COVERAGE_KEPT_OFF : COVERAGE_LEFT;
+        access->known = !surely_leans(near, n, normal);
+        return access->known ? COVERAGE_LEFT : COVERAGE_KEPT_OFF;
     }
     return find_access(l, i, normal, true, access) ? COVERAGE_KEPT_OFF : COVERAGE_OUT_OF_REACH;
 }
@@ -379,7 +384,8 @@ static void measure_areas(void *context, size_t from, size_t to)
         double distance2[BESIDE];
         size_t n = kdtree_nearest(r->tree, r->point[i], BESIDE, index, distance2);
         r->area[i] = n > 1 ? PI * distance2[n - 1] / ((double)n - 1) : 0;
-        r->up[i] = facing_at(r, i).normal.z > FACES_UP;
+        struct vec3 near[NEAR];
+        r->up[i] = upper_normal(near, points_about(r, i, near)).z > FACES_UP;
     }
 }
 
