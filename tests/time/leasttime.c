@@ -94,9 +94,10 @@ static struct v tool_of(const double q[2])
 static void angles_of(struct v a, const double before[2], double q[2])
 {
     double tilt = atan2(hypot(a.x, a.y), a.z) * 180 / PI, best = HUGE_VAL;
-    double bearing = hypot(a.x, a.y) > 1e-7 ? atan2(a.x, a.y) * 180 / PI : before[1];
+    bool leans = hypot(a.x, a.y) > 1e-7;
     for (int k = 0; k < 2; k++) {
-        double A = k ? -tilt : tilt, C = tilt > 1e-5 && k ? bearing + 180 : bearing;
+        double A = k ? -tilt : tilt;
+        double C = leans ? atan2(a.x, a.y) * 180 / PI + 180 * k : before[1];
         C += 360 * round((before[1] - C) / 360);
         double off = fabs(A - before[0]) + fabs(C - before[1]);
         if (off < best) {
