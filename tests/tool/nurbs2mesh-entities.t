@@ -60,6 +60,93 @@ face 140 0 1,0,0,2,{base}
 END
 model "140: a quarter of a cylinder moved outwards" "$(calc 'p / 2 * 12 * 20')" - -e 0.001 "$TMP/offset140.igs"
 
+# Ruled surfaces: a line joins places at the same part of the file's parameters (form 1) or of the lengths
+# (form 0) of two curves.  Every point of a grid against expressions of u and v, p being pi.
+ruled() { # DESC X Y Z: of $TMP/ruled.igs
+	nurbs2mesh --grid 21 "$TMP/ruled.igs" >"$TMP/grid"
+	below "118: $1" "$(awk -F, 'BEGIN { p = atan2(0, -1); worst = -1 } NR == 1 { next }
+		{ u = $2; v = $3; d = sqrt(($4 - ('"$2"')) ^ 2 + ($5 - ('"$3"')) ^ 2 + ($6 - ('"$4"')) ^ 2)
+			if (d > worst) worst = d; n++ }
+		END { print (n == 441 ? worst : 1) }' "$TMP/grid")" 2e-8
+}
+iges ruled <<'END'
+a 100 0 0,0,0,10,0,0,10
+b 110 0 10,0,10,0,10,10
+face 118 1 {a},{b},0,0
+END
+ruled "between an arc and a line" '(1 - v) * 10 * cos(u * p / 2) + v * 10 * (1 - u)' \
+	'(1 - v) * 10 * sin(u * p / 2) + v * 10 * u' '10 * v'
+# the integral of |Su x Sv|
+model "118: between an arc and a line" "$(awk 'BEGIN { p = atan2(0, -1); n = 200
+	for (i = 0; i <= n; i++) for (k = 0; k <= n; k++) { u = i / n; v = k / n; c = cos(u * p / 2); s = sin(u * p / 2)
+		w = (i == 0 || i == n ? 1 : i % 2 ? 4 : 2) * (k == 0 || k == n ? 1 : k % 2 ? 4 : 2)
+		ux = -(1 - v) * 5 * p * s - 10 * v; uy = (1 - v) * 5 * p * c + 10 * v; vx = 10 * (1 - u - c); vy = 10 * (u - s)
+		a += w * sqrt((uy * 10) ^ 2 + (ux * 10) ^ 2 + (ux * vy - uy * vx) ^ 2) }
+	printf "%.9f", a / n / n / 9 }')" - -e 0.001 "$TMP/ruled.igs"
+iges ruled <<'END'
+a 100 0 0,0,0,10,0,0,10
+b 110 0 10,0,10,0,10,10
+face 118 1 {a},{b},1,0
+END
+ruled "the line backwards" '(1 - v) * 10 * cos(u * p / 2) + v * 10 * u' \
+	'(1 - v) * 10 * sin(u * p / 2) + v * 10 * (1 - u)' '10 * v'
+iges ruled <<'END'
+a 100 0 0,0,0,10,0,0,10
+b 100 0 6,0,0,20,0,0,-20
+face 118 0 {a},{b},0,0
+END
+ruled "between arcs of one and three quarters" '(1 - v) * 10 * cos(u * p / 2) + v * 20 * cos(u * 3 * p / 2)' \
+	'(1 - v) * 10 * sin(u * p / 2) + v * 20 * sin(u * 3 * p / 2)' '6 * v'
+uneven() { # FORM
+	iges ruled <<END
+a 126 0 2,2,0,0,1,0,0,0,0,1,1,1,1,1,1,0,0,0,1,0,0,10,0,0,0,1,0,0,1
+b 110 0 0,0,7,10,0,7
+face 118 $1 {a},{b},0,0
+END
+}
+uneven 0
+ruled "by length, a curve of uneven speed" '10 * u' 0 '7 * v'
+uneven 1
+ruled "by parameter, a curve of uneven speed" '(1 - v) * (2 * u * (1 - u) + 10 * u * u) + v * 10 * u' 0 '7 * v'
+# y = x^2, of which the length up to x is (2 x w + log(2 x + w)) / 4 with w = sqrt(1 + 4 x^2)
+iges ruled <<'END'
+a 110 0 0,0,5,1,0,5
+b 126 0 2,2,0,0,1,0,0,0,0,1,1,1,1,1,1,0,0,0,0.5,0,0,1,1,0,0,1,0,0,1
+face 118 0 {b},{a},0,0
+END
+nurbs2mesh --grid 21 "$TMP/ruled.igs" >"$TMP/grid"
+below "118: by length, a parabola" "$(awk -F, '
+	function s(x,   w) { w = sqrt(1 + 4 * x * x); return (2 * x * w + log(2 * x + w)) / 4 }
+	NR > 1 && $3 == 0 { d = s($4) / s(1) - $2; d = d < 0 ? -d : d; if (d > m) m = d; n++ }
+	END { print (n == 21 ? m : 1) }' "$TMP/grid")" 1e-8
+# A line of 10 and a quarter of a circle are 1 and pi/2 of the parameters of both.
+iges ruled <<'END'
+l 110 0 10,-10,0,10,0,0
+q 100 0 0,0,0,10,0,0,10
+a 102 0 2,{l},{q}
+b 110 0 30,-10,0,30,20,0
+face 118 1 {a},{b},0,0
+END
+k='(u * (1 + p / 2) - 1)'
+ruled "a line and an arc in one" "(1 - v) * ($k < 0 ? 10 : 10 * cos($k)) + 30 * v" \
+	"(1 - v) * ($k < 0 ? 10 * $k : 10 * sin($k)) + v * (30 * u - 10)" 0
+# Trimmed in its parameters.
+iges ruled <<'END'
+g1 100 0 0,0,0,10,0,0,10
+g2 110 0 10,0,10,0,10,10
+s 118 1 {g1},{g2},0,0
+a 110 0 0.25,0.2,0,0.75,0.2,0
+b 110 0 0.75,0.2,0,0.75,0.7,0
+c 110 0 0.75,0.7,0,0.25,0.7,0
+d 110 0 0.25,0.7,0,0.25,0.2,0
+loop 102 0 4,{a},{b},{c},{d}
+out 142 0 0,{s},{loop},0,1
+face 144 0 {s},1,0,{out}
+END
+nurbs2mesh -e 0.001 "$TMP/ruled.igs" >"$TMP/model.ply"
+least=$(calc '0.3 * 10 * cos(3 * p / 8) + 0.7 * 2.5' | cut -c 1-5) most=$(calc '0.8 * 10 * cos(p / 8) + 0.2 * 7.5' | cut -c 1-5)
+ok "118: trimmed in the parameters" test "$(vertex_box "$TMP/model.ply")" = "$least $least 2.000 $most $most 7.000"
+
 # A flat patch from a parabola to a straight line: its border bends, the surface does not; trimmed by
 # nothing, by that border in the parameters, and by it in space.
 corners=0,0,0,5,-10,0,10,0,0,0,10,0,5,10,0,10,10,0

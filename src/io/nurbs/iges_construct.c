@@ -5,6 +5,7 @@
 
 #include "base/array.h"
 #include "iges_curve.h"
+#include "iges_ruled.h"
 #include "nurbs/construct.h"
 #include "nurbs/primitive.h"
 
@@ -63,22 +64,13 @@ static void place_curve(const struct source *s, struct nurbs_curve *c)
     construct_move(s->place, c->pole, c->t.poles);
 }
 
-/* 118: straight lines between two curves; the second one backwards where its flag is 1. */
 static int ruled_118(const struct source *s, struct error *error)
 {
-    struct nurbs_curve c[2] = {{{0}, NULL}, {{0}, NULL}};
-    int got = curve_at(s, 1, &c[0], error);
+    struct iges_side side[2];
+    int got = iges_ruled_read(s->iges, s->entity, side, error);
     if (got == 0)
-        got = curve_at(s, 2, &c[1], error);
-    if (got == 0) {
-        if (value_at(s, 3) > 0.5)
-            nurbs_curve_reverse(&c[1]);
-        place_curve(s, &c[0]);
-        place_curve(s, &c[1]);
-        *s->surface = construct_ruled(&c[0], &c[1]);
-    }
-    nurbs_curve_free(&c[0]);
-    nurbs_curve_free(&c[1]);
+        *s->surface = iges_ruled_surface(side, s->place, s->rough);
+    iges_ruled_free(side);
     return got;
 }
 

@@ -6,6 +6,7 @@
 #include "base/array.h"
 #include "nurbs/approximate.h"
 #include "nurbs/construct.h"
+#include "nurbs/curve_length.h"
 
 enum { DEPTH_MAX = 20, COUNT_MAX = 100000000 };
 
@@ -295,28 +296,9 @@ struct offset_130 {
     const struct iges_range *range;
     const struct distance_130 *distance;
     struct vec3 normal;
-    double before; /* length of the curves before this one */
+    const struct curve_length *length; /* of the curve, where it counts */
+    double before;                     /* of the curves before this one */
 };
-
-/* The length up to the curve's own parameter: three points of Gauss in each of some parts. */
-static double length_to(const struct nurbs_curve *c, double to)
-{
-    static const double x[3] = {-0.7745966692414834, 0, 0.7745966692414834};
-    static const double w[3] = {5.0 / 9, 8.0 / 9, 5.0 / 9};
-    enum { PARTS = 32 };
-    double sum = 0, from = c->t.from, last = from;
-    for (size_t i = (size_t)c->t.degree; i < c->t.poles && last < to; i++)
-        for (int p = 1; p <= PARTS; p++) {
-            double end = c->t.knot[i] + (c->t.knot[i + 1] - c->t.knot[i]) * p / PARTS;
-            end = fmin(end, to);
-            for (int k = 0; k < 3 && end > last; k++)
-                sum += w[k] * (end - last) / 2 *
-                       vec_length(
-                           nurbs_curve_derivative(c, (last + end) / 2 + x[k] * (end - last) / 2));
-            last = fmax(last, end);
-        }
-    return sum;
-}
 
 static double distance_at(const struct offset_130 *o, double t, double own)
 {
@@ -324,7 +306,7 @@ static double distance_at(const struct offset_130 *o, double t, double own)
     if (d->kind == 1 || (d->kind == 2 && !(d->at[1] > d->at[0])))
         return d->value[0];
     if (d->by_length)
-        t = (o->before + length_to(o->curve, own)) / d->scale;
+        t = (o->before + curve_length_to(o->length, own)) / d->scale;
     if (d->kind == 2)
         return d->value[0] + (d->value[1] - d->value[0]) * (t - d->at[0]) / (d->at[1] - d->at[0]);
     size_t i = iges_range_of(&d->range, t);
@@ -426,13 +408,17 @@ static int offset_130(const struct source *s, struct walk *walk, struct patch_lo
     for (size_t i = 0; i < pieces.n && got == 0; i++) {
         const struct iges_range *r = &range.item[i];
         double low = part ? fmax(r->from, from) : r->from, high = part ? fmin(r->to, to) : r->to;
-        struct offset_130 o = {&pieces.item[i], r, &d, v, before};
+        struct curve_length length = {0};
+        if (d.by_length)
+            length = curve_length(&pieces.item[i]);
+        struct offset_130 o = {&pieces.item[i], r, &d, v, &length, before};
         if (low < high) {
             push_offset(&o, low, high, loop);
             if (walk->ranges)
                 *array_push(walk->ranges) = (struct iges_range){low, high, false};
         }
-        before += d.by_length ? length_to(o.curve, o.curve->t.to) : 0;
+        before += d.by_length ? length.length[length.n] : 0;
+        curve_length_free(&length);
     }
     loop->rough = fmax(loop->rough, fmax(pieces.rough, d.curve.rough));
     patch_loop_free(&pieces);

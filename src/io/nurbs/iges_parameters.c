@@ -6,6 +6,7 @@
 #include "math/elementary.h"
 #include "base/array.h"
 #include "iges_curve.h"
+#include "iges_ruled.h"
 #include "nurbs/approximate.h"
 
 /* mm: as near as that loops are brought over; places of a curve that are looked at for crossings of
@@ -76,6 +77,7 @@ struct map {
     int type;
     struct patch_loop base; /* the curve that the surface is made of ... */
     struct iges_ranges range;
+    struct iges_side side[2]; /* of a ruled surface */
     const struct nurbs *surface;
     double mm_u, mm_v; /* how far the surface goes for one of its parameter, about */
 };
@@ -97,10 +99,11 @@ static struct uv mapped(const struct map *m, double u, double v)
         double turn = s->u.to - s->u.from, angle = fmin(fmax(v - s->u.from, 0), turn);
         return (struct uv){within_arc(&s->u, s->u.from + angle, 1, false), along_base(m, u, &s->v)};
     }
+    v = s->v.from + fmin(fmax(v, 0), 1) * (s->v.to - s->v.from);
+    if (m->type == 118)
+        return (struct uv){s->u.from + iges_ruled_own(&m->side[0], u) * (s->u.to - s->u.from), v};
     double from = m->range.item[0].from, to = m->range.item[m->range.n - 1].to;
-    v = fmin(fmax(v, 0), 1);
-    return (struct uv){along_base(m, from + u * (to - from), &s->u),
-                       s->v.from + v * (s->v.to - s->v.from)};
+    return (struct uv){along_base(m, from + u * (to - from), &s->u), v};
 }
 
 struct mapped_curve {
@@ -214,6 +217,11 @@ static int read_map(const struct iges *iges, const struct iges_entity *e, struct
     m->type = e->type;
     if (e->type != 118 && e->type != 120 && e->type != 122 && e->type != 140)
         return 1; /* a spline's parameters are its own */
+    if (e->type == 118) {
+        int got = iges_ruled_read(iges, e, m->side, error);
+        return got == 0 && !iges_ruled_exact(m->side) ? 1
+                                                      : got; /* approximated: these parameters */
+    }
     if (iges_values(iges, e, &v, error) < 0)
         return -1;
     int status = iges_pointer(iges, &v, e->type == 140 ? 5 : e->type == 120 ? 2 : 1, &base, error);
@@ -242,5 +250,6 @@ int iges_parameters(const struct iges *iges, const struct iges_entity *surface, 
     }
     patch_loop_free(&m.base);
     array_free(&m.range);
+    iges_ruled_free(m.side);
     return got < 0 ? -1 : 0;
 }
