@@ -3,6 +3,7 @@
 
 #include "base/array.h"
 #include "base/num.h"
+#include "machine/rotary_cost.h"
 #include "post_feed.h"
 #include "post_ik.h"
 
@@ -413,22 +414,46 @@ static int straight_blocks(struct nc_planner *planner, const struct motion *moti
 enum { ARC_DEPTH_MAX = 5, LEAST_CURVE = 10 /* last digits: the poles of less are no curve */ };
 static const double rapid_chord = 1; /* mm, where a rapid has to be split at all */
 
-int post_motion_rapid(struct nc_planner *planner, struct pose to)
+/*
+ * Where the tool axis goes by way of, half-way on: between two directions that both lean far, the
+ * control turns a vector the shortest way, which leans further than either.  Half as far as the
+ * mean of the two, each half of the way leans less than its end.
+ */
+static struct pose less_leant(const struct nc_planner *planner, struct pose to, const double q[])
+{
+    const double *from = planner->state.at.q;
+    const double via[ROTARY_MAX] = {(from[0] + q[0]) / 2, (from[1] + q[1]) / 4};
+    return (struct pose){vec_mix(planner->state.pose.p, to.p, 0.5),
+                         chain_axis(&planner->machine->chain, via)};
+}
+
+static int rapid_from_here(struct nc_planner *planner, struct pose to)
 {
     double chord =
         planner->follow.mode == INTERPOLATE_JOINT ? rapid_chord / planner->options.unit : HUGE_VAL;
     struct pose_deviation any = {chord, HUGE_VAL};
+    struct motion motion = motion_line(planner->state.pose, to);
+    return straight_blocks(planner, &motion, 0, 1, NC_RAPID, any);
+}
+
+int post_motion_rapid(struct nc_planner *planner, struct pose to)
+{
     struct machine_pose target;
-    if (planner->state.begun) {
-        struct motion motion = motion_line(planner->state.pose, to);
-        return straight_blocks(planner, &motion, 0, 1, NC_RAPID, any);
+    if (!planner->state.begun) {
+        if (post_ik_reach(planner, to, 1, &target) != 0)
+            return -1;
+        add_move(planner, NC_RAPID, &target, 0, 0, NULL);
+        planner->state.pose = to;
+        planner->state.begun = true;
+        return 0;
     }
-    if (post_ik_reach(planner, to, 1, &target) != 0)
-        return -1;
-    add_move(planner, NC_RAPID, &target, 0, 0, NULL);
-    planner->state.pose = to;
-    planner->state.begun = true;
-    return 0;
+    if (planner->follow.mode == INTERPOLATE_VECTOR &&
+        !rotary_reaches_between(&planner->machine->chain, planner->state.pose.a, to.a)) {
+        if (post_ik_reach(planner, to, 1, &target) != 0 ||
+            rapid_from_here(planner, less_leant(planner, to, target.at.q)) != 0)
+            return -1;
+    }
+    return rapid_from_here(planner, to);
 }
 
 static int arc_piece(struct nc_planner *planner, const struct motion *motion, double s0, double s1,
