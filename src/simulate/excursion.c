@@ -132,13 +132,16 @@ static void look_at_last_line(struct search *s, size_t from, size_t to)
 }
 
 /* Straight blocks off the part, two of which go up and come back amid the others: a link with one
- * place thrown up. */
+ * place thrown up.  A way in or out, with one end off the part, may well turn sharply: down past
+ * the part and in along an axis that leans below the horizontal. */
 static void look_at_spikes(struct search *s, size_t from, size_t to)
 {
     const struct centre_segment *segment = s->path->item;
     struct vec3 before = segment[from].a;
     double band = s->options->band;
 
+    if (fmax(clearance(s, before), clearance(s, segment[to].b)) > band)
+        return;
     for (size_t i = from; i < to; i++) {
         if (segment[i].piece == segment[i + 1].piece)
             continue;

@@ -135,6 +135,18 @@ START_TEST(a_spike_amid_a_link)
 }
 END_TEST
 
+/* Down past the part and sharply back up to it: the way in of an axis that leans far. */
+START_TEST(a_sharp_way_in_is_none)
+{
+    const double in[PIECES + 1] = {15, -40, 3, 0, 0, 0, 0},
+                             by[PIECES + 1] = {5, 60, 5, 0, 0, 0, 0};
+    const double out[PIECES + 1] = {0, 0, 0, 0, 3, -40, 15},
+                              off[PIECES + 1] = {0, 0, 0, 0, 5, 60, 5};
+    ck_assert_uint_eq(over(in, by, SHAPE_LINE).count, 0);
+    ck_assert_uint_eq(over(out, off, SHAPE_LINE).count, 0);
+}
+END_TEST
+
 START_TEST(up_across_and_down_is_a_way)
 {
     const double high[PIECES + 1] = {0, 0, 30, 30, 0, 0, 0};
@@ -166,6 +178,7 @@ int main(void)
     tcase_add_test(tcase, less_than_the_band_is_none);
     tcase_add_test(tcase, a_spike_of_two_blocks);
     tcase_add_test(tcase, a_spike_amid_a_link);
+    tcase_add_test(tcase, a_sharp_way_in_is_none);
     tcase_add_test(tcase, up_across_and_down_is_a_way);
     tcase_add_test(tcase, beside_the_part_is_none);
     tcase_add_test(tcase, a_layer_above_the_part_is_none);
