@@ -4,7 +4,6 @@
 #include <stdlib.h>
 
 #include "gouge/axis_smooth.h"
-#include "gouge/holder_sweep.h"
 
 static const double OVER = 1.4;        /* of the radius: rules are averaged over so much, twice */
 static const double AIR = RADIANS(60); /* how far axes in the air may be off those they had */
@@ -24,7 +23,9 @@ static struct vec3 *rules_of(const struct axis_calm_run *run, double half)
 struct axis_chain axis_chain_of(const struct axis_calm_options *options,
                                 const struct axis_calm_run run[], size_t n)
 {
-    struct axis_chain c = {.options = options, .frame = rotary_frame_of(&options->chain)};
+    struct axis_chain c = {.options = options,
+                           .frame = rotary_frame_of(&options->chain),
+                           .reach = holder_reach(options->holder)};
     struct rotary_angles last = {0, 0};
 
     for (size_t k = 0; k < n; k++)
@@ -141,50 +142,108 @@ bool axis_chain_same(struct rotary_angles a, struct rotary_angles b)
     return a.lean == b.lean && a.turn == b.turn;
 }
 
+static const double ROUNDING = 1e-9; /* mm: of clearances, many times */
+
+static bool is_same(struct vec3 a, struct vec3 b)
+{
+    return a.x == b.x && a.y == b.y && a.z == b.z;
+}
+
+double axis_chain_clearance(const struct axis_chain *c, const struct holder_sweep *sweep,
+                            struct axis_station *s, struct vec3 axis, bool exact)
+{
+    const struct run_point p = {.ball = s->point->ball, .axis = axis};
+    double least = s->free.clear - c->reach * vec_distance(s->free.axis, axis) - ROUNDING;
+    double most = s->hit.clear + c->reach * vec_distance(s->hit.axis, axis) + ROUNDING;
+
+    if (s->free.given && is_same(s->free.axis, axis))
+        return s->free.clear;
+    if (s->hit.given && is_same(s->hit.axis, axis))
+        return s->hit.clear;
+    if (!exact && s->free.given && least >= -sweep->slack)
+        return least;
+    if (!exact && s->hit.given && most < -sweep->slack)
+        return most;
+    double clear = holder_sweep_clearance(sweep, &p, AXIS_CHAIN_FAR);
+    *(clear >= -sweep->slack ? &s->free : &s->hit) = (struct axis_asked){true, axis, clear};
+    return clear;
+}
+
+/* No more than the arc over the chord between two unit vectors, radians. */
+static double angle_bound(struct vec3 a, struct vec3 b)
+{
+    double chord = vec_distance(a, b);
+
+    return chord < 0.4 ? 1.01 * chord : PI / 2 * chord;
+}
+
+/* The tool is clear at two stations, but not on the way from one to the other. */
+static bool is_between_bad(const struct axis_chain *c, const struct holder_sweep *sweep,
+                           struct axis_station *from, struct axis_station *to)
+{
+    const struct run_point a = {.ball = from->point->ball, .axis = from->axis};
+    const struct run_point b = {.ball = to->point->ball, .axis = to->axis};
+    double moved = vec_distance(a.ball, b.ball) + c->reach * angle_bound(a.axis, b.axis);
+
+    if (from->clear + to->clear + 2 * sweep->slack >= moved + ROUNDING)
+        return false;
+    from->clear = axis_chain_clearance(c, sweep, from, from->axis, true);
+    to->clear = axis_chain_clearance(c, sweep, to, to->axis, true);
+    return !holder_sweep_clear_between(sweep, &a, from->clear, &b, to->clear);
+}
+
 /* The tool is not clear, or would swing the ball off its straight line, on the way to a station. */
 static bool is_way_bad(const struct axis_chain *c, const struct holder_sweep *sweep,
-                       const struct axis_station *s, const struct run_point *last,
-                       const struct run_point *p)
+                       struct axis_station *s)
 {
     const struct axis_calm_options *o = c->options;
-    double turned = vec_angle(last->axis, p->axis), swing = sqrt(0.8 * o->tolerance / o->radius);
+    double swing = sqrt(0.8 * o->tolerance / o->radius);
 
-    if (turned > swing && turned > vec_angle(s[-1].point->axis, s->point->axis) + 1e-9)
-        return true;
-    return fmin(s[-1].clear, s->clear) >= -sweep->slack &&
-           !holder_sweep_clear_between(sweep, last, s[-1].clear, p, s->clear);
+    if (angle_bound(s[-1].axis, s->axis) > swing) {
+        double turned = vec_angle(s[-1].axis, s->axis);
+        if (turned > swing && turned > vec_angle(s[-1].point->axis, s->point->axis) + 1e-9)
+            return true;
+    }
+    return fmin(s[-1].clear, s->clear) >= -sweep->slack && is_between_bad(c, sweep, &s[-1], s);
+}
+
+/* The axis that the station has now; true if its angles are not those of the last look. */
+static bool is_moved(const struct axis_chain *c, struct axis_station *s)
+{
+    struct rotary_angles now = axis_chain_angles(s, s->part);
+    bool moved = !axis_chain_same(now, s->seen), own = s->part > 0;
+
+    if (moved || own != s->moved)
+        s->axis = own ? rotary_axis(&c->frame, now) : s->point->axis;
+    s->moved = own;
+    s->seen = now;
+    return moved;
 }
 
 /* Looks at the stations that have moved since: those at which the tool would not be clear, or to
  * which it would not come. */
 size_t axis_chain_find_bad(struct axis_chain *c)
 {
-    const double far = 1; /* mm: clearances beyond are all the same */
     const struct axis_calm_options *o = c->options;
     const struct holder_sweep sweep = {o->guard, o->holder, o->tolerance / 2};
-    struct run_point last = {.given = false};
     size_t found = 0;
     bool moved_before = false, bad_before = false; /* it: the way from there was not looked at */
 
     for (size_t i = 0; i < c->n; i++) {
         struct axis_station *s = &c->at[i];
-        struct run_point p = axis_chain_point(c, s);
-        struct rotary_angles now = axis_chain_angles(s, s->part);
-        bool moved = !axis_chain_same(now, s->seen), joined = i > 0 && !s->begins;
-        bool was_bad = s->bad;
-        joined = joined && (s->part > 0 || s[-1].part > 0);
+        bool moved = is_moved(c, s), was_bad = s->bad;
+        bool joined = i > 0 && !s->begins && (s->part > 0 || s[-1].part > 0);
         if (moved)
-            s->clear = holder_sweep_clearance(&sweep, &p, far);
+            s->clear = axis_chain_clearance(c, &sweep, s, s->axis, false);
         if (moved || moved_before || bad_before) {
-            s->bad = s->part > 0 && (s->clear < -sweep.slack || !rotary_reaches(&o->chain, p.axis));
+            s->bad =
+                s->part > 0 && (s->clear < -sweep.slack || !rotary_reaches(&o->chain, s->axis));
             if (joined && !s->bad && !s[-1].bad)
-                s->bad = is_way_bad(c, &sweep, s, &last, &p);
+                s->bad = is_way_bad(c, &sweep, s);
         }
-        s->seen = now;
         moved_before = moved;
         bad_before = was_bad;
         found += s->bad;
-        last = p;
     }
     return found;
 }

@@ -6,10 +6,20 @@
 #define CLOUDMILL_AXIS_CHAIN_H
 
 #include "gouge/axis_calm.h"
+#include "gouge/holder_sweep.h"
 #include "machine/rotary_cost.h"
 
 #define AXIS_CHAIN_SPARE RADIANS(0.6) /* of play, for rounding off where its bound turns */
 #define AXIS_CHAIN_POLE 1e-9 /* radians: an axis that leans less is at the pole, and stays */
+
+#define AXIS_CHAIN_FAR 1.0 /* mm: clearances beyond are all the same */
+
+/* What the guard said of a station. */
+struct axis_asked {
+    bool given;
+    struct vec3 axis;
+    double clear; /* mm, no more than AXIS_CHAIN_FAR */
+};
 
 /* A point of the chain. */
 struct axis_station {
@@ -24,8 +34,12 @@ struct axis_station {
 
     /* As it was looked at last. */
     struct rotary_angles seen;
-    double clear; /* mm */
-    bool bad;     /* not clear, or not from the station before */
+    struct vec3 axis; /* with those angles */
+    bool moved;       /* `axis` is that of the angles, not the point's own */
+    double clear;     /* mm, no more than AXIS_CHAIN_FAR */
+    bool bad;         /* not clear, or not from the station before */
+
+    struct axis_asked free, hit; /* as the guard was asked last: clear, and not */
 };
 
 struct axis_chain {
@@ -34,6 +48,7 @@ struct axis_chain {
     struct axis_station *at;
     size_t n;
     double spare; /* how much further off its rule an axis may be now, radians */
+    double reach; /* of flute, shank and holder from the ball's centre, mm */
 };
 
 /* The runs end to end, each station with the axis that it has; the caller frees `at`. */
@@ -54,6 +69,13 @@ bool axis_chain_same(struct rotary_angles a, struct rotary_angles b);
 
 /* The station's point with the axis that it has now. */
 struct run_point axis_chain_point(const struct axis_chain *c, const struct axis_station *s);
+
+/* How far the tool is from the guard at the station with this axis, mm, no more than
+ * AXIS_CHAIN_FAR.  The guard is asked only where what it said before, of other axes, does not tell:
+ * no point of the tool is further from where it was than the reach times what the axis has moved.
+ * If not `exact`, what is returned is a bound on the same side of the slack, a lower one if clear. */
+double axis_chain_clearance(const struct axis_chain *c, const struct holder_sweep *sweep,
+                            struct axis_station *s, struct vec3 axis, bool exact);
 
 /* Looks at the stations that have moved since: those at which the tool would not be clear, or to
  * which it would not come, are bad, and counted. */

@@ -2,7 +2,6 @@
 #include <stdlib.h>
 
 #include "axis_chain.h"
-#include "gouge/holder_sweep.h"
 
 enum { SWEEPS = 2 };
 
@@ -17,11 +16,10 @@ static const double SLACKENS =
 static bool is_station_clear(const struct axis_chain *c, const struct holder_sweep *sweep,
                              struct axis_station *s)
 {
-    const double far = 0.001; /* mm: more is not asked for */
-    struct run_point p = axis_chain_point(c, s);
+    struct vec3 axis = axis_chain_point(c, s).axis;
 
-    return holder_sweep_clearance(sweep, &p, far) >= -sweep->slack &&
-           rotary_reaches(&c->options->chain, p.axis);
+    return axis_chain_clearance(c, sweep, s, axis, false) >= -sweep->slack &&
+           rotary_reaches(&c->options->chain, axis);
 }
 
 /* A station as far towards the mean as it stays clear there. */

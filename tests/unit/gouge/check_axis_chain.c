@@ -109,12 +109,40 @@ START_TEST(moved_by_chance_none_is_forgotten)
 }
 END_TEST
 
+/* What is told of a station is what the guard says, or a bound of it on the same side. */
+START_TEST(a_clearance_is_on_the_side_of_the_guards)
+{
+    struct scene s;
+    uint32_t state = (uint32_t)_i + 1;
+    int clear = 0;
+
+    setup_scene(&s, POINTS);
+    const struct holder_sweep sweep = {s.guard, &flute, 0.005};
+    for (int k = 0; k < 4000; k++) {
+        state = state * 1664525u + 1013904223u;
+        struct axis_station *at = &s.chain.at[(state >> 24) % POINTS];
+        double lean = RADIANS(0.01) * ((double)(state >> 12 & 4095) - 2300);
+        struct run_point p = {.ball = at->point->ball, .axis = vec(0, -sin(lean), cos(lean))};
+        double told = axis_chain_clearance(&s.chain, &sweep, at, p.axis, k % 5 == 0);
+        double truth = holder_sweep_clearance(&sweep, &p, AXIS_CHAIN_FAR);
+        ck_assert_int_eq(told >= -sweep.slack, truth >= -sweep.slack);
+        ck_assert(k % 5 != 0 || told == truth);
+        ck_assert(told < -sweep.slack || told <= truth);
+        clear += truth >= -sweep.slack;
+    }
+    ck_assert_int_gt(clear, 1000);
+    ck_assert_int_lt(clear, 3000);
+    teardown_scene(&s);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("axis_chain");
     TCase *tcase = tcase_create("axis_chain");
     tcase_add_test(tcase, a_way_from_what_was_bad_is_looked_at);
     tcase_add_loop_test(tcase, moved_by_chance_none_is_forgotten, 0, 3);
+    tcase_add_loop_test(tcase, a_clearance_is_on_the_side_of_the_guards, 0, 3);
     suite_add_tcase(suite, tcase);
     SRunner *runner = srunner_create(suite);
     srunner_run_all(runner, CK_ENV);
