@@ -1,4 +1,4 @@
-/* cloud_options: units are named as cloud_unit knows them, and a part of an unlikely size is told. */
+/* cloud_options: units are as cloud_unit knows them, a part of an unlikely size is told. */
 #include "stage/cloud_options.h"
 
 #include <stdlib.h>

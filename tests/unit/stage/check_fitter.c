@@ -361,7 +361,7 @@ static const char *with_link(int n)
 
 /* Ways with the tool down are fitted as runs of their own where a scan guards, they have points
  * enough and are smooth: straight lines between them no further off a curve than ten tolerances,
- * which is 2 (1 - cos 22.5 degrees) = 0.15 mm with three points.  They begin at the point before. */
+ * which is 2 (1 - cos 22.5 degrees) = 0.15 mm with three.  They begin at the point before. */
 START_TEST(links)
 {
     static const struct {

@@ -145,7 +145,7 @@ static double sunk(double spent)
     return most;
 }
 
-/* Points are put between those of the scan as the path's last stage had them, but no closer than for
+/* Points are put between those of the scan as by the path's last stage, but no closer than for
  * a tenth of the fitter's tolerance, 0.02, and no wider than for four times it. */
 START_TEST(how_closely)
 {
