@@ -38,8 +38,9 @@ struct pass_options {
 /*
  * Appends the strips of a plane's chains.  An open chain goes the way of `along` from end to end; a
  * closed one starts at its end against `along`, and goes over its upper side first.  The strip with
- * the least start along comes first, and goes on with the chain whose start (or, turned round, end)
- * is the nearest within the gap, unless the way there is over a hole of the scan.  Where such a
+ * the least start along comes first: it begins with the chain to which those that join that one
+ * lead back, and goes on with the chain whose start (or, turned round, end) is the nearest within
+ * the gap, unless the way there is over a hole of the scan.  Where such a
  * joint is a ridge, points between turn the normal from one side to the other, so that straight
  * lines between the ball's centres sink in by no more than the tolerance.  Returns how many points
  * face away and were left out.

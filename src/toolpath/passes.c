@@ -137,6 +137,53 @@ static size_t next_joined(const struct slice_chains *chains, const bool *used, s
     return best;
 }
 
+/* From the start of an open chain, or (*turned) from its last point, over the chains that join it
+ * as long as there are such: the last of them, *turned when that ends with its own last point, and
+ * that end.  Where they lead round to the chain it is that one. */
+static size_t last_joined(const struct slice_chains *chains, const bool *used, size_t k,
+                          const struct pass_options *rule, bool *turned, struct vec3 *end)
+{
+    const struct slice_chain *chain = &chains->chain.item[k];
+    struct vec3 own = chains->point.item[*turned ? chain->to - 1 : chain->from].p;
+    struct vec3 other = chains->point.item[*turned ? chain->from : chain->to - 1].p;
+    bool *seen = mem_alloc(chains->chain.n, sizeof *seen), from = *turned, to = from;
+    size_t last = k;
+
+    for (size_t i = 0; i < chains->chain.n; i++)
+        seen[i] = used[i];
+    for (size_t next = k; next < chains->chain.n; to = !to) {
+        last = next;
+        *turned = to;
+        seen[last] = true;
+        chain = &chains->chain.item[last];
+        *end = chains->point.item[to ? chain->to - 1 : chain->from].p;
+        next = next_joined(chains, seen, *end, rule, &to);
+    }
+    free(seen);
+    if (last == k || vec_distance(*end, other) > rule->gap)
+        return last;
+    *turned = from;
+    *end = own;
+    return k;
+}
+
+/* The chain with which the strip begins that holds an open one: that at its end least along, walked
+ * from its last point where *turned. */
+static size_t first_joined(const struct slice_chains *chains, const bool *used, size_t k,
+                           const struct pass_options *rule, bool *turned)
+{
+    struct vec3 start, end;
+    bool back = true;
+    *turned = false;
+    size_t first = last_joined(chains, used, k, rule, turned, &start);
+    size_t last = last_joined(chains, used, k, rule, &back, &end);
+
+    if (vec_dot(vec_sub(end, start), rule->along) >= -CROWDED)
+        return first;
+    *turned = back;
+    return last;
+}
+
 /* Points that turn the normal from one side of a ridge to the other; none in a valley. */
 static void roll_over_edge(struct slice_chains *to, size_t from, struct contact next,
                            const struct pass_options *rule)
@@ -181,6 +228,8 @@ size_t passes_make(const struct slice_chains *chains, const struct pass_options 
     for (size_t k; (k = next_start(&kept, used, rule->along)) < kept.chain.n;) {
         size_t from = strips->point.n;
         bool turned = false, closed = kept.chain.item[k].closed;
+        if (!closed)
+            k = first_joined(&kept, used, k, rule, &turned);
         while (k < kept.chain.n) {
             const struct slice_chain *chain = &kept.chain.item[k];
             used[k] = true;

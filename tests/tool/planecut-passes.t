@@ -191,6 +191,46 @@ ok "sheets 0.05 mm apart are cut in one" test "$(runs gap.cl)" = "$(grep -c PASS
 planecut -q -r 5 -s 5 --fixed 0,0,1 --gap 0.01 gap.ply >nogap.cl
 below "unless the gap allowed is smaller" "$(grep -c PASS/ nogap.cl)" "$(($(runs nogap.cl) - 1))"
 
+# ---- several faces: in one order, without jumps
+
+# flats RECTANGLES: corners of a rectangle a line, as surfaces of their own
+flats() {
+	awk 'BEGIN { print "nurbs 1" }
+		{ print "surface degree 1 1 poles 2 2 knots_u 0 0 1 1 knots_v 0 0 1 1 points " $0 }
+		END { print "end" }' >flats.nurbs
+	nurbs2mesh -q -e 0.01 -o flats.ply flats.nurbs
+}
+# The walls of a box and its top: a plane cuts a wall, the top and the other wall in one, and goes back.
+flats <<-END
+	0 0 10 30 0 10 0 20 10 30 20 10
+	0 0 0 30 0 0 0 0 10 30 0 10
+	30 0 0 30 20 0 30 0 10 30 20 10
+	30 20 0 0 20 0 30 20 10 0 20 10
+	0 20 0 0 0 0 0 20 10 0 0 10
+END
+for angle in 0 30 90; do
+	planecut -v -r 2 -s 1 -a $angle -o flats.cl flats.ply 2>err
+	planes=$(sed -n 's/.*: \([0-9]*\) planes$/\1/p' err)
+	has "-a $angle: walls and top of a box in one" \
+		" $((planes - 1)) links with the tool down, 1 over the clearance plane" err
+done
+# Six separate squares: each is cut whole before the next.
+flats <<-END
+	0 0 0 10 0 0 0 10 0 10 10 0
+	20 3 0 30 3 0 20 13 0 30 13 0
+	40 6 0 50 6 0 40 16 0 50 16 0
+	0 20 0 10 20 0 0 30 0 10 30 0
+	20 23 0 30 23 0 20 33 0 30 33 0
+	40 26 0 50 26 0 40 36 0 50 36 0
+END
+for angle in 0 30 90; do
+	planecut -q -r 2 -s 1 -a $angle -o flats.cl flats.ply
+	cuts flats.cl | awk 'BEGIN { last = -1 }
+		{ square = int($8 / 20) + 3 * int(($9 - 3 * int($8 / 20)) / 20 + 1e-4)
+		if (square != last) { n++; last = square } } END { print n }' >figures
+	below "-a $angle: as many squares one after the other as there are" "$(cat figures)" 6
+done
+
 # ---- foreign meshes: a block in every format
 
 cat >block.off <<-END

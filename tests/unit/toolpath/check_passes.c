@@ -111,6 +111,66 @@ START_TEST(the_nearest_goes_on_not_the_next)
 }
 END_TEST
 
+/* A chain of 11 points from a to b. */
+static void add_straight(struct slice_chains *chains, struct vec3 a, struct vec3 b, struct vec3 n)
+{
+    size_t begin = chains->point.n;
+
+    for (int i = 0; i <= 10; i++)
+        *array_push(&chains->point) = (struct contact){vec_mix(a, b, i / 10.0), n};
+    *array_push(&chains->chain) = (struct slice_chain){begin, chains->point.n, false};
+}
+
+/* Two walls of a box and what is between them, of surfaces of their own: in whatever order and
+ * whichever way round they come, they are cut in one, along.  The walls begin where the top does. */
+START_TEST(walls_and_top_are_one_strip)
+{
+    static const int order[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2},
+                                    {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
+    const struct vec3 corner[4] = {{0, 0, 0}, {0, 0, 5}, {10, 0, 5}, {10, 0, 0}};
+    const struct vec3 normal[3] = {{-1, 0, 0}, {0, 0, 1}, {1, 0, 0}};
+    struct pass_options rule = rule_of(0.3);
+
+    for (int turn = 0; turn < 48; turn++) {
+        struct slice_chains chains = {0}, strips = {0};
+        for (int k = 0; k < 3; k++) {
+            int side = order[turn / 8][k], back = turn >> side & 1;
+            add_straight(&chains, corner[side + back], corner[side + 1 - back], normal[side]);
+        }
+        passes_make(&chains, &rule, &strips);
+        ck_assert_uint_eq(strips.chain.n, 1);
+        ck_assert_double_eq(first(&strips, 0)->p.x, 0);
+        ck_assert_double_eq(first(&strips, 0)->p.z, 0);
+        ck_assert_double_eq(last(&strips, 0)->p.x, 10);
+        ck_assert_double_eq(last(&strips, 0)->p.z, 0);
+        slice_chains_free(&chains);
+        slice_chains_free(&strips);
+    }
+}
+END_TEST
+
+/* Four sides that lead round to each other: one strip from where they lie least along. */
+START_TEST(sides_of_a_ring_are_one_strip)
+{
+    const struct vec3 corner[5] = {{0, 0, 3}, {4, 0, 5}, {9, 0, 3}, {4, 0, 1}, {0, 0, 3}};
+
+    for (int back = 0; back < 16; back++) {
+        struct slice_chains chains = {0}, strips = {0};
+        struct pass_options rule = rule_of(0.3);
+        for (int k = 0; k < 4; k++) {
+            int turned = back >> k & 1;
+            add_straight(&chains, corner[k + turned], corner[k + 1 - turned], vec(0, 0, 1));
+        }
+        passes_make(&chains, &rule, &strips);
+        ck_assert_uint_eq(strips.chain.n, 1);
+        ck_assert_double_eq(first(&strips, 0)->p.x, 0);
+        ck_assert_double_eq(last(&strips, 0)->p.x, 0);
+        slice_chains_free(&chains);
+        slice_chains_free(&strips);
+    }
+}
+END_TEST
+
 /* A roof: 60 degrees up, then down.  Straight lines between centres sink into the ridge. */
 START_TEST(a_ridge_is_rolled_over)
 {
@@ -259,6 +319,8 @@ int main(void)
     tcase_add_test(tests, chains_follow_each_other_and_join);
     tcase_add_test(tests, no_join_over_a_hole_of_the_scan);
     tcase_add_test(tests, the_nearest_goes_on_not_the_next);
+    tcase_add_test(tests, walls_and_top_are_one_strip);
+    tcase_add_test(tests, sides_of_a_ring_are_one_strip);
     tcase_add_test(tests, a_ridge_is_rolled_over);
     tcase_add_test(tests, a_ring_starts_at_its_end_and_goes_over_the_top);
     tcase_add_test(tests, what_faces_away_is_left_out);
