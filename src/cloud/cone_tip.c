@@ -1,6 +1,8 @@
 /* cone_tip - see cone_tip.h. */
 #include "cone_tip.h"
 
+#include <stdlib.h>
+
 #include "math/band.h"
 
 /* Of the spacing: the search begins on a raster so far apart, and with these steps; it ends below
@@ -48,27 +50,42 @@ static double height_at(const struct cone_tip *tip, double u, double v)
     return height_of(tip, x);
 }
 
-/* The terms at each of n points, and one more that is 0: rows of an even number are summed two at a
+/* The terms at each of n points, and the height there; to fours, for they are summed four at a
  * time. */
-typedef double cone_rows[CONE_POINTS][CONE_TERMS + 1];
+enum { CONE_ROW = CONE_TERMS + 1, CONE_FOURS = (CONE_ROW + 3) / 4 * 4 };
+typedef double cone_rows[CONE_POINTS][CONE_FOURS];
 
-/* The sums of the products of the terms, and in c with the heights. */
-static struct band sum_terms(const struct vec3 *local, size_t n, cone_rows x, double c[CONE_TERMS])
+/* The sums over n points of the products of term i with four from term j on, in registers. */
+static void sum_four(cone_rows x, size_t n, size_t i, size_t j, double sum[4])
 {
-    struct band a = band_new(CONE_TERMS, CONE_TERMS - 1);
-    double sum[CONE_TERMS][CONE_TERMS + 1] = {{0}};
+    double a = 0, b = 0, c = 0, d = 0;
 
     for (size_t k = 0; k < n; k++) {
-        const double *row = x[k];
-        for (int i = 0; i < CONE_TERMS; i++) {
-            c[i] += row[i] * local[k].z;
-            for (int j = 0; j < CONE_TERMS + 1; j++)
-                sum[i][j] += row[i] * row[j];
-        }
+        double by = x[k][i];
+        const double *row = &x[k][j];
+        a += by * row[0];
+        b += by * row[1];
+        c += by * row[2];
+        d += by * row[3];
     }
-    for (size_t i = 0; i < CONE_TERMS; i++)
-        for (size_t j = 0; j <= i; j++)
-            *band_at(&a, i, j) = sum[i][j];
+    sum[0] = a;
+    sum[1] = b;
+    sum[2] = c;
+    sum[3] = d;
+}
+
+/* The sums of the products of the terms, and in c with the heights. */
+static struct band sum_terms(cone_rows x, size_t n, double c[CONE_TERMS])
+{
+    struct band a = band_new(CONE_TERMS, CONE_TERMS - 1);
+    double sum[4];
+
+    for (size_t i = 0; i < CONE_ROW; i++)
+        for (size_t j = 0; j <= i && j < CONE_TERMS; j += 4) {
+            sum_four(x, n, i, j, sum);
+            for (size_t k = j; k < j + 4 && k <= i && k < CONE_TERMS; k++)
+                *(i < CONE_TERMS ? band_at(&a, i, k) : &c[k]) = sum[k - j];
+        }
     return a;
 }
 
@@ -78,13 +95,12 @@ static bool fit_there(const struct vec3 *local, size_t n, struct cone_tip *tip)
     cone_rows x;
     double sum2 = 0;
 
-    for (int i = 0; i < CONE_TERMS; i++)
-        tip->c[i] = 0;
     for (size_t k = 0; k < n; k++) {
         terms_at(local[k].x - tip->u, local[k].y - tip->v, x[k]);
-        x[k][CONE_TERMS] = 0;
+        for (size_t i = CONE_TERMS; i < CONE_FOURS; i++)
+            x[k][i] = local[k].z;
     }
-    struct band a = sum_terms(local, n, x, tip->c);
+    struct band a = sum_terms(x, n, tip->c);
     bool solved = band_factor(&a);
     if (solved)
         band_solve(&a, tip->c, 1);
@@ -126,15 +142,22 @@ static bool search(const struct vec3 *local, size_t n, double spacing, double rm
 
     search_coarsely(local, n, spacing, tip);
     for (int halving = 0; halving < HALVINGS && step > LAST * spacing; halving++, step /= 2) {
+        int last[2] = {2, 2}; /* where the tip came from: beside that all was looked at */
         for (int turn = 0, still = 0; turn < 4 && !still; turn++) {
             struct cone_tip best = *tip;
+            int from[2] = {last[0], last[1]};
             for (int k = 0; k < 8; k++) {
                 struct cone_tip other = *tip;
+                if (abs(way[k][0] + from[0]) < 2 && abs(way[k][1] + from[1]) < 2)
+                    continue;
                 other.u += step * way[k][0];
                 other.v += step * way[k][1];
                 if (hypot_compare(other.u, other.v, FAR * spacing) < 0 &&
-                    fit_there(local, n, &other) && other.rms < best.rms)
+                    fit_there(local, n, &other) && other.rms < best.rms) {
                     best = other;
+                    last[0] = way[k][0];
+                    last[1] = way[k][1];
+                }
             }
             still = best.rms >= tip->rms;
             *tip = best;

@@ -84,40 +84,63 @@ static double allowed(const struct upsample *fill, double distance2)
     return fmax(fill->sink, fmin(touched, VAGUE * fill->sink)) + SIGMAS * fill->noise;
 }
 
-/* Directions in a plane, as angles in order. */
+/* Directions in a plane: those furthest to the left and to the right while all are in one half plane,
+ * and then none. */
 struct fan {
     size_t n;
-    double angle[NEAR];
+    bool around; /* no half plane is without any of them */
+    double left[2], right[2];
 };
 
-static void fan_add(struct fan *fan, double angle)
+/* How far the direction x, y is to the left of another one. */
+static double left_of(const double from[2], double x, double y)
 {
-    size_t k = fan->n++;
-
-    for (; k > 0 && fan->angle[k - 1] > angle; k--)
-        fan->angle[k] = fan->angle[k - 1];
-    fan->angle[k] = angle;
+    return from[0] * y - from[1] * x;
 }
 
-/* No half plane is without any of them. */
-static bool fan_surrounds(const struct fan *fan)
+static void fan_set(double side[2], double x, double y)
 {
-    for (size_t k = 0; k < fan->n; k++) {
-        bool last = k + 1 == fan->n;
-        if (fan->angle[last ? 0 : k + 1] + (last ? 2 * PI : 0) - fan->angle[k] >= PI)
-            return false;
-    }
-    return fan->n > 2;
+    side[0] = x;
+    side[1] = y;
 }
 
-/* No point of the neighbourhood is nearer to p, out of `from`, than that is. */
-static bool is_nearest(const struct neighbourhood *near, struct vec3 from, struct vec3 out)
+static void fan_add(struct fan *fan, double x, double y)
 {
-    for (size_t i = 1; i < near->n && i < NEAR; i++) {
-        struct vec3 to = vec_sub(near->point[i], from);
-        if (2 * vec_dot(out, to) > vec_dot(to, to))
-            return false;
+    if (fan->around)
+        return;
+    if (fan->n++ == 0) {
+        fan_set(fan->left, x, y);
+        fan_set(fan->right, x, y);
+        return;
     }
+    double left = left_of(fan->left, x, y), right = left_of(fan->right, x, y);
+    bool back = left == 0 && right == 0 && fan->left[0] * x + fan->left[1] * y < 0;
+    fan->around = left > 0 && right < 0;
+    if ((left > 0 && right >= 0) || back)
+        fan_set(fan->left, x, y);
+    else if (right < 0 && left <= 0)
+        fan_set(fan->right, x, y);
+}
+
+/* Point i of the neighbourhood is nearer to p, out of `from`, than that is. */
+static bool is_nearer(const struct neighbourhood *near, size_t i, struct vec3 from, struct vec3 out)
+{
+    struct vec3 to = vec_sub(near->point[i], from);
+
+    return 2 * vec_dot(out, to) > vec_dot(to, to);
+}
+
+/* None of them is.  *last: the one that was nearer to the place before, often nearer to this one. */
+static bool is_nearest(const struct neighbourhood *near, struct vec3 from, struct vec3 out,
+                       size_t *last)
+{
+    if (*last < near->n && is_nearer(near, *last, from, out))
+        return false;
+    for (size_t i = 1; i < near->n && i < NEAR; i++)
+        if (is_nearer(near, i, from, out)) {
+            *last = i;
+            return false;
+        }
     return true;
 }
 
@@ -142,8 +165,8 @@ static bool is_between(const struct upsample *fill, const struct neighbourhood *
         bool borne = fabs(on->off[i] - on->off[0]) <= allowed(fill, fmin(far2, ABOUT * out2));
         if (about && !borne)
             return false;
-        if (borne && far2 <= beside2)
-            fan_add(&fan, atan2(vec_dot(beside, on->q->v), vec_dot(beside, on->q->u)));
+        if (borne && far2 <= beside2 && !fan.around)
+            fan_add(&fan, vec_dot(beside, on->q->u), vec_dot(beside, on->q->v));
         if (about) {
             double weight = 1 / sqrt(far2) - 1 / (ABOUT * sqrt(out2));
             *off += weight * weight * on->off[i];
@@ -151,7 +174,7 @@ static bool is_between(const struct upsample *fill, const struct neighbourhood *
         }
     }
     *off = on->exact && weights > 0 ? *off / weights : 0;
-    return fan_surrounds(&fan);
+    return fan.around;
 }
 
 /* How deep the ball would sink between the points. */
@@ -298,14 +321,13 @@ static bool is_at_border(const struct point_grid *b, struct vec3 p, double reach
             double x = b->point[i].x - p.x, y = b->point[i].y - p.y;
             if (x * x + y * y > reach * reach)
                 continue;
-            double angle = atan2(y, x);
-            size_t sector = (size_t)((angle + PI) / (2 * PI) * SECTORS) % SECTORS;
+            size_t sector = (size_t)((atan2(y, x) + PI) / (2 * PI) * SECTORS) % SECTORS;
             if (!known[sector])
-                fan_add(&fan, angle);
+                fan_add(&fan, x, y);
             known[sector] = true;
         }
     }
-    return !fan_surrounds(&fan);
+    return !fan.around;
 }
 
 /* The points nearest to p surround it on a surface, or the scan ends there. */
@@ -317,11 +339,10 @@ static bool is_open(const struct upsample *fill, const struct neighbourhood *nea
 
     for (size_t k = 0; k < near->n; k++) {
         struct vec3 beside = vec_sub(near->point[k], p);
-        fan_add(&fan, atan2(vec_dot(beside, q->v), vec_dot(beside, q->u)));
+        fan_add(&fan, vec_dot(beside, q->u), vec_dot(beside, q->v));
     }
-    return fan_surrounds(&fan) ||
-           (near->distance2[0] <= BEYOND * BEYOND * far2 &&
-            is_at_border(fill->point_grid, p, fmax(fill->radius, sqrt(far2))));
+    return fan.around || (near->distance2[0] <= BEYOND * BEYOND * far2 &&
+                          is_at_border(fill->point_grid, p, fmax(fill->radius, sqrt(far2))));
 }
 
 /* A place that the surface about none of the points beside reaches, in a hole or beyond the border
@@ -369,6 +390,7 @@ static void add_between(const struct upsample *fill, const struct neighbourhood 
     struct vec3 off = vec_sub(p, q->origin);
     double u0 = vec_dot(off, q->u), v0 = vec_dot(off, q->v);
     int rings = (int)fmin(reach / pitch, RINGS);
+    size_t nearer = near->n;
 
     if (is_hollow(fill, q))
         return;
@@ -378,7 +400,7 @@ static void add_between(const struct upsample *fill, const struct neighbourhood 
             if ((i == 0 && j == 0) || hypot_compare(u, v, reach) > 0)
                 continue;
             struct vec3 at = quadric_at(q, u0 + u, v0 + v);
-            if (!is_nearest(near, p, vec_sub(at, p)))
+            if (!is_nearest(near, p, vec_sub(at, p), &nearer))
                 continue;
             measure_off(near, &on);
             if (is_between(fill, near, &on, p, at, &aside) &&
