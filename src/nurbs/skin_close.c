@@ -498,12 +498,19 @@ static bool is_sound(const struct skin_side *side, size_t k)
     return k == 2 && side[0].forward != side[1].forward;
 }
 
-/* Marks the facets, if they are no wider than the gap, along edges that more than two share or two
- * that are turned differently, and `around`: all that have a corner of such an edge; returns
- * how many edges of the skin are such, or open. */
-static size_t mark_tangled(const struct patch_mesh *q, double gap, bool around, bool *out)
+/* Edges of a skin that are not sound. */
+struct unsound {
+    size_t all, tangled; /* more than two share it, or two that are turned differently; else open */
+    bool between;        /* they are of several surfaces */
+};
+
+/* Marks the facets, if they are no wider than the gap, along edges that are tangled, and `around`:
+ * all that have a corner of such an edge. */
+static struct unsound mark_tangled(const struct patch_mesh *q, double gap, bool around, bool *out)
 {
-    size_t n, bad = 0;
+    struct unsound bad = {0};
+    size_t n;
+    int sheet = NONE;
     struct skin_side *side = skin_sides_find(q, &n);
     bool *near = mem_alloc(q->vertex.n + 1, sizeof *near);
 
@@ -511,7 +518,11 @@ static size_t mark_tangled(const struct patch_mesh *q, double gap, bool around, 
         k = skin_sides_same(side, n, i);
         if (is_sound(&side[i], k))
             continue;
-        bad++;
+        int own = q->sheet.item[side[i].facet];
+        bad.between = bad.between || (bad.all > 0 && own != sheet);
+        sheet = own;
+        bad.all++;
+        bad.tangled += k > 1;
         for (size_t a = i; a < i + k && k > 1; a++) {
             near[side[i].low] = near[side[i].high] = around;
             out[side[a].facet] = out[side[a].facet] || width_of(q, side[a].facet) <= gap;
@@ -536,26 +547,29 @@ static void copy_facets(const struct patch_mesh *from, struct faces *face, struc
 }
 
 /* One try: takes out what is marked and fills what is open.  True: the skin has fewer edges that
- * are not sound; else it is as before. */
-static bool refill(struct walk *w, bool around, size_t *bad)
+ * are not sound; else it is as before.  *bad: how many it has; *idle: none is tangled and nothing
+ * was filled, so that of the ways of this width none will. */
+static bool refill(struct walk *w, bool around, size_t *bad, bool *idle)
 {
     struct patch_mesh *q = w->q;
     struct skin_close_count count = w->count;
     struct faces face = {0};
     struct ints sheet = {0};
     bool *out = mem_alloc(q->face.n + 1, sizeof *out);
-    size_t before = mark_tangled(q, w->gap, around, out);
+    struct unsound before = mark_tangled(q, w->gap, around, out);
 
     copy_facets(q, &face, &sheet);
     drop_marked(q, out);
     free(out);
-    bool same = q->face.n == face.n && (w->gap <= w->least || w->gap > w->most);
+    bool wider = w->gap > w->least && w->gap <= w->most;
+    bool same = q->face.n == face.n && !(wider && (before.tangled > 0 || before.between));
     if (!same)
         close_slits(w);
+    *idle = before.tangled == 0 && w->count.facets == count.facets;
     out = mem_alloc(q->face.n + 1, sizeof *out);
-    *bad = same ? before : mark_tangled(q, w->gap, false, out);
+    *bad = same ? before.all : mark_tangled(q, w->gap, false, out).all;
     free(out);
-    if (*bad >= before) {
+    if (*bad >= before.all) {
         struct faces swap = q->face;
         struct ints swap_sheet = q->sheet;
         q->face = face;
@@ -566,7 +580,7 @@ static bool refill(struct walk *w, bool around, size_t *bad)
     }
     array_free(&face);
     array_free(&sheet);
-    return *bad < before;
+    return *bad < before.all;
 }
 
 /* Between borders nearer to each other than the gap slivers may lie over each other.  Without them
@@ -577,11 +591,14 @@ static void untangle(struct walk *w)
     enum { TRIES = 60, AROUND = 1, AVOID = 2, WIDTHS = 4, WAYS = 16 };
     double gap = w->gap;
     size_t bad = 1;
+    bool idle = false;
 
     for (int i = 0, way = 0; i < TRIES && way < WAYS && bad > 0; i++) {
         w->avoid = (way & AVOID) != 0;
         w->gap = gap * (1 << way / WIDTHS);
-        way = refill(w, (way & AROUND) != 0, &bad) ? 0 : way + 1;
+        way = refill(w, (way & AROUND) != 0, &bad, &idle) ? 0 : way + 1;
+        for (; idle && way % WIDTHS > 0; way++)
+            i++;
     }
     w->gap = gap;
 }
