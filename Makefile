@@ -20,13 +20,14 @@
 PREFIX  = /usr/local
 DESTDIR =
 CC      = cc
-CFLAGS  = -O2
+CFLAGS  = -O3
 BUILD   = build
 EXE     =
 VERSION := $(shell cat VERSION)
 
 WARN  = -Wall -Wextra -Wshadow -Wconversion
-FLAGS = -std=c11 -D_XOPEN_SOURCE=700 -iquote include -ffp-contract=off -pthread $(WARN)
+FLAGS = -std=c11 -D_XOPEN_SOURCE=700 -iquote include -ffp-contract=off -fno-math-errno -pthread \
+        $(WARN)
 LIBS  = -lm -pthread
 
 tool_src := $(wildcard src/*.c)

@@ -76,6 +76,10 @@ void quadric_face_up(struct quadric *quadric);
 /* Distance of a point from the quadric, to first order: positive on the side of w. */
 double quadric_off(const struct quadric *quadric, struct vec3 point);
 
+/* The same of n points. */
+void quadric_off_all(const struct quadric *quadric, const struct vec3 *point, size_t n,
+                     double *off);
+
 /* True only of a point that quadric_nearest finds no further off than `limit`, mm; false where that
  * takes a closer look.  Quick. */
 bool quadric_surely_within(const struct quadric *quadric, struct vec3 point, double limit);

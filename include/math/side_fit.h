@@ -18,6 +18,10 @@ struct side_fit {
 int side_fit_plane(const struct vec3 *point, size_t n, struct vec3 origin, struct vec3 w,
                    struct side_fit *fit);
 
+/* The same of points that are in that frame already: those of quadric_local. */
+int side_fit_plane_local(const struct vec3 *local, size_t n, struct vec3 origin, struct vec3 w,
+                         struct side_fit *fit);
+
 /* What a plane through points takes: their number, and sums of their coordinates in the frame and
  * of products of these. */
 struct side_sums {
@@ -52,6 +56,9 @@ struct side_fit side_fit_through(struct vec3 place, struct vec3 normal, struct v
 /* The quadric through the same points in place of the plane, where it leaves less than BETTER of
  * what the plane leaves. */
 void side_fit_bend(const struct vec3 *point, size_t n, struct side_fit *fit);
+
+/* The same of points in the frame of the plane. */
+void side_fit_bend_local(const struct vec3 *local, size_t n, struct side_fit *fit);
 
 /* Height of the surface, along w, over (or under) the place of p; of a place in the frame. */
 double side_fit_height(const struct side_fit *fit, struct vec3 p);

@@ -116,16 +116,13 @@ struct division {
     struct vec3 point[MOST];
     struct vec3 local[MOST];  /* the same, in the frame of the sheets */
     unsigned char side[MOST]; /* on which of the sheets each is */
-    struct vec3 of[2][MOST];  /* the points, by sheet */
+    struct vec3 of[2][MOST];  /* these, by sheet */
     size_t n, count[2];
+    size_t asked; /* the points are the so many nearest ones, 0: there are none yet, to ... */
+    struct vec3 about;
     struct vec3 origin, w;
     struct side_fit sheet[2];
 };
-
-static void add_to_side(struct division *p, int side, struct vec3 point)
-{
-    p->of[side][p->count[side]++] = point;
-}
 
 /* How far sheet 0 is above sheet 1.  Both have the same frame. */
 static double step_at(const struct division *p, struct vec3 at)
@@ -194,12 +191,12 @@ static bool bend_sheets(struct division *p)
 {
     p->count[0] = p->count[1] = 0;
     for (size_t i = 0; i < p->n; i++)
-        add_to_side(p, p->side[i], p->point[i]);
+        p->of[p->side[i]][p->count[p->side[i]]++] = p->local[i];
     for (int s = 0; s < 2; s++) {
         const struct quadric *q = &p->sheet[s].q;
-        if (side_fit_plane(p->of[s], p->count[s], q->origin, q->w, &p->sheet[s]) < 0)
+        if (side_fit_plane_local(p->of[s], p->count[s], q->origin, q->w, &p->sheet[s]) < 0)
             return false;
-        side_fit_bend(p->of[s], p->count[s], &p->sheet[s]);
+        side_fit_bend_local(p->of[s], p->count[s], &p->sheet[s]);
     }
     return true;
 }
@@ -236,7 +233,7 @@ static double left_by_two(const struct division *p)
     double sum2 = 0, fixed = 6;
 
     for (int s = 0; s < 2; s++) {
-        double rms = quadric_rms(&p->sheet[s].q, p->of[s], p->count[s]);
+        double rms = quadric_rms_local(&p->sheet[s].q, p->of[s], p->count[s]);
         sum2 += rms * rms * (double)p->count[s];
         fixed += p->sheet[s].q.c[3] != 0 ? 3 : 0;
     }
@@ -262,16 +259,18 @@ static bool better_than_one(const struct division *p, const struct feature_cloud
 static bool gather_points(const struct feature_cloud *cloud, struct vec3 at, size_t k,
                           struct vec3 a, struct vec3 b, bool divided, struct division *p)
 {
-    struct vec3 near[MOST];
-
-    p->n = feature_near(cloud, at, k, near);
+    if (k != p->asked || vec_distance(at, p->about) > 0) {
+        p->n = feature_near(cloud, at, k, p->point);
+        p->asked = k;
+        p->about = at;
+    }
     p->count[0] = p->count[1] = 0;
     if (p->n < 2 * FEWEST)
         return false;
     bool a_above = divided && step_at(p, a) > 0;
     struct vec3 way = vec_sub(b, a);
     for (size_t i = 0; i < p->n; i++) {
-        struct vec3 q = p->point[i] = near[i];
+        struct vec3 q = p->point[i];
         bool first = divided ? (step_at(p, q) > 0) == a_above : vec_dot(vec_sub(q, at), way) <= 0;
         p->side[i] = first ? 0 : 1;
         p->count[p->side[i]]++;
@@ -377,6 +376,7 @@ struct feature feature_crease(const struct feature_cloud *cloud, struct vec3 a, 
     /* the second one across the way, for the normals may both be of one side */
     struct vec3 w[2] = {vec_unit(sum), vec_unit(vec_reject(sum, vec_unit(vec_sub(b, a))))};
 
+    p.asked = 0;
     for (int i = 0; i < 2; i++) {
         p.origin = origin;
         p.w = w[i];

@@ -18,19 +18,23 @@ static const double UNCERTAIN = 20000;
 static const int U[TERMS] = {0, 1, 0, 2, 1, 0, 3, 2, 1, 0};
 static const int V[TERMS] = {0, 0, 1, 0, 1, 2, 0, 1, 2, 3};
 
-/* Sums of u^i v^j, and of each term with w. */
+/* Sums of u^i v^j in power[j][i], and of each term with w. */
 struct moments {
-    double power[2 * DEGREE + 1][2 * DEGREE + 1];
+    double power[2 * DEGREE + 1][2 * DEGREE + 2];
     double w[TERMS];
 };
 
-static void add_point(struct moments *m, double part, double u, double v, double w)
+/* All powers of u by one of v, two at a time: so many that their number is even. */
+static inline void add_point(struct moments *m, double part, double u, double v, double w)
 {
-    double up = part;
-    for (int i = 0; i <= 2 * DEGREE; i++, up *= u) {
-        double uv = up;
-        for (int j = 0; i + j <= 2 * DEGREE; j++, uv *= v)
-            m->power[i][j] += uv;
+    double up[2 * DEGREE + 2] = {part};
+    for (int i = 0; i <= 2 * DEGREE; i++)
+        up[i + 1] = up[i] * u;
+    for (int j = 0; j <= 2 * DEGREE; j++) {
+        for (int i = 0; i < ((2 * DEGREE + 2 - j) & ~1); i++) {
+            m->power[j][i] += up[i];
+            up[i] *= v;
+        }
     }
     double u2 = u * u, v2 = v * v, pw = part * w;
     m->w[0] += pw;
@@ -50,12 +54,12 @@ static int factor(const struct moments *m, double a[TERMS][TERMS])
 {
     for (int i = 0; i < TERMS; i++) {
         for (int j = i; j < TERMS; j++) {
-            a[i][j] = m->power[U[i] + U[j]][V[i] + V[j]];
+            a[i][j] = m->power[V[i] + V[j]][U[i] + U[j]];
             for (int k = 0; k < i; k++)
                 a[i][j] -= a[k][i] * a[k][j];
             if (j > i)
                 a[i][j] /= a[i][i];
-            else if (!(a[i][i] > INDEPENDENT * m->power[2 * U[i]][2 * V[i]]))
+            else if (!(a[i][i] > INDEPENDENT * m->power[2 * V[i]][2 * U[i]]))
                 return -1;
             else
                 a[i][i] = sqrt(a[i][i]);

@@ -4,6 +4,7 @@
  */
 #include "math/quadric.h"
 
+#include <stdbool.h>
 #include <stdlib.h>
 
 #include "base/array.h"
@@ -321,43 +322,82 @@ double quadric_curvature(const struct quadric *q)
     return (b + sqrt(fmax(b * b - 4 * a * c, 0))) / (2 * a);
 }
 
-/* Of a point in the frame. */
-static double off_local(const struct quadric *q, struct vec3 at)
+/* How far a point in the frame is off the first six terms, and the slopes of these there. */
+static inline double off_square(const double c[10], struct vec3 at, double *wu, double *wv)
 {
-    const double *c = q->c;
-    double u = at.x, v = at.y, w = at.z;
-    double off = w - (c[0] + u * (c[1] + c[3] * u + c[4] * v) + v * (c[2] + c[5] * v));
-    double wu = c[1] + 2 * c[3] * u + c[4] * v, wv = c[2] + 2 * c[5] * v + c[4] * u;
-    off -= u * u * (c[6] * u + c[7] * v) + v * v * (c[8] * u + c[9] * v);
-    wu += 3 * c[6] * u * u + 2 * c[7] * u * v + c[8] * v * v;
-    wv += c[7] * u * u + 2 * c[8] * u * v + 3 * c[9] * v * v;
+    double u = at.x, v = at.y;
+
+    *wu = c[1] + 2 * c[3] * u + c[4] * v;
+    *wv = c[2] + 2 * c[5] * v + c[4] * u;
+    return at.z - (c[0] + u * (c[1] + c[3] * u + c[4] * v) + v * (c[2] + c[5] * v));
+}
+
+/* The same with the cubic terms. */
+static inline double off_cubic(const double c[10], struct vec3 at, double *wu, double *wv)
+{
+    double u = at.x, v = at.y, off = off_square(c, at, wu, wv);
+
+    *wu += 3 * c[6] * u * u + 2 * c[7] * u * v + c[8] * v * v;
+    *wv += c[7] * u * u + 2 * c[8] * u * v + 3 * c[9] * v * v;
+    return off - (u * u * (c[6] * u + c[7] * v) + v * v * (c[8] * u + c[9] * v));
+}
+
+/* Most surfaces have none of these: they cost as much as the others. */
+static bool is_cubic(const struct quadric *q)
+{
+    return q->c[6] != 0 || q->c[7] != 0 || q->c[8] != 0 || q->c[9] != 0;
+}
+
+/* Of a point in the frame. */
+static inline double off_local(const struct quadric *q, struct vec3 at, bool cubic)
+{
+    double wu, wv, off = cubic ? off_cubic(q->c, at, &wu, &wv) : off_square(q->c, at, &wu, &wv);
+
     return off / sqrt(1 + wu * wu + wv * wv);
 }
 
 double quadric_off(const struct quadric *q, struct vec3 point)
 {
-    return off_local(q, quadric_local(q, point));
+    return off_local(q, quadric_local(q, point), is_cubic(q));
+}
+
+void quadric_off_all(const struct quadric *q, const struct vec3 *point, size_t n, double *off)
+{
+    if (is_cubic(q))
+        for (size_t i = 0; i < n; i++)
+            off[i] = off_local(q, quadric_local(q, point[i]), true);
+    else
+        for (size_t i = 0; i < n; i++)
+            off[i] = off_local(q, quadric_local(q, point[i]), false);
 }
 
 /* Of points in the frame or, where they are not, brought into it one by one. */
-static inline double rms_of(const struct quadric *q, const struct vec3 *point, size_t n, bool local)
+static inline double squares_of(const struct quadric *q, const struct vec3 *point, size_t n,
+                                bool local, bool cubic)
 {
     double sum2 = 0;
+
     for (size_t i = 0; i < n; i++) {
-        double off = off_local(q, local ? point[i] : quadric_local(q, point[i]));
+        double off = off_local(q, local ? point[i] : quadric_local(q, point[i]), cubic);
         sum2 += off * off;
     }
-    return sqrt(sum2 / (double)n);
+    return sum2;
 }
 
 double quadric_rms_local(const struct quadric *q, const struct vec3 *local, size_t n)
 {
-    return rms_of(q, local, n, true);
+    double sum2 =
+        is_cubic(q) ? squares_of(q, local, n, true, true) : squares_of(q, local, n, true, false);
+
+    return sqrt(sum2 / (double)n);
 }
 
 double quadric_rms(const struct quadric *q, const struct vec3 *point, size_t n)
 {
-    return rms_of(q, point, n, false);
+    double sum2 =
+        is_cubic(q) ? squares_of(q, point, n, false, true) : squares_of(q, point, n, false, false);
+
+    return sqrt(sum2 / (double)n);
 }
 
 struct vec3 quadric_at(const struct quadric *q, double u, double v)

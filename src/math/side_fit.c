@@ -13,10 +13,10 @@ static const double NARROW = 0.05;
 /* What a quadric may leave of what a plane leaves, to be worth its freedom. */
 static const double BETTER = 0.6;
 
-/* What the fit leaves to each of the points that it does not fix. */
-static double left_over(const struct quadric *q, const struct vec3 *point, size_t n, size_t fixed)
+/* What the fit leaves to each of the points, in its frame, that it does not fix. */
+static double left_over(const struct quadric *q, const struct vec3 *local, size_t n, size_t fixed)
 {
-    return n > fixed ? quadric_rms(q, point, n) * sqrt((double)n / (double)(n - fixed)) : 0;
+    return n > fixed ? quadric_rms_local(q, local, n) * sqrt((double)n / (double)(n - fixed)) : 0;
 }
 
 int side_fit_plane_of(const struct side_sums *sum, struct side_fit *fit)
@@ -40,24 +40,32 @@ int side_fit_plane_of(const struct side_sums *sum, struct side_fit *fit)
     return 0;
 }
 
+int side_fit_plane_local(const struct vec3 *local, size_t n, struct vec3 origin, struct vec3 w,
+                         struct side_fit *fit)
+{
+    struct side_fit plane = {.q = quadric_frame(origin, w)};
+    struct side_sums sum = {.n = 0};
+
+    for (size_t i = 0; i < n; i++)
+        side_sums_add(&sum, 1, local[i]);
+    if (side_fit_plane_of(&sum, &plane) < 0)
+        return -1;
+    plane.rms = left_over(&plane.q, local, n, PLANE);
+    *fit = plane;
+    return 0;
+}
+
 int side_fit_plane(const struct vec3 *point, size_t n, struct vec3 origin, struct vec3 w,
                    struct side_fit *fit)
 {
-    struct side_fit plane = {.q = quadric_frame(origin, w)};
-    struct vec3 local[SOME], *all = n > SOME ? mem_alloc(n, sizeof *all) : local;
+    struct quadric frame = quadric_frame(origin, w);
+    struct vec3 few[SOME], *local = n > SOME ? mem_alloc(n, sizeof *local) : few;
 
-    struct side_sums sum = {.n = 0};
-    quadric_local_all(&plane.q, point, n, all);
-    for (size_t i = 0; i < n; i++)
-        side_sums_add(&sum, 1, all[i]);
-    int status = side_fit_plane_of(&sum, &plane);
-    if (n > SOME)
-        free(all);
-    if (status < 0)
-        return -1;
-    plane.rms = left_over(&plane.q, point, n, PLANE);
-    *fit = plane;
-    return 0;
+    quadric_local_all(&frame, point, n, local);
+    int status = side_fit_plane_local(local, n, origin, w, fit);
+    if (local != few)
+        free(local);
+    return status;
 }
 
 struct side_fit side_fit_through(struct vec3 place, struct vec3 normal, struct vec3 origin,
@@ -72,15 +80,25 @@ struct side_fit side_fit_through(struct vec3 place, struct vec3 normal, struct v
     return f;
 }
 
-void side_fit_bend(const struct vec3 *point, size_t n, struct side_fit *fit)
+void side_fit_bend_local(const struct vec3 *local, size_t n, struct side_fit *fit)
 {
     struct side_fit bent;
 
-    if (n < 3 * QUADRIC || quadric_fit(point, n, fit->q.origin, fit->q.w, &bent.q) < 0)
+    if (n < 3 * QUADRIC || quadric_fit_local(local, n, fit->q.origin, fit->q.w, &bent.q) < 0)
         return;
-    bent.rms = left_over(&bent.q, point, n, QUADRIC);
+    bent.rms = left_over(&bent.q, local, n, QUADRIC);
     if (bent.rms < BETTER * fit->rms)
         *fit = bent;
+}
+
+void side_fit_bend(const struct vec3 *point, size_t n, struct side_fit *fit)
+{
+    struct vec3 few[SOME], *local = n > SOME ? mem_alloc(n, sizeof *local) : few;
+
+    quadric_local_all(&fit->q, point, n, local);
+    side_fit_bend_local(local, n, fit);
+    if (local != few)
+        free(local);
 }
 
 double side_fit_height(const struct side_fit *fit, struct vec3 p)

@@ -66,12 +66,6 @@ static int fit_steep(struct surface_fit_hood *hood, size_t n, struct vec3 guess,
     return hood->steep_status;
 }
 
-static void measure_off(const struct quadric *q, struct surface_fit_hood *hood, size_t k)
-{
-    for (size_t i = 0; i < k; i++)
-        hood->off[i] = quadric_off(q, hood->point[i]);
-}
-
 /* Weights of the first k points by how far they are off a surface; returns their spread about it.
  * Where it passes a good part of them by it is not theirs: infinite. *farthest: the largest of
  * their distances. */
@@ -125,7 +119,7 @@ static int fit_within(struct surface_fit_hood *hood, size_t k, struct vec3 verte
     if (fit_weighted(hood, NULL, k, vertex, normal, sigma, q) < 0)
         return -1;
     fit->n = k;
-    measure_off(q, hood, k);
+    quadric_off_all(q, hood->point, k, hood->off);
     fit->spread = weigh_points(hood, k, INFINITY, &farthest);
     if (fit->spread > most)
         return -1;
@@ -135,7 +129,7 @@ static int fit_within(struct surface_fit_hood *hood, size_t k, struct vec3 verte
         if (fit_weighted(hood, hood->weight, k, vertex, quadric_normal(q), sigma, &next) < 0)
             break;
         *q = next;
-        measure_off(q, hood, k);
+        quadric_off_all(q, hood->point, k, hood->off);
         fit->spread = weigh_points(hood, k, fmax(sigma, fit->spread), &farthest);
     }
     fit->offset = vec_dot(vec_sub(quadric_foot(q), vertex), guess);
