@@ -184,7 +184,8 @@ static void add_features(const struct cloudmesh_options *options, const struct c
 
     if (!options->smooth) {
         keep_features(options, &scan, threads, mesh, result);
-        keep_crests(options, &scan, first, threads, mesh, result);
+        if (!options->edges_only)
+            keep_crests(options, &scan, first, threads, mesh, result);
     }
     if (!options->paper)
         mesh_normals_seen(mesh);
@@ -356,6 +357,7 @@ static int mesh_on_grid(const struct cloudmesh_options *asked, struct vec3s *poi
         parts.flat < points->n &&
         walls_serve(&options, &parts, points, fmax(noise, mesh->origin.noise), threads);
     options.silent = true;
+    options.edges_only = asked->edges_only && !has_walls; /* or two meshes are compared */
     if (has_walls)
         status =
             mesh_of_nodes(&options, &parts, points, noise, threads, &with_walls, &walled, error);
@@ -599,7 +601,7 @@ static int mesh_by_zone(const struct cloudmesh_options *asked, struct source *s,
     struct cloudmesh grid_result;
 
     options.error = 0;
-    options.silent = true;
+    options.silent = options.edges_only = true;
     options.spacing = asked->spacing > 0 ? fmin(asked->spacing, fine) : fine;
     int status = mesh_on_grid(&options, s->scan, s->noise, threads, &grid, &grid_result, error);
     if (status == 0 && grid_result.edge.n > 0) {
