@@ -54,11 +54,15 @@ double holder_reach(const struct holder *holder);
 double holder_distance(const struct holder *holder, struct vec3 centre, struct vec3 axis,
                        struct vec3 p);
 
+/* The same where it is less than `below`; else something that is not. */
+double holder_distance_below(const struct holder *holder, struct vec3 centre, struct vec3 axis,
+                             struct vec3 p, double below);
+
 /*
  * A lower bound of the distance of all places in the box about `middle` that reaches `half` along
  * X, Y and Z: the distance of its middle less its half diagonal; and no place is deeper than it is
  * far from any segment of the outline, which (the distance from a segment is convex) is largest at
- * a corner of the box.
+ * a corner of the box.  Of a single cylinder, by how far the box reaches across and along it.
  */
 double holder_bound(const struct holder *holder, struct vec3 centre, struct vec3 axis,
                     struct vec3 middle, struct vec3 half);

@@ -53,18 +53,20 @@ void kdtree_beside(const struct kdtree *tree, struct vec3 a, struct vec3 b, doub
 /* True if a point is nearer than `within` to the segment from a to b.  Ends at the first. */
 bool kdtree_any_beside(const struct kdtree *tree, struct vec3 a, struct vec3 b, double within);
 
-/*
- * The point at which `value` is lowest, if that is below `below`: its value, and the point in
- * *index; else `below`.  The value must change no faster than the distance between two places, as a
- * signed distance does.
- */
-double kdtree_lowest(const struct kdtree *tree, double (*value)(const void *context, struct vec3 p),
-                     const void *context, double below, size_t *index);
+/* A value of each place. */
+struct kdtree_field {
+    /* At p, where it is lower than `below`; else anything that is not. */
+    double (*value)(const void *context, struct vec3 p, double below);
+    /* It is no lower anywhere in the box about `middle` that reaches `half` along each axis. */
+    double (*bound)(const void *context, struct vec3 middle, struct vec3 half);
+    const void *context;
+};
+
+/* The lowest value at a point, if that is below `below`; else `below`. */
+double kdtree_lowest(const struct kdtree *tree, const struct kdtree_field *field, double below);
 
 /* True if it is lower than `below` at any point.  Ends at the first. */
-bool kdtree_any_lower(const struct kdtree *tree,
-                      double (*value)(const void *context, struct vec3 p), const void *context,
-                      double below);
+bool kdtree_any_lower(const struct kdtree *tree, const struct kdtree_field *field, double below);
 
 /*
  * Shows points to `point`, those of nearer boxes first, and leaves out the boxes of points, from

@@ -179,28 +179,36 @@ struct holder_pose {
     struct vec3 centre, axis;
 };
 
-static double from_holder(const void *context, struct vec3 p)
+static double from_holder(const void *context, struct vec3 p, double below)
 {
     const struct holder_pose *pose = context;
 
-    return holder_distance(pose->holder, pose->centre, pose->axis, p);
+    return holder_distance_below(pose->holder, pose->centre, pose->axis, p, below);
+}
+
+static double bound_from_holder(const void *context, struct vec3 middle, struct vec3 half)
+{
+    const struct holder_pose *pose = context;
+
+    return holder_bound(pose->holder, pose->centre, pose->axis, middle, half);
 }
 
 double gouge_holder(const struct gouge_check *guard, const struct holder *holder, struct vec3 c,
                     struct vec3 axis, double below)
 {
     struct holder_pose pose = {holder, c, axis};
-    size_t nearest;
+    struct kdtree_field field = {from_holder, bound_from_holder, &pose};
 
-    return holder->n > 0 ? kdtree_lowest(guard->tree, from_holder, &pose, below, &nearest) : below;
+    return holder->n > 0 ? kdtree_lowest(guard->tree, &field, below) : below;
 }
 
 bool gouge_holder_clear(const struct gouge_check *guard, const struct holder *holder, struct vec3 c,
                         struct vec3 axis, double least)
 {
     struct holder_pose pose = {holder, c, axis};
+    struct kdtree_field field = {from_holder, bound_from_holder, &pose};
 
-    return holder->n == 0 || !kdtree_any_lower(guard->tree, from_holder, &pose, least);
+    return holder->n == 0 || !kdtree_any_lower(guard->tree, &field, least);
 }
 
 /* One point of each box that is small enough. */

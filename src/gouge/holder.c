@@ -34,14 +34,25 @@ static double smaller(double a, double b)
     return a < b ? a : b;
 }
 
-/* The same of one cylinder, for most tools are no more: a rectangle beside the axis. */
-static double to_cylinder(const struct holder_part *part, struct place at)
+static bool is_cylinder(const struct holder *holder)
 {
-    double aside = at.r - part->low, along = fabs(at.h - part->length / 2) - part->length / 2;
+    return holder->n == 1 && holder->part[0].low == holder->part[0].high;
+}
+
+/* Signed distance of one cylinder, for most tools are no more, of a place so far outside it across
+ * the axis and along it: a rectangle beside the axis. */
+static double outside(double aside, double along)
+{
     double most = aside > along ? aside : along;
     if (aside > 0 && along > 0)
         return sqrt(aside * aside + along * along);
     return most;
+}
+
+/* How far a height is beyond a part's ends. */
+static double beyond(const struct holder_part *part, double h)
+{
+    return fabs(h - part->length / 2) - part->length / 2;
 }
 
 double holder_distance(const struct holder *holder, struct vec3 centre, struct vec3 axis,
@@ -55,8 +66,8 @@ double holder_distance(const struct holder *holder, struct vec3 centre, struct v
     bool inside = false;
     if (holder->n == 0)
         return HUGE_VAL;
-    if (holder->n == 1 && holder->part[0].low == holder->part[0].high)
-        return to_cylinder(&holder->part[0], at);
+    if (is_cylinder(holder))
+        return outside(at.r - holder->part[0].low, beyond(&holder->part[0], at.h));
     for (int i = 0; i < holder->n; i++) {
         const struct holder_part *part = &holder->part[i];
         const struct place low = {part->low, last.h}, high = {part->high, last.h + part->length};
@@ -69,6 +80,44 @@ double holder_distance(const struct holder *holder, struct vec3 centre, struct v
     }
     least = sqrt(smaller(least, to_segment2(last, (struct place){0, last.h}, at)));
     return inside ? -least : least;
+}
+
+double holder_distance_below(const struct holder *holder, struct vec3 centre, struct vec3 axis,
+                             struct vec3 p, double below)
+{
+    const struct holder_part *part = &holder->part[0];
+
+    if (!is_cylinder(holder))
+        return holder_distance(holder, centre, axis, p);
+    struct vec3 d = vec_sub(p, centre);
+    double h = vec_dot(d, axis), along = beyond(part, h), far = part->low + below;
+    if (along >= below)
+        return along;
+    struct vec3 aside = vec_along(d, -h, axis);
+    double aside2 = vec_dot(aside, aside);
+    if (far <= 0 || aside2 > far * far * (1 + 1e-12))
+        return below;
+    return outside(sqrt(aside2) - part->low, along);
+}
+
+/* How far a box that reaches `half` along X, Y and Z does along another direction. */
+static double reach_along(struct vec3 half, struct vec3 way)
+{
+    return half.x * fabs(way.x) + half.y * fabs(way.y) + half.z * fabs(way.z);
+}
+
+static double cylinder_bound(const struct holder_part *part, struct vec3 axis, struct vec3 d,
+                             struct vec3 half)
+{
+    const double rounding = 1e-9; /* mm */
+    double h = vec_dot(d, axis);
+    struct vec3 aside = vec_along(d, -h, axis);
+    double r = vec_length(aside), near = r > 0 ? r - reach_along(half, aside) / r : 0;
+    double from = fabs(h - part->length / 2) - reach_along(half, axis);
+
+    near = near > 0 ? near : 0;
+    from = from > 0 ? from : 0;
+    return outside(near - part->low, from - part->length / 2) - rounding;
 }
 
 /* Squared distance of the segment from the corner of the box that is furthest from it. */
@@ -87,6 +136,8 @@ static double to_corners2(struct place a, struct place b, struct place middle, s
 double holder_bound(const struct holder *holder, struct vec3 centre, struct vec3 axis,
                     struct vec3 middle, struct vec3 half)
 {
+    if (is_cylinder(holder))
+        return cylinder_bound(&holder->part[0], axis, vec_sub(middle, centre), half);
     double spread = vec_length(half);
     double bound = holder_distance(holder, centre, axis, middle) - spread;
     if (bound >= 0)
@@ -94,8 +145,7 @@ double holder_bound(const struct holder *holder, struct vec3 centre, struct vec3
     struct vec3 d = vec_sub(middle, centre);
     double h = vec_dot(d, axis), depth2 = HUGE_VAL;
     const struct place at = {vec_length(vec_along(d, -h, axis)), h};
-    const struct place reach = {spread, fabs(half.x * axis.x) + fabs(half.y * axis.y) +
-                                            fabs(half.z * axis.z)};
+    const struct place reach = {spread, reach_along(half, axis)};
     struct place last = {0, 0};
     for (int i = 0; i < holder->n; i++) {
         const struct holder_part *part = &holder->part[i];

@@ -202,32 +202,29 @@ bool kdtree_any_beside(const struct kdtree *tree, struct vec3 a, struct vec3 b, 
 /* The lowest value so far. */
 struct lowest {
     const struct kdtree *tree;
-    double (*value)(const void *context, struct vec3 p);
-    const void *context;
+    const struct kdtree_field *field;
     double best;
-    size_t index; /* as in the caller's array */
 };
 
-static void offer_lowest(struct lowest *s, const struct kd_point *p)
+static double value_at(const struct lowest *s, const struct kd_point *p)
 {
-    double value = s->value(s->context, vec(p->c[0], p->c[1], p->c[2]));
-
-    if (value < s->best || (value == s->best && p->index < s->index)) {
-        s->best = value;
-        s->index = p->index;
-    }
+    return s->field->value(s->field->context, vec(p->c[0], p->c[1], p->c[2]), s->best);
 }
 
 /* No point in the box has a lower value. */
 static double lower_bound(const struct lowest *s, const struct kd_box *box)
 {
-    double half2 = 0, middle[3];
+    struct vec3 low = vec(box->low[0], box->low[1], box->low[2]);
+    struct vec3 half = vec_scale(0.5, vec_sub(vec(box->high[0], box->high[1], box->high[2]), low));
 
-    for (int d = 0; d < 3; d++) {
-        middle[d] = (box->low[d] + box->high[d]) / 2;
-        half2 += square(box->high[d] - box->low[d]) / 4;
-    }
-    return s->value(s->context, vec(middle[0], middle[1], middle[2])) - sqrt(half2) * (1 + 1e-12);
+    return s->field->bound(s->field->context, vec_add(low, half), half);
+}
+
+static void offer_lowest(struct lowest *s, const struct kd_point *p)
+{
+    double value = value_at(s, p);
+
+    s->best = value < s->best ? value : s->best;
 }
 
 static void search_lowest(struct lowest *s, size_t from, size_t to, size_t number)
@@ -253,35 +250,29 @@ static void search_lowest(struct lowest *s, size_t from, size_t to, size_t numbe
     }
 }
 
-double kdtree_lowest(const struct kdtree *tree, double (*value)(const void *context, struct vec3 p),
-                     const void *context, double below, size_t *index)
+double kdtree_lowest(const struct kdtree *tree, const struct kdtree_field *field, double below)
 {
-    struct lowest s = {tree, value, context, below, SIZE_MAX};
+    struct lowest s = {tree, field, below};
 
     if (tree->n > 0)
         search_lowest(&s, 0, tree->n, 1);
-    if (s.index != SIZE_MAX)
-        *index = s.index;
     return s.best;
 }
 
 static bool any_lower(const struct lowest *s, size_t from, size_t to, size_t number)
 {
     if (to - from <= KD_LEAF) {
-        for (size_t i = from; i < to; i++) {
-            const double *c = s->tree->point[i].c;
-            if (s->value(s->context, vec(c[0], c[1], c[2])) < s->best)
+        for (size_t i = from; i < to; i++)
+            if (value_at(s, &s->tree->point[i]) < s->best)
                 return true;
-        }
         return false;
     }
     size_t middle = from + (to - from) / 2;
-    const double *c = s->tree->point[middle].c;
     double first = lower_bound(s, &s->tree->box[2 * number]);
     double second = lower_bound(s, &s->tree->box[2 * number + 1]);
     bool left = first <= second;
 
-    if (s->value(s->context, vec(c[0], c[1], c[2])) < s->best)
+    if (value_at(s, &s->tree->point[middle]) < s->best)
         return true;
     for (int turn = 0; turn < 2; turn++, left = !left) {
         if ((left ? first : second) >= s->best)
@@ -293,11 +284,9 @@ static bool any_lower(const struct lowest *s, size_t from, size_t to, size_t num
     return false;
 }
 
-bool kdtree_any_lower(const struct kdtree *tree,
-                      double (*value)(const void *context, struct vec3 p), const void *context,
-                      double below)
+bool kdtree_any_lower(const struct kdtree *tree, const struct kdtree_field *field, double below)
 {
-    struct lowest s = {tree, value, context, below, SIZE_MAX};
+    struct lowest s = {tree, field, below};
 
     return tree->n > 0 && any_lower(&s, 0, tree->n, 1);
 }

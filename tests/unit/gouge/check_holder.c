@@ -101,6 +101,36 @@ START_TEST(bound_of_a_box)
 }
 END_TEST
 
+/* The same for a cylinder; the distance itself where it is below what is asked for. */
+START_TEST(bound_beside_a_cylinder)
+{
+    unsigned state = 9;
+    const struct holder cylinder = {1, {{5, 5, 40}}};
+    struct vec3 c = vec(2, -3, 5);
+    for (int trial = 0; trial < 600; trial++) {
+        struct vec3 axis = vec_unit(vec(random_in(&state, -1, 1), random_in(&state, -1, 1), 1));
+        struct vec3 middle =
+            vec(random_in(&state, -20, 20), random_in(&state, -20, 20), random_in(&state, -10, 60));
+        struct vec3 half = vec(random_in(&state, 0, 9), random_in(&state, 0, 9),
+                               random_in(&state, 0, trial % 2 ? 9 : 0.1));
+        double bound = holder_bound(&cylinder, c, axis, middle, half), least = HUGE_VAL;
+        for (int i = 0; i < 300; i++) {
+            struct vec3 p = vec_add(middle, vec(half.x * random_in(&state, -1, 1),
+                                                half.y * random_in(&state, -1, 1),
+                                                half.z * random_in(&state, -1, 1)));
+            double d = holder_distance(&cylinder, c, axis, p), below = random_in(&state, -6, 30);
+            double told = holder_distance_below(&cylinder, c, axis, p, below);
+            ck_assert(d < below ? told == d : told >= below);
+            least = fmin(least, d);
+        }
+        ck_assert_msg(bound <= least, "%d: %.9f, found %.9f", trial, bound, least);
+        ck_assert_double_ge(bound, least - 3 * vec_length(half));
+    }
+    struct vec3 beside = vec_add(c, vec(9, 0, 20)), flat = vec(1, 8, 8), up = vec(0, 0, 1);
+    ck_assert_double_eq_tol(holder_bound(&cylinder, c, up, beside, flat), 3, 1e-6);
+}
+END_TEST
+
 /* The radius of a stack at a height, the larger one where two parts meet; 0 beyond its ends. */
 static double radius_at(const struct holder *stack_of, double h)
 {
@@ -216,6 +246,7 @@ int main(void)
     tcase_add_test(t, distances_known_by_hand);
     tcase_add_test(t, distance_is_the_largest_ball);
     tcase_add_test(t, bound_of_a_box);
+    tcase_add_test(t, bound_beside_a_cylinder);
     tcase_add_test(t, profile_is_the_union);
     tcase_add_test(t, widened_with_the_height);
     tcase_add_test(t, texts_are_written);
