@@ -173,14 +173,14 @@ void nurbs_report_skin(const struct patches *patches, const struct skin *skin)
         const struct skin_body *b = &skin->body.item[i];
         const char *about = b->volume < 0 ? " about a void" : "";
         if (skin_body_closed(b) && b->many > 0)
-            note("body %zu: closed%s, touches itself along %zu edges, area %.6f mm2, "
-                 "volume %.6f mm3, %zu facets",
+            note("body %zu: closed%s, touches itself along %zu edges, area %.10g mm2, "
+                 "volume %.10g mm3, %zu facets",
                  i + 1, about, b->many, b->area, b->volume, b->facets);
         else if (skin_body_closed(b))
-            note("body %zu: closed%s, genus %ld, area %.6f mm2, volume %.6f mm3, %zu facets", i + 1,
-                 about, b->genus, b->area, b->volume, b->facets);
+            note("body %zu: closed%s, genus %ld, area %.10g mm2, volume %.10g mm3, %zu facets",
+                 i + 1, about, b->genus, b->area, b->volume, b->facets);
         else
-            note("body %zu: open at %zu edges, area %.6f mm2, %zu facets", i + 1, b->open, b->area,
+            note("body %zu: open at %zu edges, area %.10g mm2, %zu facets", i + 1, b->open, b->area,
                  b->facets);
     }
     if (skin->body.n > NAMED)
@@ -191,7 +191,7 @@ void nurbs_report_skin(const struct patches *patches, const struct skin *skin)
         volume += skin_body_closed(&skin->body.item[i]) ? skin->body.item[i].volume : 0;
     }
     if (skin->body.n > 1)
-        note("all %zu bodies: area %.6f mm2, volume %.6f mm3", skin->body.n, area, volume);
+        note("all %zu bodies: area %.10g mm2, volume %.10g mm3", skin->body.n, area, volume);
     tell_loops(patches, skin);
     if (skin->many > 0)
         say("%zu edges have more than two facets", skin->many);

@@ -18,7 +18,7 @@ measure() { # FILE
 		volume += (x[i] * nx + y[i] * ny + z[i] * nz) / 6
 		edge[at[i] " " at[j]]++; edge[at[j] " " at[k]]++; edge[at[k] " " at[i]]++ }
 	END { for (e in edge) { split(e, q, " "); if (edge[e] != edge[q[2] " " q[1]]) open++ }
-		printf "%.6f %.6f %d\n", area, volume, open }' "$1"
+		printf "%.10g %.10g %d\n", area, volume, open }' "$1"
 }
 
 # model DESC AREA VOLUME ARGS...: exact area and volume (- for an open surface) within 1e-4 of them

@@ -167,6 +167,21 @@ for kind in igs step; do
 	model "inch.$kind" "$(calc "$want_a * 25.4 ^ 2")" "$(calc "$want_v * 25.4 ^ 3")" -e 0.05 "$TMP/inch.$kind"
 done
 
+# ---- a part of a tenth of a millimetre: what is told and written has the digits for it
+
+awk '$1 == "arc" { printf "arc %g %g %g %g %s\n", $2 / 200, $3 / 200, $4 / 200, $5 / 200, $6; next }
+	{ print $1, $2 / 200, $3 / 200 }' "$TMP/fillet" >"$TMP/tiny"
+awk -v kind=exact -f "$SRC/tests/lib/turned.awk" "$TMP/fillet" >"$TMP/exact"
+read -r want_a want_v <"$TMP/exact"
+for kind in igs step; do
+	make=$([ $kind = igs ] && echo iges || echo step)
+	awk -v kind=$kind -f "$SRC/tests/lib/turned.awk" "$TMP/tiny" | $make tiny
+	model "tiny.$kind" "$(awk "BEGIN { printf \"%.12g\", $want_a / 40000 }")" \
+		"$(awk "BEGIN { printf \"%.12g\", $want_v / 8000000 }")" -v -e 0.0000075 "$TMP/tiny.$kind"
+	told=$(sed -n 's/.*genus 0.* volume \([^ ]*\) mm3.*/\1/p' "$TMP/model.err")
+	part "tiny.$kind: the volume told" "$told" "$(awk "BEGIN { printf \"%.12g\", $want_v / 8000000 }")"
+done
+
 # ---- a void, and the same solid used several times
 
 void() {
