@@ -90,6 +90,9 @@ text 's/^120,13,15,0\.,1\.57/120,13,15,1.,0.57/' "angles" "angles that fall"
 text 's/^110,0,0,-5,0,0,9/110,0,0,-5,0,0,-5/;s/^110,0,0,-5,0,0,-5;./110,0,0,-5,0,0,-5;/' "axis without length" "an axis without length"
 text '/^ *120 /s/^\( *120\) *[0-9]*/\1     999/' "expected" "a pointer beyond the parameters"
 text 's/;  /   /' "expected|cut short" "parameters without an end"
+text 's/^108,0,0,2/108,0,0,0/' "a normal of no length" "a plane without a normal"
+text 's/^102,2,3,/102,2,1,/' "expected a curve" "a surface for a curve"
+text 's/^120,13,15/120,13,1 /' "expected a curve" "a surface for a profile"
 
 # ---- STEP
 
@@ -145,6 +148,22 @@ text "20s/=.*/=TRIMMED_CURVE((((((((((((((((((((((((((((((((((((((((((((((((((((
 text '15s/#[0-9]*=/#0=/' "instance number" "instance number 0"
 text '15s/#[0-9]*=/#99999999999999999999=/' "instance number" "an instance number beyond all bounds"
 text '15s/^/\/* /' "comment" "a comment without its end"
+text "s/\(EDGE_CURVE.*\)\.T\./\1.X./" "neither .T. nor .F." "an edge's sense that there is not"
+text "s/\(ORIENTED_EDGE.*\)\.T\./\1\$/" "neither .T. nor .F." "an edge without an orientation"
+text "s/\(FACE_OUTER_BOUND.*\),\.T\./\1/" "neither .T. nor .F." "a bound without an orientation"
+text "s/\(ADVANCED_FACE.*\)\.T\./\1.U./" "neither .T. nor .F." "a face's sense that there is not"
+text "s/DIRECTION('',(0,0,1))/DIRECTION('',(0,0,0))/" "an axis of no length" "an axis of no length"
+text "s/OPEN_SHELL('',([^)]*))/OPEN_SHELL('',())/" "without faces" "a shell without faces"
+text "s/OPEN_SHELL('',([^)]*))/OPEN_SHELL('',('a'))/" "no face where one belongs" "a text for a face"
+text "s/OPEN_SHELL(/OPEN_SHOAL(/" "no face of a solid" "no shell"
+text '/^#/d' "no instances" "no instances"
+sed "s/OPEN_SHELL('',(/&#1,/" "$TMP/sound.step" >"$TMP/more.step"
+nurbs2mesh -n 2 "$TMP/more.step" >/dev/null 2>"$TMP/told"
+ok "STEP: a shell that holds something else" test $? -eq 3
+has "it is named" "1 surface of [A-Z_]+ left out, the first is entity 1" "$TMP/told"
+sed 's/LENGTH_UNIT/UNIT_OF_LENGTH/' "$TMP/sound.step" >"$TMP/unit.step"
+nurbs2mesh -n 2 "$TMP/unit.step" >/dev/null 2>"$TMP/err"
+has "STEP: a unit that is not stated is told" "no unit of length is stated" "$TMP/err"
 
 # Curves of curves without end.
 cat <<'END' | step curves

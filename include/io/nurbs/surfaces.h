@@ -19,6 +19,7 @@ struct surfaces_unit {
     char flag[16];  /* name of its unit flag, empty: none */
     char other[16]; /* the name beside the flag where it says something else, or empty */
     double scale;   /* model space scale */
+    bool missing;   /* a STEP file that states none */
 };
 
 /* Appends the surfaces of a file (NULL or "-": standard input), in mm.  `mm` > 0 is the file's unit

@@ -195,12 +195,13 @@ static int add_primitive(const struct source *s, struct primitive p, struct vec3
 }
 
 /* 108: A x + B y + C z = D. */
-static int plane_108(const struct source *s)
+static int plane_108(const struct source *s, struct error *error)
 {
     struct vec3 n = vec_at(s, 1);
     double l = vec_dot(n, n);
     struct primitive p = {.kind = PRIMITIVE_PLANE};
-    return l > 0 ? add_primitive(s, p, vec_scale(value_at(s, 4) / l, n), n, vec(0, 0, 0)) : 1;
+    return l > 0 ? add_primitive(s, p, vec_scale(value_at(s, 4) / l, n), n, vec(0, 0, 0))
+                 : refuse(s, "a normal of no length, expected a direction", error);
 }
 
 /* 190 to 198: a place, an axis (but a sphere has none where its form is 0), radii, and in form 1 a
@@ -231,7 +232,7 @@ static int read_known(const struct source *s, struct error *error)
 {
     switch (s->entity->type) {
     case 108:
-        return plane_108(s);
+        return plane_108(s, error);
     case 114:
         return spline_114(s, error);
     case 118:

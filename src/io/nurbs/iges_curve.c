@@ -516,10 +516,26 @@ static int read_simple(const struct source *s, struct patch_loop *loop, struct e
     return 1;
 }
 
+/* Surfaces, solids and what they are made of, which no curve can be. */
+static bool is_no_curve(int type)
+{
+    static const int kind[] = {108, 114, 118, 120, 122, 123, 124, 128, 140, 143, 144,
+                               186, 190, 192, 194, 196, 198, 502, 504, 508, 510, 514};
+    for (size_t i = 0; i < sizeof kind / sizeof *kind; i++)
+        if (type == kind[i])
+            return true;
+    return false;
+}
+
 static int read_known(const struct source *s, struct walk *walk, struct patch_loop *loop,
                       const struct iges_entity **unknown, struct error *error)
 {
     size_t first = loop->n;
+    if (is_no_curve(s->entity->type))
+        return error_at(error, s->iges->name, s->values->line,
+                        "entity %d (directory entry %d) where another points for a curve, "
+                        "expected a curve",
+                        s->entity->type, s->entity->number);
     if (s->entity->type == 130)
         return offset_130(s, walk, loop, unknown, error);
     if (s->entity->type == 102)

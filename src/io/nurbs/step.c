@@ -156,6 +156,7 @@ static int index_instances(struct step *step, struct error *error)
         if (skip_statement(&c, error) < 0)
             return -1;
     }
+    step->lines = c.line;
     return 0;
 }
 
@@ -165,7 +166,8 @@ static int sort_instances(struct step *step, struct error *error)
     size_t n = step->instance.n;
     struct step_instance *item = step->instance.item;
     if (n == 0)
-        return error_at(error, step->name, 0, "no instances in the DATA section, expected a model");
+        return error_at(error, step->name, step->lines,
+                        "no instances in the DATA section, expected a model");
     qsort(item, n, sizeof *item, compare_instances);
     for (size_t i = 1; i < n; i++)
         if (item[i].id == item[i - 1].id)

@@ -20,7 +20,8 @@ struct step_instance {
 };
 
 struct step {
-    char *name; /* of the file */
+    char *name;   /* of the file */
+    size_t lines; /* up to its end */
     struct {
         size_t n, cap;
         char *item;

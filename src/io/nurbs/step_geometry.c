@@ -41,6 +41,15 @@ int step_number(const struct step *step, const struct step_values *v,
     return 0;
 }
 
+int step_flag(const struct step *step, const struct step_values *v, const struct step_value *value,
+              bool *flag, struct error *error)
+{
+    *flag = step_is(value, "T");
+    return *flag || step_is(value, "F")
+               ? 0
+               : step_refuse(step, v, "neither .T. nor .F. where one belongs, expected one", error);
+}
+
 /* The coordinates of a CARTESIAN_POINT or the ratios of a DIRECTION. */
 static int read_coordinates(const struct step *step, const struct step_values *from,
                             const struct step_value *reference, const char *name, struct vec3 *to,
@@ -82,6 +91,8 @@ int step_axes(const struct step *step, const struct step_values *from,
                    : step_refuse(step, &v, "no axis placement, expected one", error);
     if (status == 0 && axis && axis->kind == STEP_REFERENCE)
         status = read_coordinates(step, &v, axis, "DIRECTION", &z, error);
+    if (status == 0 && !(vec_length(z) > 0))
+        status = step_refuse(step, &v, "an axis of no length, expected a direction", error);
     if (status == 0 && ref && ref->kind == STEP_REFERENCE)
         status = read_coordinates(step, &v, ref, "DIRECTION", &x, error);
     array_free(&v);

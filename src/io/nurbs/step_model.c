@@ -8,7 +8,7 @@
 #include "nurbs/construct.h"
 #include "nurbs/primitive.h"
 #include "step_assembly.h"
-#include "step_geometry.h"
+#include "step_source.h"
 
 enum { DEPTH_MAX = 60, FACES_MAX = 1000000, VISITS_MAX = 4000000 };
 
@@ -135,15 +135,20 @@ static int add_edge(const struct step_place *place, const struct step_values *fr
     if (step_follow(place->step, from, reference, &oriented, error) < 0)
         return -1;
     const struct step_value *r = step_record(&oriented, "ORIENTED_EDGE");
-    bool forwards = step_is(step_item(r, 4), "T");
+    bool forwards, same;
     *edge = step_reference(step_item(r, 3));
     int got = step_follow(place->step, &oriented, step_item(r, 3), &v, error);
-    array_free(&oriented);
-    if (got < 0)
+    if (got < 0) {
+        array_free(&oriented);
         return -1;
+    }
     const struct step_value *c = step_record(&v, "EDGE_CURVE");
-    bool same = step_is(step_item(c, 4), "T");
-    got = step_vertex(place, &v, step_item(c, same ? 1 : 2), &ends[0], error);
+    got = step_flag(place->step, &oriented, step_item(r, 4), &forwards, error);
+    array_free(&oriented);
+    if (got == 0)
+        got = step_flag(place->step, &v, step_item(c, 4), &same, error);
+    if (got == 0)
+        got = step_vertex(place, &v, step_item(c, same ? 1 : 2), &ends[0], error);
     if (got == 0)
         got = step_vertex(place, &v, step_item(c, same ? 2 : 1), &ends[1], error);
     if (got == 0)
@@ -222,13 +227,17 @@ static int add_bound(const struct step_place *place, const struct step_values *f
         return -1;
     const struct step_value *r = step_record(&bound, "FACE_OUTER_BOUND");
     r = r ? r : step_record(&bound, "FACE_BOUND");
-    bool forwards = step_is(step_item(r, 2), "T");
+    bool forwards = false;
     int got = step_follow(place->step, &bound, step_item(r, 1), &v, error);
-    array_free(&bound);
-    if (got < 0)
+    if (got < 0) {
+        array_free(&bound);
         return -1;
+    }
     struct patch_loop loop = {.space = true, .directed = true};
-    got = read_loop(place, &v, &loop, points, error);
+    got = step_flag(place->step, &bound, step_item(r, 2), &forwards, error);
+    array_free(&bound);
+    if (got == 0)
+        got = read_loop(place, &v, &loop, points, error);
     if (got > 0 && patch->ignored++ == 0)
         patch->ignored_entity = (int)v.instance->id;
     array_free(&v);
@@ -249,8 +258,8 @@ static int add_face(struct model *m, const struct step_place *place, const struc
     struct vec3s points = {0};
     char kind[40] = "";
     const struct step_value *list = step_item(face, 1);
-    bool same = step_is(step_item(face, 3), "T");
-    int got = 0;
+    bool same;
+    int got = step_flag(m->step, v, step_item(face, 3), &same, error);
     for (const struct step_value *i = step_item(list, 0); i && got == 0; i = step_next(list, i))
         got = add_bound(place, v, i, same, &patch, &points, error);
     if (got == 0)
@@ -274,8 +283,7 @@ static int bounded_loops(const struct step_place *place, const struct step_value
                          struct patch *patch, struct vec3s *points, struct error *error)
 {
     const struct step_value *r = step_record(v, "CURVE_BOUNDED_SURFACE"), *list = step_item(r, 2);
-    int got = 0;
-    patch->open = step_is(step_item(r, 3), "T");
+    int got = step_flag(place->step, v, step_item(r, 3), &patch->open, error);
     for (const struct step_value *i = step_item(list, 0); i && got >= 0; i = step_next(list, i)) {
         struct patch_loop loop = {.space = true};
         struct patch_loops one = {1, 1, &loop};
@@ -380,13 +388,36 @@ static bool is_other(const struct step_value *record)
 static int add_item(struct model *m, const struct step_place *place, const struct step_values *from,
                     const struct step_value *reference, int depth, struct error *error);
 
+/* A shell has a list of faces, a solid a shell: -1 where there is no reference. */
+static int check_items(const struct model *m, const struct step_values *v, struct error *error)
+{
+    static const char *const shell[] = {"CLOSED_SHELL", "OPEN_SHELL", "CONNECTED_FACE_SET"};
+    static const char *const solid[] = {"MANIFOLD_SOLID_BREP", "BREP_WITH_VOIDS", "FACETED_BREP"};
+    const struct step_value *list = NULL, *one = NULL;
+    for (size_t i = 0; i < 3; i++) {
+        const struct step_value *a = step_record(v, shell[i]), *b = step_record(v, solid[i]);
+        list = a && step_item(a, 1) ? step_item(a, 1) : list;
+        one = b && step_item(b, 1) ? step_item(b, 1) : one;
+    }
+    if (list && list->kind == STEP_LIST && !step_item(list, 0))
+        return step_refuse(m->step, v, "a shell without faces, expected some", error);
+    for (const struct step_value *i = list ? step_item(list, 0) : NULL; i; i = step_next(list, i))
+        if (i->kind != STEP_REFERENCE)
+            return step_refuse(m->step, v, "no face where one belongs, expected # and a number",
+                               error);
+    if (one && one->kind != STEP_REFERENCE)
+        return step_refuse(m->step, v, "no shell where one belongs, expected # and a number",
+                           error);
+    return 0;
+}
+
 /* All that the values of an instance refer to; of a solid with voids the first is its outer shell,
  * the others bound the voids. */
 static int add_items(struct model *m, const struct step_place *place, const struct step_values *v,
                      int depth, struct error *error)
 {
     bool voids = step_record(v, "BREP_WITH_VOIDS") != NULL, was = m->cavity;
-    int status = 0;
+    int status = check_items(m, v, error);
     for (size_t i = 0; i < v->n && status == 0; i++) {
         if (v->item[i].kind != STEP_REFERENCE)
             continue;
@@ -395,6 +426,12 @@ static int add_items(struct model *m, const struct step_place *place, const stru
     }
     m->cavity = was;
     return status;
+}
+
+/* What it refers to ought to be faces. */
+static bool is_shell(const struct step_values *v)
+{
+    return step_record(v, "CLOSED_SHELL") || step_record(v, "OPEN_SHELL");
 }
 
 static int add_item(struct model *m, const struct step_place *place, const struct step_values *from,
@@ -415,7 +452,7 @@ static int add_item(struct model *m, const struct step_place *place, const struc
         status = add_items(m, place, &v, depth, error);
     else if (status == 0 && is_free_surface(&v))
         status = add_free_surface(m, place, from, reference, &v, error);
-    else if (status == 0 && is_other(first)) {
+    else if (status == 0 && (is_other(first) || is_shell(from))) {
         char kind[40] = "";
         memcpy(kind, first->text, first->length < 39 ? first->length : 39);
         patches_leave_out(m->patches, m->step->name, kind, (int)v.instance->id);
@@ -740,7 +777,7 @@ int step_surfaces(const struct step *step, double mm, struct patches *patches, s
     drop_named_faces(patches, before);
     drop_repeated(patches, before);
     if (status == 0 && patches->n == before)
-        return error_at(error, step->name, 0,
+        return error_at(error, step->name, step->lines,
                         "no face of a solid or a shell %samong %zu instances, expected one",
                         patches->left.n > left ? "that is read " : "", step->instance.n);
     return status;

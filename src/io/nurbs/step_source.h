@@ -41,6 +41,10 @@ int step_refuse(const struct step *step, const struct step_values *v, const char
 int step_number(const struct step *step, const struct step_values *v,
                 const struct step_value *value, double most, double *number, struct error *error);
 
+/* .T. or .F. */
+int step_flag(const struct step *step, const struct step_values *v, const struct step_value *value,
+              bool *flag, struct error *error);
+
 struct vec3 step_axis(const struct transform *t, int k);
 
 /* A placement in mm and placed: axes are perpendicular unit vectors. */

@@ -36,12 +36,26 @@ static int read_iges(struct reader *r, double mm, struct patches *patches,
     return status;
 }
 
-static int read_step(struct reader *r, double mm, struct patches *patches, struct error *error)
+/* Is a unit of length stated anywhere? */
+static bool has_length_unit(const struct step *step)
+{
+    static const char word[] = "LENGTH_UNIT";
+    const char *text = step->text.item;
+    size_t length = sizeof word - 1;
+    for (size_t i = 0; i + length <= step->text.n; i++)
+        if (text[i] == 'L' && memcmp(text + i, word, length) == 0)
+            return true;
+    return false;
+}
+
+static int read_step(struct reader *r, double mm, struct patches *patches,
+                     struct surfaces_unit *unit, struct error *error)
 {
     struct step step;
     if (step_read(r, &step, error) < 0)
         return -1;
     int status = step_surfaces(&step, mm, patches, error);
+    unit->missing = !has_length_unit(&step);
     step_free(&step);
     return status;
 }
@@ -65,7 +79,7 @@ static int read_any(struct reader *r, double mm, struct patches *patches,
     bool step = strncmp(word, "ISO-10303-21", 12) == 0 || strncmp(word, "/*", 2) == 0;
     reader_unread(r);
     if (step)
-        return read_step(r, mm, patches, error);
+        return read_step(r, mm, patches, unit, error);
     if (iges)
         return read_iges(r, mm, patches, unit, error);
     if (text)
@@ -112,6 +126,8 @@ void surfaces_tell_unit(const char *file, const struct surfaces_unit *unit, cons
 {
     if (unit->flag[0] && !taken)
         note("%s: unit %s", file, unit->flag);
+    if (unit->missing && !taken)
+        say("%s: no unit of length is stated, taken for mm (-u)", file);
     if (unit->other[0])
         say("%s: the unit flag is %s, the name beside it %s: used %s", file, unit->flag,
             unit->other, taken ? taken : unit->flag);
