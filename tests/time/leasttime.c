@@ -208,7 +208,7 @@ static void follow(struct run *run, struct block *b, struct sums *sums, double o
 {
     enum { LOOKS = 256 };
     struct place at = b->from, last = b->from;
-    double way = 0, tip = 0, least = 0, mark = step - run->carry, speed = speed_of(b);
+    double way = 0, tip = 0, mark_tip = 0, least = 0, mark = step - run->carry, speed = speed_of(b);
     double whole = b->arc ? b->radius * b->sweep : length(mix(b->to.p, -1, b->from.p));
     int every = (int)fmin(LOOKS / 2, ceil(narrow / fmax(whole, 1e-6) * LOOKS));
     struct place mark_at = b->from;
@@ -218,11 +218,13 @@ static void follow(struct run *run, struct block *b, struct sums *sums, double o
         double h = way_between(&last, &at), along = length(mix(at.p, -1, last.p));
         axes_of(mark_at.p, mark_at.q, old);
         axes_of(at.p, at.q, axis);
-        double over = length(mix(at.p, -1, mark_at.p));
+        double over = tip + along - mark_tip; /* what F counts: along the arc, not its chord */
         for (int k = 0; k < AXES && i % every == 0 && over > 1e-6; k++)
             least = fmax(least, fabs(axis[k] - old[k]) / fastest[k] / (over / b->feed));
-        if (i % every == 0)
+        if (i % every == 0) {
             mark_at = at;
+            mark_tip = tip + along;
+        }
         for (int k = 0; k < 2; k++)
             sums->turn[k] += fabs(at.q[k] - last.q[k]);
         for (; h > 0 && mark <= way + h; mark += step) {

@@ -26,6 +26,11 @@ below "an axis asked for four times its speed and more is told" 3.7 "$(figure mo
 below "C turns by a quarter" "$(figure turn-C turn)" 90.5
 below "a quarter of a turn" 89.5 "$(figure turn-C turn)"
 below "and in no less than 0.75 seconds" 0.0125 "$(figure least turn)"
+printf '%s\n' 'N1 TRAORI' 'N2 G0 X0.02 Y0 Z0 A3=0.5 B3=0 C3=0.86602540' \
+	'N3 CIP X0 Y0.02 I1=AC(0.01414214) J1=AC(0.01414214) K1=AC(0) A3=0.49892706 B3=0.03273817 C3=0.86602540 F60' >bend.nc
+./leasttime bend.nc 60 >bend
+# a quarter of a circle of 0.02 mm in 31.4 ms, C at 119.5 degrees a second
+below "the way is that of the arc, not of its chords" "$(figure over bend)" 0
 # through the pole at one turn; the hundredth place looked at is 25 nm before it
 printf '%s\n' 'N1 TRAORI' 'N2 G0 X0 Y0 Z0 A3=0.004 B3=-0.022 C3=0.99975' \
 	'N3 G1 X4.000025 A3=0 B3=0 C3=1 F3000' 'N4 X8 A3=-0.004 B3=0.022 C3=0.99975' >pole.nc
