@@ -64,20 +64,24 @@ static void add_move(struct nc_planner *planner, enum nc_kind kind,
     move->index = (unsigned)index;
 }
 
-/* Both say the same. */
-static bool says_the_same(const struct block_pose *a, const struct block_pose *b, bool vectors)
+/* Both say the same; of vectors with the tip at rest no more than the last digit may differ: a path
+ * that is read and written again says one direction in two ways. */
+static bool says_the_same(const struct nc_planner *planner, const struct block_pose *to)
 {
-    bool same = a->p.x == b->p.x && a->p.y == b->p.y && a->p.z == b->p.z;
-    if (vectors)
-        return same && a->a.x == b->a.x && a->a.y == b->a.y && a->a.z == b->a.z;
-    return same && a->q[0] == b->q[0] && a->q[1] == b->q[1];
+    const struct block_pose *at = &planner->state.at;
+    double last = 1 / num_ten[planner->plan->ability.digits.vector];
+    if (at->p.x != to->p.x || at->p.y != to->p.y || at->p.z != to->p.z)
+        return false;
+    if (planner->follow.mode == INTERPOLATE_VECTOR)
+        return vec_distance(at->a, to->a) < 2 * last;
+    return at->q[0] == to->q[0] && at->q[1] == to->q[1];
 }
 
 static void add_straight(struct nc_planner *planner, enum nc_kind kind,
                          const struct machine_pose *to, const struct pose *goal)
 {
     struct nc_state *state = &planner->state;
-    if (!says_the_same(&state->at, &to->at, planner->follow.mode == INTERPOLATE_VECTOR))
+    if (!says_the_same(planner, &to->at))
         add_move(planner, kind, to, vec_distance(state->pose.p, goal->p), 0, NULL);
     state->off.point = state->off.axis = NAN;
     state->pose = *goal;

@@ -159,4 +159,24 @@ breaks "a short span is seen" 's/ K[1-9][0-9]*\./ K0./' 'knot span'
 below "there are arcs" 10 "$(cut -d' ' -f1 seen)"
 below "and curves" 50 "$(cut -d' ' -f2 seen)"
 
+# ---- one direction said in two ways: a block that moves nothing is none
+cat >twice.cl <<'END'
+PARTNO/TWICE
+UNITS/MM
+CUTTER/10.000000,5.000000
+LOADTL/1
+SPINDL/RPM,8000.000000,CLW
+RAPID
+GOTO/0.000000,0.000000,50.000000,-0.339753402,-0.001651131,0.940513104
+FEDRAT/800,MMPM
+GOTO/0.000000,0.000000,0.000000,-0.339753402,-0.001651131,0.940513104
+GOTO/10.000000,0.000000,0.000000,-0.339753402,-0.001651131,0.940513104
+GOTO/10.000000,0.000000,0.000000,-0.339753402,-0.001651131,0.940513106
+GOTO/20.000000,0.000000,0.000000,-0.339753402,-0.001651131,0.940513106
+FINI
+END
+ok "vectors that differ by their last digit" ncpost -q -c siemens twice.cl -o twice.mpf
+ok "no block turns by it alone" awk '/ G1 / { cut = 1 } cut && / A3=/ && !/ X/ { exit 1 }' twice.mpf
+has "the next one says it" ' X20 A3=-0.3397534 B3=-0.00165113 C3=0.94051311' twice.mpf
+
 done_testing
