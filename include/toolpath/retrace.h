@@ -13,6 +13,9 @@
 
 #include "gouge/gouge_lift.h"
 
+/* mm: no piece of a program should be shorter; with digits to spare. */
+#define RETRACE_NEAR 0.0205
+
 struct retrace_options {
     double offset;                   /* of the centre from the part, mm */
     double tolerance;                /* centres lifted by no more are where they belong, mm */
@@ -27,5 +30,13 @@ struct retrace_options {
  * goes straight from the one to the other no deeper than the tolerance.  Returns how many.
  */
 size_t retrace_remove(struct lifted_strip *strip, const struct retrace_options *options);
+
+/*
+ * Takes out the points, lifted or no farther than the tolerance off the straight way past them, at
+ * which the way turns by more than 30 degrees within RETRACE_NEAR of a neighbour, where the ball
+ * goes straight from the one before to the one after no deeper than the tolerance: what is left of a loop where its ends do not meet in one point, a hook that no piece of
+ * usual length follows.  The first and the last point of each part stay.  Returns how many.
+ */
+size_t retrace_hooks(struct lifted_strip *strip, const struct retrace_options *options);
 
 #endif

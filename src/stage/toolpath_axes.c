@@ -206,8 +206,10 @@ static void remove_loops(const struct toolpath *t, struct toolpath_strip *strip)
                                             .longest = longest * t->rule.radius,
                                             .guard = lift->guard};
 
-    if (lift->between && lift->guard)
+    if (lift->between && lift->guard) {
         retrace_remove(&strip->lifted, &options);
+        retrace_hooks(&strip->lifted, &options);
+    }
 }
 
 void toolpath_lift_strip(const struct toolpath *t, struct toolpath_strip *strip)

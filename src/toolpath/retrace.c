@@ -1,7 +1,10 @@
 /* retrace - see retrace.h. */
 #include "toolpath/retrace.h"
 
+#include "math/elementary.h"
+
 static const double BACK = 2; /* times as long as straight: a way that goes back on itself */
+static const double TURN = RADIANS(30); /* of a hook, at least */
 
 static bool is_lifted(const struct run_point *p, const struct retrace_options *o)
 {
@@ -38,6 +41,39 @@ size_t retrace_remove(struct lifted_strip *strip, const struct retrace_options *
             next = loop_end(run, i, end, options);
             run->item[kept++] = run->item[i];
         }
+        from = end;
+        strip->end.item[k] = kept;
+    }
+    run->n = kept;
+    return n - kept;
+}
+
+/* The point `at`, between two others, is a hook. */
+static bool is_hook(const struct run_point *before, const struct run_point *at,
+                    const struct run_point *after, const struct retrace_options *o)
+{
+    struct vec3 in = vec_sub(at->ball, before->ball), out = vec_sub(after->ball, at->ball);
+    double nearest = fmin(vec_length(in), vec_length(out));
+
+    if (!(nearest > 0 && nearest < RETRACE_NEAR && vec_angle(in, out) > TURN))
+        return false;
+    if (!is_lifted(at, o) &&
+        vec_segment_distance(before->ball, after->ball, at->ball) > o->tolerance)
+        return false;
+    return gouge_clear_along(o->guard, before->ball, after->ball, o->offset, o->tolerance);
+}
+
+size_t retrace_hooks(struct lifted_strip *strip, const struct retrace_options *options)
+{
+    struct run *run = &strip->run;
+    size_t kept = 0, from = 0, n = run->n;
+
+    for (size_t k = 0; k < strip->end.n; k++) {
+        size_t end = strip->end.item[k];
+        for (size_t i = from; i < end; i++)
+            if (i == from || i + 1 == end ||
+                !is_hook(&run->item[kept - 1], &run->item[i], &run->item[i + 1], options))
+                run->item[kept++] = run->item[i];
         from = end;
         strip->end.item[k] = kept;
     }

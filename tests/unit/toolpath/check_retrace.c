@@ -165,6 +165,52 @@ START_TEST(parts_stay_apart)
 }
 END_TEST
 
+/* Points each 0.5 mm along x, then one `aside` mm to the side of the last and back by `back`, and on
+ * along y; all lifted by so much. */
+static struct lifted_strip with_hook(double aside, double back, double lift)
+{
+    struct lifted_strip strip = {.run = {.radius = R}};
+
+    for (int i = 0; i <= 4; i++)
+        *array_push(&strip.run) = lifted_point(0.5 * i, 0, lift);
+    *array_push(&strip.run) = lifted_point(2 - back, aside, lift);
+    for (int i = 1; i <= 4; i++)
+        *array_push(&strip.run) = lifted_point(2, aside + 0.5 * i, lift);
+    *array_push(&strip.end) = strip.run.n;
+    return strip;
+}
+
+static size_t hooks_of(struct lifted_strip strip, const struct gouge_check *guard)
+{
+    struct retrace_options options = options_of(guard);
+    size_t n = strip.run.n, gone = retrace_hooks(&strip, &options);
+
+    ck_assert_uint_eq(strip.run.n, n - gone);
+    ck_assert_uint_eq(strip.end.item[0], n - gone);
+    for (size_t i = 1; gone > 0 && i < strip.run.n; i++)
+        ck_assert_double_gt(vec_distance(strip.run.item[i - 1].ball, strip.run.item[i].ball), 0.02);
+    lifted_strip_free(&strip);
+    return gone;
+}
+
+START_TEST(hooks_go)
+{
+    struct vec3 below = vec(0, 0, -1), beside = vec(1.7, 0.2, 1 + R);
+    struct gouge_check *clear = gouge_from_points(&below, 1);
+    struct gouge_check *blocked = gouge_from_points(&beside, 1);
+
+    ck_assert_uint_eq(hooks_of(with_hook(0.01, 0.01, 1), clear), 1);
+    ck_assert_uint_eq(hooks_of(with_hook(0.01, 0.01, 1), blocked), 0);
+    ck_assert_uint_eq(hooks_of(with_hook(0.03, 0.01, 1), clear), 0);   /* long enough */
+    ck_assert_uint_eq(hooks_of(with_hook(0.008, 0.008, 0), clear), 1); /* hardly off the way */
+    ck_assert_uint_eq(hooks_of(with_hook(0.001, 0.018, 0), clear), 0);
+    ck_assert_uint_eq(hooks_of(with_hook(0.001, 0.018, 1), clear), 1);
+    ck_assert_uint_eq(hooks_of(with_hook(0.1, 0, 1), clear), 0); /* a corner is none */
+    gouge_free(clear);
+    gouge_free(blocked);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("retrace");
@@ -173,6 +219,7 @@ int main(void)
     tcase_add_test(tests, a_trough_too_narrow_is_passed_once);
     tcase_add_test(tests, only_loops_that_touch_elsewhere_go);
     tcase_add_test(tests, parts_stay_apart);
+    tcase_add_test(tests, hooks_go);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);
     int failed = srunner_ntests_failed(runner);
