@@ -147,9 +147,10 @@ void arcfit_calm(const struct reference *reference, const struct deviation *with
                  size_t to, struct pieces *pieces);
 
 /*
- * Goes round each piece shorter than `least` mm, a few hundredths, by an arc or a biarc from a place
- * on the piece before to one on the piece after, each as near as keeps `within`, all pieces as long
- * and the direction; a kink on one side of it stays, or where nothing else is found goes with it.
+ * Goes round each piece whose ends are nearer than `least` mm, a few hundredths, by an arc or a
+ * biarc from a place before it to one after it, over further pieces where these are short, too,
+ * each as near as keeps `within`, all pieces as long and the direction; a kink on one side of it
+ * stays, or where nothing else is found goes with it.
  * Proven by arc_piece_deviation with joints rounded to `digits` decimals.  Returns how many short
  * ones are left.
  */

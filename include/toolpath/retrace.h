@@ -34,8 +34,9 @@ size_t retrace_remove(struct lifted_strip *strip, const struct retrace_options *
 /*
  * Takes out the points, lifted or no farther than the tolerance off the straight way past them, at
  * which the way turns by more than 30 degrees within RETRACE_NEAR of a neighbour, where the ball
- * goes straight from the one before to the one after no deeper than the tolerance: what is left of a loop where its ends do not meet in one point, a hook that no piece of
- * usual length follows.  The first and the last point of each part stay.  Returns how many.
+ * goes straight from the one before to the one after no deeper than the tolerance: what is left of
+ * a loop where its ends do not meet in one point, a hook that no piece of usual length follows.
+ * The first and the last point of each part stay.  Returns how many.
  */
 size_t retrace_hooks(struct lifted_strip *strip, const struct retrace_options *options);
 

@@ -31,6 +31,19 @@ static bool goes_on(const struct pieces *pieces, size_t i)
            1.01 * ARCFIT_KINK;
 }
 
+/* How long a piece is, mm, in a straight line. */
+static double ends_apart(const struct arc_piece *piece)
+{
+    return vec_distance(piece->arc.from, piece->arc.to);
+}
+
+/* The way may go on over the joint before piece i, past the piece at one side of it: no kink is
+ * there, or one of a piece that is short itself. */
+static bool leads_on(const struct bridge *b, const struct arc_piece *piece, size_t i)
+{
+    return ends_apart(piece) < b->least || goes_on(b->old, i);
+}
+
 /* A place on a piece. */
 struct place_on {
     struct vec3 p, tangent, axis;
@@ -51,8 +64,8 @@ static struct place_on place_on(const struct bridge *b, const struct arc_piece *
     return at;
 }
 
-/* Where the way begins: `by` mm before the short piece, or with the piece before it where less of
- * that would be left than may be. */
+/* Where the way begins: `by` mm before the short piece, or with a piece where less of that would be
+ * left than may be, or at a kink. */
 static struct place_on begin(struct bridge *b, double by)
 {
     const struct arc_piece *piece = &b->old->item[b->at];
@@ -60,9 +73,12 @@ static struct place_on begin(struct bridge *b, double by)
     b->first = b->at;
     if (!b->from)
         return place_on(b, piece, 0);
-    piece--;
-    b->first--;
-    double length = arc_length(&piece->arc), s = 1 - by / length;
+    double length = arc_length(&(--piece)->arc);
+    for (b->first--; by > length && b->first > 0 && leads_on(b, piece, b->first); b->first--) {
+        by -= length;
+        length = arc_length(&(--piece)->arc);
+    }
+    double s = 1 - by / length;
     if (s * length < SPARE * b->least)
         return place_on(b, piece, 0);
     struct place_on at = place_on(b, piece, s);
@@ -84,9 +100,12 @@ static struct place_on finish(struct bridge *b, double by, struct arc_piece *res
     b->end = b->at + 1;
     if (!b->past)
         return place_on(b, piece, 1);
-    piece++;
-    b->end++;
-    double length = arc_length(&piece->arc), s = by / length;
+    double length = arc_length(&(++piece)->arc);
+    for (b->end++; by > length && b->end < b->old->n && leads_on(b, piece, b->end); b->end++) {
+        by -= length;
+        length = arc_length(&(++piece)->arc);
+    }
+    double s = by / length;
     if ((1 - s) * length < SPARE * b->least)
         return place_on(b, piece, 1);
     struct place_on at = place_on(b, piece, s);
@@ -144,7 +163,7 @@ static bool is_good(const struct bridge *b)
 
     for (size_t i = 0; i < b->n; i++) {
         struct deviation off = arc_piece_deviation(b->reference, &b->some[i], 4, b->within);
-        if (arc_length(&b->some[i].arc) < b->least || !deviation_within(&off, b->within) ||
+        if (ends_apart(&b->some[i]) < b->least || !deviation_within(&off, b->within) ||
             (i > 0 && turns(&b->some[i - 1], &b->some[i])))
             return false;
     }
@@ -207,7 +226,7 @@ size_t arcfit_bridge(const struct reference *reference, const struct deviation *
     size_t left = 0;
 
     for (size_t i = 0; i < pieces->n; i++) {
-        if (arc_length(&pieces->item[i].arc) >= least)
+        if (ends_apart(&pieces->item[i]) >= least)
             continue;
         bool before = i > 0, after = i + 1 < pieces->n;
         struct bridge b = {.reference = reference,
@@ -224,8 +243,10 @@ size_t arcfit_bridge(const struct reference *reference, const struct deviation *
             b.from = side == 1 && before;
             good = find_ways(&b);
         }
-        if (good)
+        if (good) {
             replace(pieces, &b);
+            i = b.first + b.n - 1;
+        }
         left += !good;
     }
     return left;

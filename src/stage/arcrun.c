@@ -200,6 +200,15 @@ static void find_changed(const struct pieces *now, const struct pieces *before, 
     *to = last > ASIDE ? now->n - last + ASIDE : now->n;
 }
 
+/* How near the ends of a piece are at least, mm. */
+static double nearest_ends(const struct pieces *pieces)
+{
+    double nearest = HUGE_VAL;
+    for (size_t i = 0; i < pieces->n; i++)
+        nearest = fmin(nearest, vec_distance(pieces->item[i].arc.from, pieces->item[i].arc.to));
+    return nearest;
+}
+
 /* What becomes of pieces that keep the tolerance, so far as they keep it then, too.  Those that
  * were there before, if there are any, have been through this. */
 static void refine(struct fit *f, const struct deviation *within, const struct deviation *less,
@@ -208,7 +217,7 @@ static void refine(struct fit *f, const struct deviation *within, const struct d
     struct pieces some = {0};
     double least = fmin(f->options->least, ARC_SHORTEST);
 
-    if (arcfit_shortest(&f->pieces, 0, f->pieces.n) < least) {
+    if (nearest_ends(&f->pieces) < least) {
         copy_pieces(&f->pieces, &some);
         arcfit_bridge(&f->reference, less, PATH_COORDINATE, least, &some);
         is_better(f, within, &some);

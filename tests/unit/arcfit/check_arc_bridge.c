@@ -91,6 +91,63 @@ START_TEST(beside_a_kink)
 }
 END_TEST
 
+/* Three in a row at the start of a chain, or at its end: none of them with its neighbour is long. */
+START_TEST(several_in_a_row)
+{
+    struct reference t = trial_wave(401, 0.25, 0, 0);
+    for (int end = 0; end < 2; end++) {
+        struct pieces p = {0};
+        const struct deviation close = {0.0099, 0.0099, 0.0199};
+        arcfit_beam(&t, &close, 6, ARCFIT_THOROUGH, &p);
+        for (size_t i = 0; i < 3; i++) {
+            struct pieces more =
+                divided(&p, end ? p.n - 1 - i : i, 0.005 + 0.001 * (double)i, end, 0);
+            array_free(&p);
+            p = more;
+        }
+        size_t n = p.n;
+        ck_assert_double_lt(shortest(&p), 0.0051);
+        ck_assert_uint_eq(arcfit_bridge(&t, &WITHIN, 6, LEAST, &p), 0);
+        ck_assert_double_ge(shortest(&p), 0.0205);
+        ck_assert_uint_lt(p.n, n);
+        trial_assert_chain(&t, &WITHIN, &p);
+        array_free(&p);
+    }
+    reference_free(&t);
+}
+END_TEST
+
+/* A piece that bends back is as short as its ends are apart. */
+START_TEST(a_bent_one)
+{
+    struct reference t = {0};
+    struct pieces p = {0};
+    struct run run = {.radius = 1};
+    for (int i = 0; i <= 80; i++) { /* a line, a quarter of a circle of 0.0132 mm, a line */
+        double s = i - 40, a = RADIANS(45);
+        struct vec3 at = s < 0 ? vec(0.02 * s, 0, 0) : vec(0.0132, 0.0132 + 0.02 * s, 0);
+        if (i == 40)
+            at = vec(0.0132 * sin(a), 0.0132 * (1 - cos(a)), 0);
+        struct run_point point = {.ball = at, .axis = vec(0, 0, 1), .given = true};
+        point.tip = vec_along(at, -1, point.axis);
+        *array_push(&run) = point;
+    }
+    t = reference_of(&run, 0, run.n, true, false);
+    struct vec3 x = vec(1, 0, 0), y = vec(0, 1, 0);
+    struct vec3 a = vec(0, 0, 0), b = vec(0.0132, 0.0132, 0);
+    *array_push(&p) = arc_piece_of(&t, arc_to(run.item[0].ball, x, a), 0, 39.5);
+    *array_push(&p) = arc_piece_of(&t, arc_to(a, x, b), 39.5, 40.5);
+    *array_push(&p) = arc_piece_of(&t, arc_to(b, y, run.item[80].ball), 40.5, 80);
+    ck_assert_double_gt(arc_length(&p.item[1].arc), LEAST);
+    ck_assert_double_lt(shortest(&p), 0.0188);
+    ck_assert_uint_eq(arcfit_bridge(&t, &WITHIN, 6, LEAST, &p), 0);
+    ck_assert_double_ge(shortest(&p), LEAST);
+    array_free(&p);
+    array_free(&run);
+    reference_free(&t);
+}
+END_TEST
+
 START_TEST(long_pieces_stay)
 {
     struct reference t = trial_wave(201, 0.25, 0, 0);
@@ -130,6 +187,8 @@ int main(void)
     tcase_add_test(t, a_fixed_axis);
     tcase_add_test(t, a_turning_axis);
     tcase_add_test(t, beside_a_kink);
+    tcase_add_test(t, several_in_a_row);
+    tcase_add_test(t, a_bent_one);
     tcase_add_test(t, long_pieces_stay);
     tcase_add_test(t, no_room);
     Suite *s = suite_create("arc_bridge");
