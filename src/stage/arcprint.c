@@ -30,18 +30,43 @@ struct printed arcprint_piece(const struct arc_piece *piece, struct vec3 from)
     return p;
 }
 
+static bool is_same_arc(const struct arc *a, const struct arc *b)
+{
+    return vec_compare(&a->from, &b->from) == 0 && vec_compare(&a->to, &b->to) == 0 &&
+           vec_compare(&a->tangent, &b->tangent) == 0 && vec_compare(&a->inward, &b->inward) == 0 &&
+           vec_compare(&a->drift, &b->drift) == 0 && a->radius == b->radius && a->angle == b->angle;
+}
+
+static bool is_same(const struct arc_piece *a, const struct arc_piece *b)
+{
+    return a->from == b->from && a->to == b->to && vec_compare(&a->axis, &b->axis) == 0 &&
+           vec_compare(&a->axis_to, &b->axis_to) == 0 && is_same_arc(&a->arc, &b->arc);
+}
+
+/* The same piece in a list, from number *k on; NULL: it is not there. */
+static const struct printed *find_same(const struct printeds *list, size_t *k,
+                                       const struct arc_piece *piece)
+{
+    while (list && *k < list->n && list->item[*k].piece.from < piece->from)
+        ++*k;
+    return list && *k < list->n && is_same(&list->item[*k].piece, piece) ? &list->item[*k] : NULL;
+}
+
 struct deviation arcprint_pieces(const struct reference *reference, const struct pieces *pieces,
-                                 struct printeds *printed)
+                                 const struct printeds *before, struct printeds *printed)
 {
     struct vec3 at = vec_round(reference->point[0], PATH_COORDINATE),
                 end = reference->point[reference->n - 1];
     struct deviation worst = {0};
+    size_t k = 0;
 
     printed->n = 0;
     for (size_t i = 0; i < pieces->n; i++) {
         struct printed p = arcprint_piece(&pieces->item[i], at);
         at = p.piece.arc.to;
-        worst = deviation_worst(worst, arc_piece_deviation(reference, &p.piece, 4, NULL));
+        const struct printed *same = find_same(before, &k, &p.piece);
+        p.off = same ? same->off : arc_piece_deviation(reference, &p.piece, 4, NULL);
+        worst = deviation_worst(worst, p.off);
         *array_push(printed) = p;
     }
     if (pieces->n == 0 || vec_distance(at, end) >= THERE)

@@ -17,6 +17,7 @@ enum {
 struct printed {
     struct arc_piece piece; /* as it is read back */
     struct path_arc arc;    /* radius 0: a straight line */
+    struct deviation off;   /* from the reference */
 };
 
 struct printeds {
@@ -29,9 +30,11 @@ struct printeds {
 struct printed arcprint_piece(const struct arc_piece *piece, struct vec3 from);
 
 /* All pieces that follow a reference, beginning at its first point, in the place of what is in
- * `printed`.  Returns how far they are off it: infinitely where they do not lead to its end. */
+ * `printed`.  Returns how far they are off it: infinitely where they do not lead to its end.
+ * `before`: others that follow the same reference, of which the same ones are not measured again;
+ * or NULL. */
 struct deviation arcprint_pieces(const struct reference *reference, const struct pieces *pieces,
-                                 struct printeds *printed);
+                                 const struct printeds *before, struct printeds *printed);
 
 /* How many equal chords keep within `sagitta` mm of the piece, at the tracked point and at the
  * other one, `offset` mm along the axis: a power of two, at most 4096. */

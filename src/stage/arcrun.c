@@ -21,7 +21,7 @@ struct fit {
 
 static void print_pieces(struct fit *f)
 {
-    f->worst = arcprint_pieces(&f->reference, &f->pieces, &f->printed);
+    f->worst = arcprint_pieces(&f->reference, &f->pieces, NULL, &f->printed);
 }
 
 /* Straight from point to point: the reference itself. */
@@ -144,12 +144,17 @@ static struct deviation part_of(struct deviation d, double part)
 /* Replaces the pieces by some that keep the tolerance, or leaves them; false: it does not. */
 static bool is_better(struct fit *f, const struct deviation *within, struct pieces *some)
 {
-    swap_pieces(&f->pieces, some);
-    if (is_proven(f, within))
-        return true;
-    swap_pieces(&f->pieces, some);
-    print_pieces(f);
-    return false;
+    struct printeds printed = {0}, old = f->printed;
+    struct deviation worst = arcprint_pieces(&f->reference, some, &old, &printed);
+    bool good = deviation_within(&worst, within);
+
+    if (good) {
+        swap_pieces(&f->pieces, some);
+        f->worst = worst;
+        f->printed = printed;
+    }
+    array_free(good ? &old : &printed);
+    return good;
 }
 
 static void copy_pieces(const struct pieces *from, struct pieces *to)

@@ -82,16 +82,40 @@ START_TEST(a_lost_end_strays_without_limit)
     struct pieces pieces = {0};
     struct printeds printed = {0};
     struct reference t = quarter(&pieces);
-    struct deviation whole = arcprint_pieces(&t, &pieces, &printed);
+    struct deviation whole = arcprint_pieces(&t, &pieces, NULL, &printed);
     ck_assert_double_lt(whole.point, 3e-4); /* the sagitta of the reference, 0.2^2 / (8 20) */
     ck_assert_uint_eq(printed.n, 2);
     pieces.n = 1; /* what there is of it is as near as before */
-    ck_assert_double_gt(arcprint_pieces(&t, &pieces, &printed).point, 1e9);
+    ck_assert_double_gt(arcprint_pieces(&t, &pieces, NULL, &printed).point, 1e9);
     ck_assert_uint_eq(printed.n, 1);
     pieces.n = 0;
-    ck_assert_double_gt(arcprint_pieces(&t, &pieces, &printed).point, 1e9);
+    ck_assert_double_gt(arcprint_pieces(&t, &pieces, NULL, &printed).point, 1e9);
     array_free(&pieces);
     array_free(&printed);
+    reference_free(&t);
+}
+END_TEST
+
+/* A list of which a part was measured before is off by as much as without that. */
+START_TEST(what_was_measured_before_is_off_as_much)
+{
+    struct pieces pieces = {0};
+    struct printeds before = {0}, printed = {0}, again = {0};
+    struct reference t = quarter(&pieces);
+    arcprint_pieces(&t, &pieces, NULL, &before);
+    before.item[0].off.point = 0.125; /* it tells whether it was asked */
+    struct deviation off = arcprint_pieces(&t, &pieces, &before, &printed);
+    ck_assert_double_eq(off.point, 0.125);
+    struct arc_piece *first = &pieces.item[0], *last = &pieces.item[1];
+    first->arc = arc_to(first->arc.from, vec_unit(vec(1, 0.01, 0)), first->arc.to);
+    last->axis_to = vec_unit(vec(0.001, 0, 1));
+    off = arcprint_pieces(&t, &pieces, &before, &printed);
+    struct deviation alone = arcprint_pieces(&t, &pieces, NULL, &again);
+    ck_assert_double_eq(off.point, alone.point);
+    array_free(&pieces);
+    array_free(&before);
+    array_free(&printed);
+    array_free(&again);
     reference_free(&t);
 }
 END_TEST
@@ -104,7 +128,7 @@ START_TEST(an_end_beside_the_traces_strays_without_limit)
     struct reference t = quarter(&pieces);
     struct arc_piece *last = &pieces.item[1];
     last->arc = arc_to(last->arc.from, last->arc.tangent, t.point[159]);
-    ck_assert_double_gt(arcprint_pieces(&t, &pieces, &printed).point, 1e9);
+    ck_assert_double_gt(arcprint_pieces(&t, &pieces, NULL, &printed).point, 1e9);
     array_free(&pieces);
     array_free(&printed);
     reference_free(&t);
@@ -130,6 +154,7 @@ int main(void)
     tcase_add_test(tests, what_is_too_short_is_a_line);
     tcase_add_test(tests, chords_keep_the_sagitta);
     tcase_add_test(tests, a_lost_end_strays_without_limit);
+    tcase_add_test(tests, what_was_measured_before_is_off_as_much);
     tcase_add_test(tests, an_end_beside_the_traces_strays_without_limit);
     tcase_add_test(tests, comments_carry_all_seven_numbers);
     suite_add_tcase(suite, tests);
