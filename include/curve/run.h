@@ -17,6 +17,7 @@ struct run_point {
     struct vec3 contact; /* on the surface, mm; only where `normal` is not zero */
     struct vec3 normal;  /* unit; zero: not known */
     bool given;          /* a point of the input; false: put between by run_densify */
+    bool straight;       /* to the next point the path is the straight line, not the smooth curve */
 };
 
 struct run {
@@ -63,9 +64,10 @@ void run_corners(const struct run *run, struct sizes *corner);
  * run_tangents' tangents (at a speed that comes nearest to a circle), the axis the cubic with
  * three-point derivatives by the centre's path, made a unit vector (the great circle where axes are
  * more than 60 degrees apart or the centre stands still), and the tip follows from both; corners
- * are kept.  Appends to `dense` (which has the same radius) all points and as many between, that
- * straight lines between neighbours stay within `chord` mm of the curve at the tip and the centre:
- * an interval that is straight enough gets none, so that dense data comes back as it is.
+ * are kept, and so are straight lines, along which what is beside them begins and ends.  Appends to
+ * `dense` (which has the same radius) all points and as many between, that straight lines between
+ * neighbours stay within `chord` mm of the curve at the tip and the centre: an interval that is
+ * straight enough gets none, so that dense data comes back as it is.
  * Returns the largest distance between the curve and the straight lines of the *input*.
  */
 double run_densify(const struct run *run, double chord, struct run *dense);

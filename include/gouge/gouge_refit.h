@@ -6,7 +6,9 @@
  *
  *   1. has the run fitted by the function it is given, which checks each of its motions by
  *      gouge_refit_motion against the scan (gouge.h),
- *   2. lifts the points of the run around the places that are too deep (gouge_refit_lift),
+ *   2. has it go straight between points where the curve alone is too deep, not the line
+ *      (gouge_refit_straighten), and lifts the points of the run around all other places that are
+ *      too deep (gouge_refit_lift),
  *   3. and begins again, a few rounds at most.
  *
  * Who spends what of the tolerance (-e of the fitters; how deep the ball may go):
@@ -96,6 +98,15 @@ void gouge_memo_free(struct gouge_memo *memo);
 /* gouge_refit_motion of it, or what that found of the same motion. */
 void gouge_refit_once(const struct gouge_refit_options *options, const struct motion *motion,
                       struct gouge_memo *memo, struct gouges *gouges);
+
+/*
+ * Has the path go straight between those points of the run between which the ball is deeper than
+ * any fit to the straight line would be, though it is clear on that line: the smooth curve through
+ * points swings out where a long interval follows a kink.  Such gouges are taken off the list;
+ * true: there were some.
+ */
+bool gouge_refit_straighten(const struct gouge_refit_options *options, struct gouges *gouges,
+                            struct run *run);
 
 /*
  * Lifts the points of the run around those places where the ball is too deep along their normals

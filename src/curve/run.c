@@ -281,11 +281,32 @@ static void set_axis_turns(const struct run *run, struct stations *s)
     }
 }
 
+/* From station k on the path goes straight. */
+static bool is_straight(const struct run *run, const struct stations *s, size_t k)
+{
+    return k + 1 < s->n && run->item[s->item[k].last].straight;
+}
+
+/* Beside a straight line the smooth curve begins and ends along it; between two lines is a kink. */
+static void set_line_tangents(const struct run *run, struct stations *s)
+{
+    for (size_t k = 0; k + 1 < s->n; k++) {
+        if (!is_straight(run, s, k))
+            continue;
+        struct vec3 along = vec_unit(chord_of(run, s, k));
+        if (k > 0 && !is_straight(run, s, k - 1))
+            s->item[k].tangent = along;
+        if (!is_straight(run, s, k + 1))
+            s->item[k + 1].tangent = along;
+    }
+}
+
 /* A piece of the run without corners, but for its first point, which is there already. */
 static double densify_piece(const struct run *piece, double chord, struct run *dense)
 {
     struct stations s = find_stations(piece);
     set_bessel_tangents(piece, &s);
+    set_line_tangents(piece, &s);
     set_axis_turns(piece, &s);
     double worst = 0;
     size_t at = 0; /* station of point i */
@@ -298,6 +319,10 @@ static double densify_piece(const struct run *piece, double chord, struct run *d
             (struct run_curve_end){&piece->item[i], here->tangent, here->turn},
             (struct run_curve_end){&piece->item[i + 1], next->tangent, next->turn});
         c.great_circle = c.great_circle || here == next; /* the axis turns in one place */
+        if (piece->item[i].straight) {
+            c.va = c.vb = vec_sub(c.b->ball, c.a->ball);
+            c.great_circle = true;
+        }
         worst = fmax(worst, run_curve_densify(&c, chord, dense));
     }
     array_free(&s);

@@ -12,7 +12,8 @@ static const double FINER = 1.0 / 8;    /* of the chord error, where that decide
 static const double USELESS = 0.95;     /* of the depth before: it did not help */
 static const double ROUGHLY = 0.1;      /* of its depth, a holder may move at a deep place unseen */
 static const double LEAST_MOVED = 1e-6; /* mm */
-static const double NEAR = 0.5;         /* mm: points this near to a place are lifted all the way */
+static const double ASTRAY = 1.2;/* times the tolerance, deeper than a fit near the line is */
+static const double NEAR = 0.5; /* mm: points this near to a place are lifted all the way */
 
 struct walk {
     const struct gouge_refit_options *options;
@@ -299,6 +300,39 @@ static double reach_around(const struct run *run, struct vec3 place)
     return fmax(NEAR, nearest + apart);
 }
 
+/* The points are as they should be there: the smooth curve between two of them goes astray, for a
+ * fit within the tolerance of the straight line would go less deep. */
+static bool goes_astray(const struct gouge_refit_options *options, const struct gouge *gouge,
+                        const struct run_point *from, const struct run_point *to)
+{
+    double within = options->radius - GOUGE_SAFE * options->tolerance;
+
+    return gouge->part == TOOL_BALL && gouge->depth > ASTRAY * options->tolerance &&
+           !from->straight && gouge_depth_along(options->guard, from->ball, to->ball, within) <= 0;
+}
+
+bool gouge_refit_straighten(const struct gouge_refit_options *options, struct gouges *gouges,
+                            struct run *run)
+{
+    struct sizes astray = {0};
+    size_t others = 0;
+
+    for (size_t k = 0; run->n > 1 && k < gouges->n; k++) {
+        struct gouge gouge = gouges->item[k];
+        size_t i = run_motion_at(run, 0, run->n - 1, gouge.ball);
+        if (goes_astray(options, &gouge, &run->item[i], &run->item[i + 1]))
+            *array_push(&astray) = i;
+        else
+            gouges->item[others++] = gouge;
+    }
+    gouges->n = others;
+    for (size_t k = 0; k < astray.n; k++)
+        run->item[astray.item[k]].straight = true;
+    bool any = astray.n > 0;
+    array_free(&astray);
+    return any;
+}
+
 double gouge_refit_lift(const struct gouge_refit_options *options, const struct gouges *gouges,
                         struct run *run)
 {
@@ -361,8 +395,9 @@ gouge_refit_fit(const struct gouge_refit_options *options, struct run *run,
     for (int round = 1; round < ROUNDS && gouges.n > 0; round++) {
         size_t before = gouges.n;
         double depth = gouge_refit_deepest(&gouges).depth;
+        bool straighter = gouge_refit_straighten(options, &gouges, run);
         double lift = gouge_refit_lift(options, &gouges, run);
-        if (lift == 0)
+        if (lift == 0 && !straighter)
             break;
         result.lift += lift;
         gouges.n = 0;

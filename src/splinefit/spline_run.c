@@ -160,7 +160,8 @@ void spline_run_fit(const struct run *run, const struct spline_run_options *opti
 
 static bool same_place(const struct run_point *a, const struct run_point *b)
 {
-    return vec_distance(a->ball, b->ball) == 0 && vec_distance(a->axis, b->axis) == 0;
+    return vec_distance(a->ball, b->ball) == 0 && vec_distance(a->axis, b->axis) == 0 &&
+           a->straight == b->straight;
 }
 
 static bool has_moved(const struct run *run, const struct spline_run *pieces,

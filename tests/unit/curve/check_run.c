@@ -143,6 +143,38 @@ START_TEST(corners_stay_corners)
 }
 END_TEST
 
+/* A line that stays a line, between two bends of 30 degrees: nothing is put into it, and what is
+ * before and after leaves and joins it along it. */
+START_TEST(a_straight_line_stays_one)
+{
+    const double c = cos(PI / 6), s = sin(PI / 6);
+    struct vec3 at[] = {{-2 * c, 0, 2 * s}, {-c, 0, s},    {0, 0, 0},
+                        {3, 0, 0},          {3 + c, 0, s}, {3 + 2 * c, 0, 2 * s}};
+    struct run run = {.radius = 4}, dense = {.radius = 4};
+    for (size_t i = 0; i < 6; i++) {
+        struct run_point p = pose(at[i], vec(0, 0, 1), 4);
+        p.straight = i == 2;
+        *array_push(&run) = p;
+    }
+    ck_assert_double_gt(run_densify(&run, 1e-6, &dense), 0.01);
+    size_t from = 0;
+    while (vec_distance(dense.item[from].ball, at[2]) > 0)
+        from++;
+    ck_assert_double_eq(vec_distance(dense.item[from + 1].ball, at[3]), 0);
+    for (size_t side = 0; side < 2; side++) {
+        size_t i = from + 2 * side;
+        struct vec3 way = vec_sub(dense.item[i].ball, dense.item[i - 1].ball);
+        ck_assert_double_lt(vec_angle(way, vec(1, 0, 0)), RADIANS(2));
+    }
+    for (size_t i = 0; i < dense.n; i++) {
+        double x = dense.item[i].ball.x;
+        ck_assert(x <= 0 || x >= 3 || dense.item[i].ball.z == 0);
+    }
+    array_free(&run);
+    array_free(&dense);
+}
+END_TEST
+
 START_TEST(an_axis_that_turns_in_place_goes_on_the_great_circle)
 {
     struct run run = {.radius = 5}, dense = {.radius = 5};
@@ -213,6 +245,7 @@ int main(void)
     tcase_add_test(t, repeated_points_and_no_length_are_no_trouble);
     tcase_add_test(t, the_reference_of_a_circle_stays_on_it);
     tcase_add_test(t, corners_stay_corners);
+    tcase_add_test(t, a_straight_line_stays_one);
     tcase_add_test(t, an_axis_that_turns_in_place_goes_on_the_great_circle);
     tcase_add_test(t, axes_far_apart_go_on_the_great_circle);
     tcase_add_test(t, any_input_gives_finite_numbers);

@@ -240,6 +240,81 @@ START_TEST(points_are_lifted_out)
 }
 END_TEST
 
+/* A ball deep beside a line that is clear: the path goes straight there.  Not where the line is as
+ * deep, nor for what a fit near the line explains, nor twice. */
+START_TEST(where_the_line_is_clear_it_goes_straight)
+{
+    struct gouge_check *guard = make_sphere();
+    struct gouge_refit_options rule = {.guard = guard, .radius = BALL, .tolerance = 0.01};
+    struct run run = {.radius = BALL};
+    const double at[] = {-0.12, -0.02, -0.01, 0, 0.01, 0.02}; /* the first chord is 0.04 deep */
+    for (int i = 0; i < 6; i++)
+        *array_push(&run) = on_arc(at[i], SPHERE + BALL);
+    struct gouge deep[] = {{on_arc(-0.07, SPHERE + BALL - 0.05).ball, 0.05, TOOL_BALL},
+                           {on_arc(-0.015, SPHERE + BALL - 0.05).ball, 0.05, TOOL_BALL},
+                           {on_arc(-0.014, SPHERE + BALL - 0.03).ball, 0.03, TOOL_BALL},
+                           {on_arc(0.005, SPHERE + BALL - 0.01).ball, 0.011, TOOL_BALL},
+                           {on_arc(0.015, SPHERE + BALL - 0.05).ball, 0.05, TOOL_SHAFT}};
+    for (int again = 0; again < 2; again++) {
+        struct gouges gouges = {0};
+        for (int k = 0; k < 5; k++)
+            *array_push(&gouges) = deep[k];
+        ck_assert(gouge_refit_straighten(&rule, &gouges, &run) == !again);
+        ck_assert_uint_eq(gouges.n, again ? 5 : 3);
+        ck_assert(gouges.item[0].ball.x == deep[0].ball.x);
+        ck_assert_int_eq(gouges.item[gouges.n - 1].part, TOOL_SHAFT);
+        for (size_t i = 0; i < run.n; i++)
+            ck_assert_int_eq(run.item[i].straight, i == 1);
+        array_free(&gouges);
+    }
+    array_free(&run);
+    gouge_free(guard);
+}
+END_TEST
+
+/* The smooth curve through the points. */
+static void check_smooth(void *context, const struct run *run, struct gouges *gouges)
+{
+    struct run dense = {.radius = BALL};
+    run_densify(run, 1e-4, &dense);
+    for (size_t i = 1; i < dense.n; i++) {
+        struct motion line = motion_line(tip_of(&dense.item[i - 1]), tip_of(&dense.item[i]));
+        check_motion(context, &line, gouges);
+    }
+    array_free(&dense);
+}
+
+/* Down a flank of 40 degrees and level on, 2 mm over a plane: the curve swings below it behind the
+ * kink, the lines do not.  No point is lifted for that. */
+START_TEST(a_curve_that_swings_lifts_nothing)
+{
+    struct vec3s points = {0};
+    for (int i = -100; i <= 100; i++)
+        for (int k = -60; k <= 60; k++)
+            *array_push(&points) = vec(0.1 * i, 0.1 * k, 0);
+    struct gouge_check *guard = gouge_from_points(points.item, points.n);
+    struct gouge_refit_options rule = {.guard = guard, .radius = BALL, .tolerance = 0.01};
+    struct run run = {.radius = BALL};
+    for (int i = 0; i < 12; i++) {
+        double x = i < 10 ? 0.1 * (i - 9) : 2 * (i - 9);
+        struct run_point p = {
+            .tip = {x, 0, x < 0 ? -x * tan(RADIANS(40)) : 0}, .axis = {0, 0, 1}, .given = true};
+        p.ball = vec_along(p.tip, BALL, p.axis);
+        *array_push(&run) = p;
+    }
+    struct gouges before = {0};
+    check_smooth(&rule, &run, &before);
+    ck_assert_double_gt(gouge_refit_deepest(&before).depth, 0.1);
+    struct gouge_refit_result result = gouge_refit_fit(&rule, &run, check_smooth, &rule);
+    ck_assert_double_eq(result.deepest.depth, 0);
+    ck_assert_double_le(result.lift, rule.tolerance);
+    array_free(&before);
+    array_free(&run);
+    array_free(&points);
+    gouge_free(guard);
+}
+END_TEST
+
 START_TEST(without_a_guard_nothing_is_deep)
 {
     struct gouge_refit_options rule = {.radius = BALL, .tolerance = 0.01};
@@ -261,6 +336,8 @@ int main(void)
     tcase_add_test(tcase, a_holder_that_swings_through_is_found_between_its_ends);
     tcase_add_test(tcase, an_arc_is_followed_round);
     tcase_add_test(tcase, points_are_lifted_out);
+    tcase_add_test(tcase, where_the_line_is_clear_it_goes_straight);
+    tcase_add_test(tcase, a_curve_that_swings_lifts_nothing);
     tcase_add_test(tcase, without_a_guard_nothing_is_deep);
     suite_add_tcase(suite, tcase);
     SRunner *runner = srunner_create(suite);

@@ -257,9 +257,11 @@ static double in_wall(struct vec3 ball)
 
 /* The ball comes along the floor and climbs the wall; the corner is taken in two turns, and a
  * smooth curve swings out of them into wall and floor.  The normals lie along both, so that lifts
- * only move points sideways: the straight lines are left. */
+ * only move points sideways.  Where it swings far the curve itself goes straight; with points about
+ * half as far apart it is hardly deeper than a fit may be, and lines are put in. */
 START_TEST(where_lifts_do_not_help_lines_do)
 {
+    const double scale = _i ? 0.55 : 1;
     struct vec3s points = {0};
     struct vec3 up = vec(cos(STEEP), 0, sin(STEEP)), along = vec(1, 0, 0), side = vec(0, 1, 0);
     struct vec3 corner = vec(-BALL * (1 - cos(STEEP)) / sin(STEEP), 0, BALL);
@@ -273,19 +275,19 @@ START_TEST(where_lifts_do_not_help_lines_do)
             *array_push(&points) = vec_along(vec(0, 0.1 * k, 0), 0.1 * i, up);
         }
     for (int i = 12; i > 0; i--)
-        add_contact(&run, vec_along(corner, -0.5 * i - 0.1, along), side);
-    add_contact(&run, vec_along(corner, -0.1, along), side);
+        add_contact(&run, vec_along(corner, scale * (-0.5 * i - 0.1), along), side);
+    add_contact(&run, vec_along(corner, -0.1 * scale, along), side);
     for (int i = 0; i <= 12; i++)
-        add_contact(&run, vec_along(corner, 0.5 * i + 0.1, up), side);
+        add_contact(&run, vec_along(corner, scale * (0.5 * i + 0.1), up), side);
 
     struct gouge_check *wall = gouge_from_points(points.item, points.n);
     spline_run_fit_guarded(&run, &CENTRE, &gouge, &pieces);
-    ck_assert_double_gt(deepest(&pieces, in_wall), 0.03);
+    ck_assert_double_gt(deepest(&pieces, in_wall), _i ? 0.0105 : 0.03);
     gouge.guard = wall;
     struct gouge_refit_result seen = spline_run_fit_guarded(&run, &CENTRE, &gouge, &pieces);
     ck_assert(seen.deepest.depth == 0);
     ck_assert_double_lt(deepest(&pieces, in_wall), 0.0105);
-    ck_assert_uint_gt(pieces.n, 1);
+    ck_assert(_i ? pieces.n > 1 : pieces.n == 1);
     ck_assert(pieces.item[0].from == 0 && pieces.item[pieces.n - 1].to == run.n - 1);
     for (size_t k = 1; k < pieces.n; k++)
         ck_assert_uint_eq(pieces.item[k].from, pieces.item[k - 1].to);
@@ -306,7 +308,7 @@ int main(void)
     tcase_add_test(t, one_place_has_no_curve);
     tcase_add_test(t, what_has_not_moved_stays);
     tcase_add_test(t, points_too_low_are_lifted);
-    tcase_add_test(t, where_lifts_do_not_help_lines_do);
+    tcase_add_loop_test(t, where_lifts_do_not_help_lines_do, 0, 2);
     Suite *s = suite_create("spline_run");
     suite_add_tcase(s, t);
     SRunner *r = srunner_create(s);
