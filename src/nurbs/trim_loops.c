@@ -831,17 +831,35 @@ static void tidy_polygon(const struct nurbs *s, double tolerance, struct uvs *lo
     drop_spurs(s, tolerance, loop);
 }
 
+/* Does a loop run along a seam, forth and, a turn further on, back?  What it bounds is on both sides
+ * of the seam, and so between: OpenCASCADE writes some such loops of tori the wrong way round. */
+static bool is_seamed(const struct pullback *on, const struct uvs *loop)
+{
+    if (loop_rounds(on, loop, true) != 0 || loop_rounds(on, loop, false) != 0)
+        return false;
+    for (int u = 0; u < 2; u++) {
+        double low = HUGE_VAL, high = -HUGE_VAL, wide = width(axis_of(on, u == 1));
+        for (size_t i = 0; i < loop->n; i++) {
+            low = fmin(low, coordinate(loop->item[i], u == 1));
+            high = fmax(high, coordinate(loop->item[i], u == 1));
+        }
+        if ((u ? on->closed_u : on->closed_v) && fabs(high - low - wide) <= ROUNDING * wide)
+            return true;
+    }
+    return false;
+}
+
 /* Are the directed loops all holes?  Then the largest polygon runs clockwise; the surface itself
- * has no border that could bound the rest. */
+ * has no border that could bound the rest, and no loop (`raw`) runs along its seam. */
 static bool are_holes(const struct patch *patch, const struct pullback *on,
-                      const struct uv_polygon *loops)
+                      const struct uv_polygon *raw, const struct uv_polygon *loops)
 {
     const bool *pole = on->is_pole;
     bool u = on->closed_u || (pole[PULLBACK_U_LOW] && pole[PULLBACK_U_HIGH]);
     bool v = on->closed_v || (pole[PULLBACK_V_LOW] && pole[PULLBACK_V_HIGH]);
     double most = 0;
     for (size_t i = 0; i < patch->loop.n; i++)
-        if (!patch->loop.item[i].directed)
+        if (!patch->loop.item[i].directed || is_seamed(on, &raw->item[i]))
             return false;
     for (size_t i = 0; i < loops->n; i++) {
         double area = loop_area(&loops->item[i]);
@@ -867,7 +885,7 @@ void trim_loops(const struct patch *patch, double tolerance, struct uv_polygon *
             k++;
     }
     loops->off = f.off;
-    loops->open = are_holes(patch, &f.on, loops);
+    loops->open = are_holes(patch, &f.on, &raw, loops);
     uv_polygon_free(&raw);
     pullback_free(&f.on);
 }

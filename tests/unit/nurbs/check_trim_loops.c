@@ -10,6 +10,7 @@
 
 #include "base/array.h"
 #include "known.h"
+#include "nurbs/primitive.h"
 #include "nurbs/pullback.h"
 #include "nurbs/trim_loops.h"
 #include "seed.h"
@@ -73,7 +74,7 @@ static double area_inside(const struct patch *p, double most_off)
                         s->v.from + (s->v.to - s->v.from) * (i / N + 0.5) / N};
         struct vec3 d[3][3];
         nurbs_derivatives(s, at, 1, d);
-        if (uv_polygon_inside(&loops, p->open || loops.n == 0, at))
+        if (uv_polygon_inside(&loops, p->open || loops.open || loops.n == 0, at))
             sum += vec_length(vec_cross(d[1][0], d[0][1]));
     }
     uv_polygon_free(&loops);
@@ -115,6 +116,45 @@ START_TEST(on_a_plane)
         }
     uv_polygon_free(&loops);
     expect(p, PI * (144 - 25));
+}
+END_TEST
+
+/* Around parameters u0..u1, v0..v1 of a torus of 8 and 2: counter-clockwise, or the other way. */
+static struct patch on_torus(double u0, double u1, double v0, double v1, bool clockwise)
+{
+    struct primitive torus = {.kind = PRIMITIVE_TORUS, .radius = 8, .other = 2};
+    struct patch p = {0};
+    struct vec3s none = {0};
+    torus.place = transform_identity();
+    ck_assert_int_eq(primitive_surface(&torus, &none, &p.surface), 0);
+    struct patch_loop *loop = new_loop(&p);
+    loop->directed = true;
+    const double corner[5][2] = {{u0, v0}, {u1, v0}, {u1, v1}, {u0, v1}, {u0, v0}};
+    for (int k = 0; k < 4; k++) {
+        const double *a = corner[clockwise ? 4 - k : k], *b = corner[clockwise ? 3 - k : k + 1];
+        struct vec3 out = vec(cos(a[0]), sin(a[0]), 0);
+        if (k % 2 == (clockwise ? 1 : 0))
+            add_arc(loop, vec(0, 0, 2 * sin(a[1])), X, Y, 8 + 2 * cos(a[1]), a[0], b[0]);
+        else
+            add_arc(loop, vec_scale(8, out), out, Z, 2, a[1], b[1]);
+    }
+    return p;
+}
+
+static double torus_area(double u0, double u1, double v0, double v1)
+{
+    return (u1 - u0) * 2 * (8 * (v1 - v0) + 2 * (sin(v1) - sin(v0)));
+}
+
+/* A loop with the seam in it, such as a fillet of a rim has, is what lies between, even where the
+ * file has it the wrong way round; one without leaves out what it goes round clockwise. */
+START_TEST(round_a_torus)
+{
+    double part = torus_area(0, 2 * PI, 0, PI / 2), whole = torus_area(0, 2 * PI, 0, 2 * PI);
+    for (int way = 0; way < 2; way++)
+        expect(on_torus(0, 2 * PI, 0, PI / 2, way == 1), part);
+    expect(on_torus(1, 2, 0.3, 1.3, false), torus_area(1, 2, 0.3, 1.3));
+    expect(on_torus(1, 2, 0.3, 1.3, true), whole - torus_area(1, 2, 0.3, 1.3));
 }
 END_TEST
 
@@ -345,6 +385,7 @@ int main(void)
     tcase_add_test(tests, beside_the_surface);
     tcase_add_test(tests, seek);
     tcase_add_test(tests, over_the_seam);
+    tcase_add_test(tests, round_a_torus);
     tcase_add_test(tests, inside_by_angles);
     tcase_add_test(tests, rows_of_long_sides);
     tcase_add_test(tests, hands);
