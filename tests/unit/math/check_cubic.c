@@ -5,7 +5,7 @@
 #include "math/cubic.h"
 #include "noisy.h"
 
-enum { N = 60 };
+enum { N = 150 };
 
 static struct vec3 point[N];
 
