@@ -7,12 +7,15 @@
 
 enum { BINS = 256, LEVELS = 9 };
 
+static const double ROUNDING = 1e-9; /* of cosines of bounds, many times */
+
 /* The cap that a stack blocks, by the distance of a guard point. */
 struct caps {
     struct holder holder;
     double reach;              /* points further away block nothing, mm */
     double span;               /* of the bins, mm; the last has all beyond it too */
     double most[LEVELS][BINS]; /* the largest angle within 2^level bins from each, radians */
+    struct sine_cosine most_of[LEVELS][BINS]; /* of it, of half a turn if it is more */
 };
 
 struct access {
@@ -86,17 +89,22 @@ static void fill_caps(struct caps *caps, struct holder holder, double span)
             double here = caps->most[level - 1][i];
             caps->most[level][i] = other < BINS ? fmax(here, caps->most[level - 1][other]) : here;
         }
+    for (int level = 0; level < LEVELS; level++)
+        for (int i = 0; i < BINS; i++)
+            caps->most_of[level][i] = elementary_sine_cosine(fmin(caps->most[level][i], PI));
 }
 
-/* No smaller than the angle at any distance between the two. */
-static double widest_cap(const struct caps *caps, double near, double far)
+/* Of an angle no smaller than that at any distance between the two. */
+static struct sine_cosine widest_cap(const struct caps *caps, double near, double far)
 {
     int i = (int)fmin(fmax(near / caps->span * BINS, 0), BINS - 1), level = 0;
     int j = (int)fmin(fmax(far / caps->span * BINS, i), BINS - 1);
 
     while (level + 1 < LEVELS && 2 << level <= j - i + 1)
         level++;
-    return fmax(caps->most[level][i], caps->most[level][j - (1 << level) + 1]);
+    struct sine_cosine a = caps->most_of[level][i];
+    struct sine_cosine b = caps->most_of[level][j - (1 << level) + 1];
+    return a.cosine < b.cosine ? a : b;
 }
 
 struct access *access_new(const struct access_options *options)
@@ -142,11 +150,10 @@ struct search {
     short *some[KDTREE_DEPTH + 1];
 };
 
-/* Of the directions at the depth those, not blocked, that are nearer than the angle to `to`, a
+/* Of the directions at the depth those, not blocked, that are nearer than an angle to `to`, a
  * unit vector, into the depth below. */
-static int find_within(struct search *s, int depth, struct vec3 to, double angle)
+static int find_within(struct search *s, int depth, struct vec3 to, double cosine)
 {
-    double cosine = angle < PI ? cos(angle) : -2;
     const short *from = s->some[depth];
     short *near = s->some[depth + 1];
     int n = 0;
@@ -168,9 +175,12 @@ static bool may_block(void *context, int depth, struct vec3 middle, struct vec3 
     if (s->open == 0 || d - around >= s->caps->reach || depth >= KDTREE_DEPTH)
         return false;
     if (around >= d)
-        return find_within(s, depth, vec(0, 0, 1), PI) > 0;
-    double angle = widest_cap(s->caps, d - around, d + around) + asin(around / d);
-    return find_within(s, depth, vec_scale(1 / d, to), angle) > 0;
+        return find_within(s, depth, vec(0, 0, 1), -2) > 0;
+    /* the cap and the angle of the ball about the box together, or half a turn */
+    struct sine_cosine cap = widest_cap(s->caps, d - around, d + around);
+    double sine = around / d, cosine = sqrt(1 - sine * sine);
+    double both = cap.cosine <= -cosine ? -2 : cap.cosine * cosine - cap.sine * sine - ROUNDING;
+    return find_within(s, depth, vec_scale(1 / d, to), both) > 0;
 }
 
 static void block_by(void *context, int depth, struct vec3 p)
@@ -181,6 +191,12 @@ static void block_by(void *context, int depth, struct vec3 p)
     const short *some = s->some[depth + 1];
 
     if (d >= s->caps->reach || d == 0)
+        return;
+    double most = d * (widest_cap(s->caps, d, d).cosine - ROUNDING);
+    bool any = false;
+    for (int i = 0; i < s->n[depth + 1] && !any; i++)
+        any = !s->blocked[some[i]] && vec_dot(s->at[some[i]], to) > most;
+    if (!any)
         return;
     double angle = cap_angle(&s->caps->holder, d), least = d * cos(angle);
     for (int i = 0; angle > 0 && i < s->n[depth + 1]; i++) {
