@@ -16,6 +16,8 @@ static const double STEP = 0.23;         /* radians: neighbouring directions are
 static const double ROUND = RADIANS(45); /* about the rule: further off only where none is open */
 static const double MARGIN = 0.05;       /* mm: kept free of the tool, ... */
 static const double SLOPE = 0.0087;    /* ... and so much more for each mm of height: 0.5 degrees */
+static const double SHORTEST = 0.0205; /* mm: no piece of a program should be shorter */
+static const double AT_POLE = 1e-4;    /* radians: an axis that leans less has no say in its turn */
 static const double NEAR = 0.004;      /* cost per mm of an axis that is off by all of `play` */
 static const double OVER = 1.4;        /* of the radius: rules are averaged over so much, twice */
 static const double AIR = RADIANS(60); /* how far axes in the air are off their rule for little */
@@ -673,6 +675,16 @@ static void add_poles(struct work *w)
     qsort(w->nodes.item, w->nodes.n, sizeof *w->nodes.item, by_along);
 }
 
+/* A point of the run so near to where the axis passes the pole that it passes it there. */
+static bool meets_pole(const struct node *node, struct run_point *p, double apart, double radius)
+{
+    bool meets = node->pole && apart < SHORTEST && vec_angle(p->axis, node->axis) < AT_POLE;
+
+    if (meets)
+        set_axis(p, radius, node->axis);
+    return meets;
+}
+
 /* Appends the points of the run with their axes and, if any may be put between, those nodes where
  * the axis is not on the straight line. */
 static void put_points(const struct work *w, struct run *to, struct doubles *along)
@@ -689,9 +701,11 @@ static void put_points(const struct work *w, struct run *to, struct doubles *alo
         set_axis(&end, to->radius, axis_between(w, at, &end, w->along[i]));
         for (size_t k = first + 1; i > 0 && k <= at && w->planner->options.between; k++) {
             const struct node *node = &nodes->item[k];
-            const struct run_point *last = &to->item[to->n - 1];
+            struct run_point *last = &to->item[to->n - 1];
             double from = along->item[along->n - 1];
             if (node->along <= from || node->along >= w->along[i] || !has_axis(node) ||
+                meets_pole(node, &end, w->along[i] - node->along, to->radius) ||
+                meets_pole(node, last, node->along - from, to->radius) ||
                 (!node->pole && vec_angle(vec_slerp(last->axis, end.axis,
                                                     (node->along - from) / (w->along[i] - from)),
                                           node->axis) < BENT))

@@ -156,6 +156,35 @@ START_TEST(with_play_the_rotary_axes_turn_little)
 }
 END_TEST
 
+/* The axis comes through the pole a hundredth of a mm beside a point: it passes it at that point. */
+START_TEST(no_point_so_near_to_the_pole_but_at_it)
+{
+    struct gouge_check *guard = floor_and_wall(0, NULL);
+    struct axis_planner *planner = planner_of(guard, RADIANS(15));
+    struct run run = pass(0, 0);
+    struct axis_plan plan = {.leaned = 0};
+    size_t at_pole = 0;
+
+    for (size_t i = 0; i < run.n; i++) {
+        struct run_point *p = &run.item[i];
+        double a = 0.02 * ((double)i - 60 + (_i - 1) * 0.004);
+        p->axis = vec(0, sin(a), cos(a));
+        p->tip = vec_along(p->ball, -RADIUS, p->axis);
+    }
+    axis_plan_run(planner, &run, &plan);
+    for (size_t i = 1; i < plan.run.n; i++) {
+        const struct run_point *p = &plan.run.item[i];
+        ck_assert_double_gt(vec_distance(p[-1].ball, p->ball), 0.02);
+        at_pole += vec_length(vec_sub(p->axis, vec(0, 0, 1))) < 1e-12;
+    }
+    ck_assert_uint_eq(at_pole, 1);
+    array_free(&run);
+    axis_plan_free(&plan);
+    axis_planner_free(planner);
+    gouge_free(guard);
+}
+END_TEST
+
 /* Walls on both sides nearer than the ball's radius leave no direction: the points are told. */
 START_TEST(what_no_direction_reaches_is_skipped)
 {
@@ -226,6 +255,7 @@ int main(void)
     tcase_add_loop_test(tcase, past_a_wall_the_tool_is_clear, 0, 2);
     tcase_add_test(tcase, without_a_wall_the_rule_stays);
     tcase_add_test(tcase, with_play_the_rotary_axes_turn_little);
+    tcase_add_loop_test(tcase, no_point_so_near_to_the_pole_but_at_it, 0, 3);
     tcase_add_test(tcase, what_no_direction_reaches_is_skipped);
     tcase_add_test(tcase, no_axis_leaves_its_travel_on_a_sudden_turn);
     suite_add_tcase(suite, tcase);
