@@ -50,6 +50,9 @@ bool uv_rows_inside(const struct uv_rows *rows, bool open, struct uv at);
 
 void uv_rows_free(struct uv_rows *rows);
 
+/* Of a loop, in the parameters: positive where it runs counter-clockwise. */
+double uv_loop_area(const struct uvs *loop);
+
 /* True when the inside, by the same rule, lies to the right of a loop. */
 bool uv_polygon_backwards(const struct uv_polygon *loops, size_t index, bool open);
 
