@@ -323,6 +323,31 @@ START_TEST(a_retract_goes_straight_up_where_the_axis_leads_into_the_part)
 }
 END_TEST
 
+/* Where nothing guards the way out leads along the axis till the tip is on the clearance plane, off
+ * by the approach first; along one that leads down there is none, and it goes straight up from
+ * there. */
+START_TEST(a_retract_without_a_guard)
+{
+    struct gouge_lift_options rule = {.offset = R, .tolerance = 0.01};
+    const struct holder none = {0};
+    struct link_options options = {
+        .lift = &rule, .holder = &none, .radius = R, .clearance = 40, .approach = 2};
+    struct run_point p = point_at(-4, 7);
+    p.axis = vec(0, 0.6, 0.8);
+    struct retract r = link_retract(&options, &p);
+    ck_assert(r.clear && r.rapid);
+    ck_assert_uint_eq(r.n, 2);
+    ck_assert_double_lt(vec_distance(r.at[0], vec_along(p.ball, 2, p.axis)), 1e-12);
+    double length = (40 + 0.8 * R - p.ball.z) / 0.8; /* the centre is R from the tip */
+    ck_assert_double_lt(vec_distance(r.at[1], vec_along(p.ball, length, p.axis)), 1e-9);
+    p.axis = vec(0, 0.6, -0.8);
+    r = link_retract(&options, &p);
+    ck_assert_uint_eq(r.n, 3);
+    ck_assert_double_lt(vec_distance(r.at[1], vec_along(p.ball, 2, p.axis)), 1e-12);
+    ck_assert_double_lt(vec_distance(r.at[2], vec(r.at[1].x, r.at[1].y, 40 - 0.8 * R)), 1e-12);
+}
+END_TEST
+
 /* The place of the tool that reaches lowest, below its tip, at this tilt. */
 static double reach_below(const struct holder *holder, double tilt)
 {
@@ -478,6 +503,7 @@ int main(void)
     tcase_add_test(tests, a_retract_goes_straight_up_where_the_axis_leads_into_the_part);
     tcase_add_test(tests, the_tool_turns_above_the_guard);
     tcase_add_test(tests, a_way_out_is_bent_where_a_roof_is_over_the_point);
+    tcase_add_test(tests, a_retract_without_a_guard);
     tcase_add_test(tests, a_low_link_keeps_the_shaft_clear);
     suite_add_tcase(suite, tests);
     SRunner *runner = srunner_create(suite);

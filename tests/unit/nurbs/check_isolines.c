@@ -80,6 +80,34 @@ START_TEST(bent)
 }
 END_TEST
 
+/* A disc is flat, so that lines through it bend for its rim alone: where that bounds the patch, and
+ * from the end of the range that does, not from the other. */
+START_TEST(a_rim_that_bounds)
+{
+    static const double profile[2][3] = {{0.5, 0, 1}, {10, 0, 1}}, knot[4] = {0, 0, 1, 1};
+    struct patch p = known_turned(1, 2, knot, profile);
+    size_t lines[3];
+    for (int k = 0; k < 3; k++) {
+        const struct isolines_border border = {{false, false}, {k == 1, k == 2}};
+        struct isolines_bend bend = {0};
+        struct doubles u = {0}, v = {0};
+        isolines_measure(&p.surface, &border, &bend);
+        isolines_bent(&bend, 0.01, 1, &u, &v);
+        lines[k] = u.n;
+        isolines_bend_free(&bend);
+        array_free(&u);
+        array_free(&v);
+    }
+    /* half the angle of a side is acos(1 - e / r): for a radius of 0.5 and of 10 */
+    ck_assert_uint_eq(lines[0], 5); /* the quarters */
+    ck_assert_double_ge((double)lines[1], PI / acos(1 - 0.01 / 0.5));
+    ck_assert_double_le((double)lines[1], 1.6 * PI / acos(1 - 0.01 / 0.5) + 5);
+    ck_assert_double_ge((double)lines[2], PI / acos(1 - 0.01 / 10.0));
+    ck_assert_double_le((double)lines[2], 1.6 * PI / acos(1 - 0.01 / 10.0) + 5);
+    patch_free(&p);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("isolines");
@@ -89,6 +117,7 @@ int main(void)
     tcase_add_test(tests, equal);
     tcase_add_test(tests, kinks_are_lines);
     tcase_add_test(tests, bent);
+    tcase_add_test(tests, a_rim_that_bounds);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);
     int failed = srunner_ntests_failed(runner);

@@ -163,6 +163,27 @@ START_TEST(looking_and_adding_up)
 }
 END_TEST
 
+/* What stands on a point below a round flank is its distance from that, in all cells up to those at
+ * the border. */
+START_TEST(rest_up_to_the_border)
+{
+    struct stock s = stock_box(vec(0, 0, -8), vec(10, 10, 4), 0.1);
+    stock_capsule(&s, vec(12, -9, 5), vec(12, 19, 5), 6, 1);
+    for (int k = 0; k < 40; k++) {
+        double x = 7.5 + 2.43 * k / 39; /* cut down to 5 - sqrt(36 - (x - 12)^2) there */
+        double turn = atan2(-sqrt(36 - (x - 12) * (x - 12)), x - 12);
+        struct vec3 p = vec(12 + 6.5 * cos(turn), 5, 5 + 6.5 * sin(turn));
+        /* half a mm under it; the cells are 0.1 wide: a chord of them is off by 0.1^2 / 8 / 6 in
+         * the normal, and steeper than 45 degrees not by more than twice that along z */
+        if (p.x > 6)
+            ck_assert_double_eq_tol(stock_rest_at(&s, p), 0.5, 2e-3);
+        p = vec(12 + 5.9 * cos(turn), 5, 5 + 5.9 * sin(turn));
+        ck_assert_double_eq(stock_rest_at(&s, p), 0);
+    }
+    stock_free(&s);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("stock");
@@ -173,6 +194,7 @@ int main(void)
     tcase_add_test(tcase, a_roof_stays);
     tcase_add_test(tcase, as_many_balls);
     tcase_add_test(tcase, pieces_go_on);
+    tcase_add_test(tcase, rest_up_to_the_border);
     tcase_add_test(tcase, looking_and_adding_up);
     suite_add_tcase(suite, tcase);
     SRunner *runner = srunner_create(suite);
