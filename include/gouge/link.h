@@ -73,6 +73,14 @@ struct retract {
 struct retract link_retract(const struct link_options *options, const struct run_point *p);
 
 /*
+ * True if the axis leans further off z on the great circle from `from` to `to`, by a hundredth of a
+ * radian or more, than at both its ends: one of them leans beyond the horizontal, and the tool would
+ * dip into what is below.  Then *way is where it turns by way of instead: half-way round, and half
+ * as far off z as the more upright one.  All unit.
+ */
+bool link_axis_dips(struct vec3 from, struct vec3 to, struct vec3 *way);
+
+/*
  * The least z of the tip, no less than options.clearance, at which no part of the tool reaches down
  * to the guard's top while its axis has any angle from `least` to `most` (radians) off z.
  */

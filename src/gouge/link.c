@@ -19,6 +19,7 @@ static const double OFF = 0.3;       /* of the radius: where one ends, for a sca
 static const double OFF_MOST = 0.9;  /* ... but of the approach distance, which was asked for */
 static const double SHORTEST = 0.02; /* mm: a holder that is followed moves no less at a time */
 static const double ABOVE = 1;       /* mm: of the whole tool over the guard's top */
+static const double DIPS = 0.01;     /* radians: a turn that leans so much further dips */
 static const double UNDER = 0.7;     /* of the radius: what of a ball must come up from a link */
 
 /* ---- with the tool down */
@@ -261,6 +262,31 @@ void link_thin(const struct link_options *options, const struct run_point *from,
 }
 
 /* ---- over the clearance plane */
+
+/* Half-way round z from one direction to another, level. */
+static struct vec3 level_between(struct vec3 a, struct vec3 b)
+{
+    struct vec3 from = vec_unit(vec(a.x, a.y, 0)), to = vec_unit(vec(b.x, b.y, 0));
+    struct vec3 mean = vec_add(from, to);
+
+    if (vec_length(mean) > 1e-6)
+        return vec_unit(mean);
+    return vec_length(from) > 0 ? vec(-from.y, from.x, 0) : vec(1, 0, 0);
+}
+
+bool link_axis_dips(struct vec3 from, struct vec3 to, struct vec3 *way)
+{
+    struct vec3 normal = vec_unit(vec_cross(from, to));
+    double lowest = -sqrt(fmax(0, 1 - normal.z * normal.z));
+    bool falls = vec_cross(normal, from).z<0, rises = vec_cross(normal, to).z> 0;
+    bool back = vec_dot(from, to) < -1 + 1e-6; /* any great circle leads there */
+
+    if (!back && !(falls && rises && acos(lowest) > DIPS + acos(fmin(from.z, to.z))))
+        return false;
+    double tilt = acos(fmin(1, fmax(from.z, to.z))) / 2;
+    *way = vec_along(vec(0, 0, cos(tilt)), sin(tilt), level_between(from, to));
+    return true;
+}
 
 double link_height(const struct link_options *options, double least, double most)
 {

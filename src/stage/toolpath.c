@@ -176,6 +176,21 @@ static void retract(struct toolpath *t, struct vec3 next_axis)
     t->down = false;
 }
 
+/* Over the part, by way of an axis that leans less where the turn to this one would dip into it. */
+static void turn_over_part(struct toolpath *t, struct vec3 axis)
+{
+    size_t last = t->path->item.n;
+    struct vec3 way;
+
+    while (last > 0 && !path_moves(&t->path->item.item[last - 1]))
+        last--;
+    if (last == 0)
+        return;
+    struct pose now = t->path->item.item[last - 1].to;
+    if (link_axis_dips(now.a, axis, &way))
+        add_point(t, (struct pose){now.p, way}, true);
+}
+
 /* From over the part down to where its way in begins, and along it to its start. */
 static void approach(struct toolpath *t, const struct toolpath_part *part)
 {
@@ -186,6 +201,7 @@ static void approach(struct toolpath *t, const struct toolpath_part *part)
     double height = fmax(t->height, turning_height(t, p->axis, p->axis));
     struct vec3 up = over(t, top, p->axis, height);
 
+    turn_over_part(t, p->axis);
     if (up.z > top.z + 1e-6)
         add_move(t, up, p->axis, true);
     add_move(t, top, p->axis, true);

@@ -5,6 +5,8 @@
 #include <stdint.h>
 #include <stdlib.h>
 
+#include "chains.h"
+
 static const double R = 5;
 
 /* A floor of points 0.5 mm apart with a wall of this height along x at y = 2. */
@@ -360,6 +362,48 @@ static double reach_below(const struct holder *holder, double tilt)
     return lowest;
 }
 
+static double lean_of(struct vec3 a)
+{
+    return vec_angle(a, vec(0, 0, 1));
+}
+
+/* The furthest off z on the great circle, in small steps. */
+static double most_lean(struct vec3 from, struct vec3 to)
+{
+    double most = 0;
+    for (int i = 0; i <= 400; i++)
+        most = fmax(most, lean_of(vec_slerp(from, to, i / 400.0)));
+    return most;
+}
+
+/* Any two axes: a turn that leans further than both its ends is found, and only such; by the way it
+ * goes instead no half leans further than its end. */
+START_TEST(a_turn_that_dips_goes_by_way)
+{
+    int dips = 0;
+    seed = 77;
+    for (int i = 0; i < 3000; i++) {
+        struct vec3 a = random_unit(), b = random_unit(), way;
+        double ends = fmax(lean_of(a), lean_of(b)), most = most_lean(a, b);
+        if (fabs(most - ends - 0.01) < 1e-3 || vec_dot(a, b) < -0.999)
+            continue;
+        bool dip = link_axis_dips(a, b, &way);
+        ck_assert_int_eq(dip, most > ends + 0.01);
+        if (!dip)
+            continue;
+        dips++;
+        ck_assert_double_eq_tol(vec_length(way), 1, 1e-12);
+        ck_assert_double_le(most_lean(a, way), fmax(lean_of(a), lean_of(way)) + 1e-6);
+        ck_assert_double_le(most_lean(way, b), fmax(lean_of(b), lean_of(way)) + 1e-6);
+        ck_assert_double_le(lean_of(way), fmin(lean_of(a), lean_of(b)) / 2 + 1e-12);
+    }
+    ck_assert_int_gt(dips, 500);
+    struct vec3 a = vec(0.6, 0, -0.8), way;
+    ck_assert(link_axis_dips(a, vec_scale(-1, a), &way) && way.z > 0.8);
+    ck_assert(!link_axis_dips(a, a, &way));
+}
+END_TEST
+
 START_TEST(the_tool_turns_above_the_guard)
 {
     struct gouge_check *guard = floor_with_wall(9);
@@ -501,6 +545,7 @@ int main(void)
     tcase_add_test(tests, all_legs_of_a_way_are_clear);
     tcase_add_test(tests, no_flute_goes_deeper_between_steps);
     tcase_add_test(tests, a_retract_goes_straight_up_where_the_axis_leads_into_the_part);
+    tcase_add_test(tests, a_turn_that_dips_goes_by_way);
     tcase_add_test(tests, the_tool_turns_above_the_guard);
     tcase_add_test(tests, a_way_out_is_bent_where_a_roof_is_over_the_point);
     tcase_add_test(tests, a_retract_without_a_guard);
