@@ -8,9 +8,11 @@
 #include "io/cloud/cloud.h"
 #include "cloud/plan_extent.h"
 #include "cloud/believed.h"
+#include "cloud/roof.h"
 #include "stage/cloud_prepare.h"
 #include "gouge/guard_points.h"
 #include "cloud/outliers.h"
+#include "math/box.h"
 
 /* Appends a file's points; says what was left out of them. */
 static int read_file(const char *name, struct vec3s *points, struct error *error)
@@ -150,6 +152,23 @@ static void add_edges(const struct mesh *mesh, double spacing, const struct poin
         note("and by %zu points on sharp edges of the mesh", points->n - before);
 }
 
+/* Under the scan is material, that no point stands for: so that no tool comes in from beside. */
+static void add_curtain(const struct point_grid *point_grid, const struct guard_read_options *rule,
+                        struct vec3s *points)
+{
+    const double gap = 0.25; /* of the radius */
+    struct box box = box_around(point_grid->point, point_grid->n);
+    unsigned char *roof = mem_alloc(point_grid->n + 1, 1);
+    size_t before = points->n;
+
+    if (roof_find(point_grid, ROOF_GUARD, rule->threads, roof) > 0)
+        roof_curtain(point_grid, roof, gap * rule->radius, box.low.z - rule->radius, rule->threads,
+                     points);
+    free(roof);
+    if (points->n > before)
+        note("and by %zu points under the rims of the scan", points->n - before);
+}
+
 static void say_bounded(const struct guard_points *surface, const struct guard_read_options *rule,
                         size_t points)
 {
@@ -206,6 +225,7 @@ static struct gouge_check *gouge_of(struct vec3s *points, const struct mesh *mes
             surface.gaps.widest);
     if (mesh)
         add_edges(mesh, sqrt(8 * rule->radius * how.sink), &point_grid, &surface.point);
+    add_curtain(&point_grid, rule, &surface.point);
     point_grid_free(&point_grid);
     rule->certain = surface.certain;
     rule->doubtful = surface.doubtful;

@@ -1,0 +1,162 @@
+/* roof - see roof.h. */
+#include "cloud/roof.h"
+
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/parallel.h"
+
+/* Steep: 68 degrees. */
+static const double STEEP = 2.5;
+/* In mean spacings: neighbours so near tell whether the roof ends. */
+static const double RIM = 2.5;
+/* A sheet has so many points within reach, at least. */
+enum { FEWEST = 3, EIGHTHS = 8 };
+
+struct roof_work {
+    const struct point_grid *grid;
+    double reach;             /* mm */
+    unsigned char *roof;      /* what is found */
+    const unsigned char *all; /* what was found before; NULL: nothing yet */
+    bool *rim;
+};
+
+/* What is about a point. */
+struct about {
+    size_t level, off; /* points about as high, others, within reach */
+    unsigned eighths;  /* of the turn, in which there is roof nearer than RIM */
+};
+
+/* The eighth of a turn that a direction is in, counted round. */
+static unsigned eighth_of(struct vec3 d)
+{
+    unsigned quarter = d.y >= 0 ? (d.x > 0 ? 0 : 1) : (d.x < 0 ? 2 : 3);
+    bool late = quarter % 2 == 0 ? fabs(d.y) > fabs(d.x) : fabs(d.x) > fabs(d.y);
+
+    return 2 * quarter + late;
+}
+
+static void add_cell(const struct roof_work *w, size_t i, size_t cell, struct about *about)
+{
+    const struct point_grid *g = w->grid;
+    double near = w->reach, rim = RIM * point_grid_spacing(g), most = fmax(near, rim);
+
+    for (size_t k = g->first[cell]; k < g->first[cell + 1]; k++) {
+        struct vec3 d = vec_sub(g->point[k], g->point[i]);
+        double away2 = d.x * d.x + d.y * d.y;
+        if (k == i || away2 > most * most)
+            continue;
+        bool level = fabs(d.z) <= STEEP * near;
+        about->level += level && away2 <= near * near;
+        about->off += !level && away2 <= near * near;
+        if (w->all && w->all[k] && level && away2 <= rim * rim)
+            about->eighths |= 1u << eighth_of(d);
+    }
+}
+
+static struct about look_about(const struct roof_work *w, size_t i)
+{
+    const struct point_grid *g = w->grid;
+    size_t column = point_grid_column(g, g->point[i].x), row = point_grid_row(g, g->point[i].y);
+    struct about about = {0};
+
+    for (size_t r = row > 0 ? row - 1 : 0; r <= row + 1 && r < g->rows; r++)
+        for (size_t c = column > 0 ? column - 1 : 0; c <= column + 1 && c < g->columns; c++)
+            add_cell(w, i, r * g->columns + c, &about);
+    return about;
+}
+
+static void find_roof(void *context, size_t from, size_t to)
+{
+    const struct roof_work *w = context;
+
+    for (size_t i = from; i < to; i++) {
+        struct about about = look_about(w, i);
+        w->roof[i] = about.level >= FEWEST && about.off == 0;
+    }
+}
+
+size_t roof_find(const struct point_grid *point_grid, double reach, int threads,
+                 unsigned char *roof)
+{
+    struct roof_work work = {
+        .grid = point_grid, .reach = reach * point_grid_spacing(point_grid), .roof = roof};
+    size_t found = 0;
+
+    parallel_for(threads, point_grid->n, find_roof, &work);
+    for (size_t i = 0; i < point_grid->n; i++)
+        found += roof[i] == 1;
+    return found;
+}
+
+/* No roof in two eighths of a turn that are beside each other. */
+static bool is_at_rim(unsigned eighths)
+{
+    for (unsigned k = 0; k < EIGHTHS; k++)
+        if (!(eighths & 1u << k) && !(eighths & 1u << (k + 1) % EIGHTHS))
+            return true;
+    return false;
+}
+
+static void find_rim(void *context, size_t from, size_t to)
+{
+    const struct roof_work *w = context;
+
+    for (size_t i = from; i < to; i++)
+        w->rim[i] = w->all[i] && is_at_rim(look_about(w, i).eighths);
+}
+
+/* A point of the rim, by the square that it is in. */
+struct rim_point {
+    double column, row;
+    size_t index;
+};
+
+static int compare_squares(const void *pa, const void *pb)
+{
+    const struct rim_point *a = pa, *b = pb;
+
+    if (a->row != b->row)
+        return a->row < b->row ? -1 : 1;
+    if (a->column != b->column)
+        return a->column < b->column ? -1 : 1;
+    return (a->index > b->index) - (a->index < b->index);
+}
+
+/* One of each square of half the gap, the highest. */
+static void hang(const struct point_grid *grid, struct rim_point *rim, size_t n, double gap,
+                 double bottom, struct vec3s *to)
+{
+    qsort(rim, n, sizeof *rim, compare_squares);
+    for (size_t i = 0, end; i < n; i = end) {
+        struct vec3 top = grid->point[rim[i].index];
+        for (end = i + 1; end < n && rim[end].row == rim[i].row && rim[end].column == rim[i].column;
+             end++)
+            if (grid->point[rim[end].index].z > top.z)
+                top = grid->point[rim[end].index];
+        for (double k = 1; top.z - k * gap > bottom; k++)
+            *array_push(to) = vec(top.x, top.y, top.z - k * gap);
+    }
+}
+
+void roof_curtain(const struct point_grid *point_grid, const unsigned char *roof, double gap,
+                  double bottom, int threads, struct vec3s *to)
+{
+    size_t n = point_grid->n, at_rim = 0;
+    struct roof_work work = {.grid = point_grid,
+                             .reach = RIM * point_grid_spacing(point_grid),
+                             .all = roof,
+                             .rim = mem_alloc(n + 1, sizeof *work.rim)};
+    struct rim_point *rim = mem_alloc(n + 1, sizeof *rim);
+
+    parallel_for(threads, n, find_rim, &work);
+    for (size_t i = 0; i < n; i++)
+        if (work.rim[i])
+            rim[at_rim++] =
+                (struct rim_point){floor((point_grid->point[i].x - point_grid->x) / (gap / 2)),
+                                   floor((point_grid->point[i].y - point_grid->y) / (gap / 2)), i};
+    hang(point_grid, rim, at_rim, gap, bottom, to);
+    free(rim);
+    free(work.rim);
+}

@@ -1,0 +1,141 @@
+/* roof: where a scan is one sheet that faces up, and the points that hang under its rims. */
+#include <check.h>
+#include <stdlib.h>
+
+#include "base/array.h"
+#include "cloud/roof.h"
+#include "math/elementary.h"
+
+#define STEP 0.5 /* mm between points */
+
+/* A level sheet, its lower left corner at (x, y). */
+static void sheet(struct vec3s *p, double x, double y, double width, double depth, double z)
+{
+    for (double v = 0; v <= depth + 1e-9; v += STEP)
+        for (double u = 0; u <= width + 1e-9; u += STEP)
+            *array_push(p) = vec(x + u, y + v, z);
+}
+
+struct found {
+    struct point_grid grid;
+    unsigned char *roof;
+    size_t n;
+};
+
+static struct found find(struct vec3s *p, double reach, int threads)
+{
+    struct found f;
+    struct error error;
+    ck_assert_int_eq(point_grid_make(p->item, p->n, STEP, threads, &f.grid, &error), 0);
+    f.roof = malloc(p->n);
+    f.n = roof_find(&f.grid, reach, threads, f.roof);
+    return f;
+}
+
+static void discard(struct found *f, struct vec3s *p)
+{
+    point_grid_free(&f->grid);
+    free(f->roof);
+    array_free(p);
+}
+
+/* A hole of 4 x 4 mm, seen down to its floor: neither the floor beside its walls nor the plate
+ * beside the hole is roof, all the rest is. */
+START_TEST(a_plate_with_a_hole)
+{
+    for (int k = 0; k < 2; k++) {
+        double reach = k == 0 ? ROOF_GUARD : ROOF_JUDGE;
+        struct vec3s p = {0};
+        sheet(&p, 0, 0, 20, 20, 0);
+        for (size_t i = 0; i < p.n; i++)
+            if (fabs(p.item[i].x - 10) < 2 && fabs(p.item[i].y - 10) < 2)
+                p.item[i].z = -10;
+        struct found f = find(&p, reach, 1);
+        for (size_t i = 0; i < p.n; i++) {
+            double off = fmax(fabs(p.item[i].x - 10), fabs(p.item[i].y - 10)) - 2;
+            if (off > reach * STEP || off < -(reach + 1) * STEP)
+                ck_assert_int_eq(f.roof[i], 1);
+            if (off >= 0 && off < (reach - 1) * STEP)
+                ck_assert_int_eq(f.roof[i], 0);
+        }
+        discard(&f, &p);
+    }
+}
+END_TEST
+
+/* An overhang whose lower side is known is none, nor what is under it; a slope of 80 degrees is
+ * none, one of 60 is. */
+START_TEST(overhangs_and_slopes)
+{
+    struct vec3s p = {0};
+    sheet(&p, 0, 0, 20, 20, 0);
+    sheet(&p, 5, 5, 10, 10, 6);
+    sheet(&p, 5, 5, 10, 10, 9);
+    struct found f = find(&p, ROOF_GUARD, 1);
+    for (size_t i = 0; i < p.n; i++) {
+        bool over = fmax(fabs(p.item[i].x - 10), fabs(p.item[i].y - 10)) <= 5;
+        if (over)
+            ck_assert_int_eq(f.roof[i], 0);
+    }
+    ck_assert_uint_gt(f.n, 500);
+    discard(&f, &p);
+    for (int k = 0; k < 2; k++) {
+        struct vec3s slope = {0};
+        sheet(&slope, 0, 0, 20, 20, 0);
+        for (size_t i = 0; i < slope.n; i++)
+            slope.item[i].z = tan(RADIANS(k == 0 ? 60 : 80)) * slope.item[i].x;
+        size_t n = slope.n;
+        struct found g = find(&slope, ROOF_GUARD, 1);
+        ck_assert_uint_eq(g.n, k == 0 ? n : 0);
+        discard(&g, &slope);
+    }
+}
+END_TEST
+
+/* The curtain of a plate hangs under its four sides, no wider apart than the gap, down to the
+ * bottom, and nowhere else; the same for any number of threads. */
+START_TEST(a_curtain)
+{
+    const double gap = 1.25, bottom = -8;
+    struct vec3s curtain[2] = {{0}, {0}};
+    for (int k = 0; k < 2; k++) {
+        struct vec3s p = {0};
+        sheet(&p, 0, 0, 20, 20, 0);
+        struct found f = find(&p, ROOF_GUARD, k == 0 ? 1 : 3);
+        roof_curtain(&f.grid, f.roof, gap, bottom, k == 0 ? 1 : 3, &curtain[k]);
+        discard(&f, &p);
+    }
+    ck_assert_uint_eq(curtain[0].n, curtain[1].n);
+    for (size_t i = 0; i < curtain[0].n; i++) {
+        struct vec3 p = curtain[0].item[i];
+        double inside = fmin(fmin(p.x, 20 - p.x), fmin(p.y, 20 - p.y));
+        ck_assert(vec_distance(p, curtain[1].item[i]) == 0);
+        ck_assert_double_le(inside, 1e-9);
+        ck_assert(p.z < 0 && p.z > bottom);
+    }
+    for (double along = 0; along <= 20; along += 0.1)
+        for (double z = -gap; z > bottom + gap; z -= 0.1) {
+            double nearest = HUGE_VAL;
+            for (size_t i = 0; i < curtain[0].n; i++)
+                nearest = fmin(nearest, vec_distance(curtain[0].item[i], vec(along, 0, z)));
+            ck_assert_double_le(nearest, 0.8 * gap);
+        }
+    array_free(&curtain[0]);
+    array_free(&curtain[1]);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("roof");
+    TCase *tcase = tcase_create("roof");
+    tcase_add_test(tcase, a_plate_with_a_hole);
+    tcase_add_test(tcase, overhangs_and_slopes);
+    tcase_add_test(tcase, a_curtain);
+    suite_add_tcase(suite, tcase);
+    SRunner *runner = srunner_create(suite);
+    srunner_run_all(runner, CK_ENV);
+    int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed > 0;
+}
