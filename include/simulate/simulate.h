@@ -18,6 +18,7 @@
  *      path_compare.h       a program against the path that it was made from;
  *   4. tool_shape.h         flute, shank and holder as a body of revolution;
  *      holder_collision.h   that body against points or stock, by clearance bounds;
+ *      under_scan.h         that body and the ball in the material under a scan;
  *   5. stock.h              the stock as columns (dexels), cut by capsules, and what is left;
  *      stock_simulate.h     the motion run over it, pass by pass;
  *   6. axis_limits.h        travel, turns, speeds and time of each axis.
@@ -36,5 +37,6 @@
 #include "simulate/path_compare.h"
 #include "simulate/stock.h"
 #include "simulate/stock_simulate.h"
+#include "simulate/under_scan.h"
 
 #endif

@@ -39,6 +39,8 @@ struct verify_surface {
     double noise;          /* one standard deviation, mm, taken out of the points; 0: none */
     struct vec3s outliers; /* taken out */
     unsigned char *under;  /* of each point that is left: 1 under a roof, out of reach from above */
+    double spacing;        /* of the points, mean, mm */
+    struct vec3s roof;     /* points that face up with nothing of the scan below (roof.h) */
     double sheets;         /* distance of scans that do not meet, mm; 0: they meet ... */
     struct vec3 sheets_at; /* ... where it is largest */
 };
@@ -133,6 +135,7 @@ struct verdict {
     struct machine_time time;
     struct verdict_rapid rapid;
     struct holder_collision part_holder; /* the tool above its ball against the part */
+    struct under_scan under;             /* the tool under the scan */
     bool has_stock;                      /* what follows holds */
     struct stock_simulate stock;
     double cell; /* of the stock, mm */

@@ -30,6 +30,7 @@ enum { TURN_STEPS = 4, CURVE_PARTS = 4 };
 #define BESIDE 0.2      /* of the ball's radius: no rapid move stays so near to the part ... */
 #define ALONG 0.7       /* ... that leads up or down the tool by less of its length */
 #define ROLLS 1.5       /* times as fast as the ball rolls over an edge */
+#define UNDER 0.1       /* of the radius: less than that and the points' spacing is beside a scan */
 #define THICKER 0.01    /* of the ball's radius: so much thicker than it, a tool is a holder */
 
 /* ---- what the program does */
@@ -139,6 +140,17 @@ static void follow_tool(struct verdict *v)
     struct holder_collision_options options = along_program(v, &part);
     v->part_holder = holder_collision_all(&options, v->options.threads);
     collision_body_free(&part);
+}
+
+/* Where no point of the scan stands for the material below it. */
+static void look_under(struct verdict *v)
+{
+    const struct verify_options *o = &v->options;
+    const struct vec3s *roof = &v->program.surface->roof;
+    double known = UNDER * o->radius + v->program.surface->spacing;
+    const struct under_scan_options options = {v->program.motion, &o->tool, o->radius,
+                                               fmax(o->tolerance + v->noise, known), o->threads};
+    v->under = under_scan_find(&options, roof->item, roof->n);
 }
 
 static void cut_stock(struct verdict *v)
@@ -326,6 +338,20 @@ static void judge_holder(struct verdict *v, const struct holder_collision *found
                 found->width > v->options.radius * (1 + THICKER) ? "holder" : "shaft", found->depth,
                 what, found->at.x, found->at.y, found->at.z, fast ? ", in a rapid move" : "",
                 found->height, found->pieces);
+}
+
+static void judge_under(struct verdict *v)
+{
+    const struct under_scan *u = &v->under;
+    if (!(u->depth > 0))
+        return;
+    bool fast = v->program.motion->piece.item[u->piece].rapid;
+    add_finding(v, true, u->piece,
+                "the %s goes %.3f mm deep under the scan at %.3f %.3f %.3f%s (blocks: %zu)",
+                u->height == 0                                 ? "ball"
+                : u->width > v->options.radius * (1 + THICKER) ? "holder"
+                                                               : "shaft",
+                u->depth, u->at.x, u->at.y, u->at.z, fast ? ", in a rapid move" : "", u->pieces);
 }
 
 static void judge_stock(struct verdict *v)
@@ -578,6 +604,7 @@ static void find_faults(struct verdict *v)
     judge_ball(v);
     judge_machine(v);
     judge_holder(v, &v->part_holder, "part");
+    judge_under(v);
     judge_stock(v);
     judge_holder(v, &v->stock.holder, "stock");
     judge_axes(v);
@@ -601,6 +628,8 @@ struct verdict verify_run(const struct verify_program *program,
     roll_rapids(&v);
     if (options->tool.n > 0)
         follow_tool(&v);
+    if (program->surface)
+        look_under(&v);
     if (options->stock)
         cut_stock(&v);
     v.axes = axis_limits_check(program->motion, &options->limits);

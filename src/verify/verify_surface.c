@@ -7,6 +7,7 @@
 #include "cloud/believed.h"
 #include "cloud/outliers.h"
 #include "cloud/plan_extent.h"
+#include "cloud/roof.h"
 #include "cloud/settle.h"
 #include "math/point_grid.h"
 #include "verify/verify.h"
@@ -46,6 +47,16 @@ static void part_outliers(struct vec3s *point, const unsigned char *out, struct 
     point->n = kept;
 }
 
+static void find_roof(const struct point_grid *grid, int threads, struct vec3s *roof)
+{
+    unsigned char *mark = mem_alloc(grid->n, 1);
+    roof_find(grid, ROOF_JUDGE, threads, mark);
+    for (size_t i = 0; i < grid->n; i++)
+        if (mark[i])
+            *array_push(roof) = grid->point[i];
+    free(mark);
+}
+
 int verify_surface_find(struct vec3s *point, double noise, int threads,
                         struct verify_surface *surface, struct error *error)
 {
@@ -69,6 +80,8 @@ int verify_surface_find(struct vec3s *point, double noise, int threads,
     surface->sheets_at = believed.sheets.at;
     surface->under = mem_alloc(point->n, 1);
     outliers_under_roof(&grid, threads, surface->under);
+    surface->spacing = point_grid_spacing(&grid);
+    find_roof(&grid, threads, &surface->roof);
     if (surface->noise > 0)
         settle_all(&grid, surface->noise, threads);
     point_grid_free(&grid);
@@ -78,6 +91,7 @@ int verify_surface_find(struct vec3s *point, double noise, int threads,
 void verify_surface_free(struct verify_surface *surface)
 {
     array_free(&surface->outliers);
+    array_free(&surface->roof);
     free(surface->under);
     *surface = (struct verify_surface){0};
 }
