@@ -64,9 +64,10 @@ static bool look_at_pose(const struct search *s, struct nc_motion_pose pose, siz
 
     if (height_pyramid_top(&s->heights, pose.p, end, s->widest) <= fmin(pose.p.z, end.z))
         return false;
-    for (double h = 0; h <= s->reach; h += UP * o->radius) {
+    for (double h = 0; h <= s->reach; h += h > 0 ? UP * o->radius : o->radius) {
         struct vec3 at = vec_along(pose.p, h, pose.a);
-        double width = h > 0 ? tool_shape_radius(o->tool, h) : o->radius;
+        /* of the sphere about `at` that is in the tool */
+        double width = h > 0 ? -tool_shape_distance(o->tool, pose.p, pose.a, at) : o->radius;
         double within = width - o->allowed;
         if (within <= 0 || height_pyramid_top(&s->heights, at, at, within) <= at.z)
             continue;
@@ -74,8 +75,10 @@ static bool look_at_pose(const struct search *s, struct nc_motion_pose pose, siz
         if (depth <= o->allowed)
             continue;
         deep = true;
-        if (depth > found->depth)
+        if (depth > found->depth) {
+            width = h > 0 ? tool_shape_radius(o->tool, h) : o->radius;
             *found = (struct under_scan){depth, piece, at, h, width, found->pieces};
+        }
     }
     return deep;
 }

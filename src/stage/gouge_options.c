@@ -75,6 +75,7 @@ int gouge_options_read(const struct gouge_options *options, struct path *path, b
         array_free(&place);
         array_free(&rule.certain);
         array_free(&rule.doubtful);
+        array_free(&rule.curtain);
         if (!refit->guard)
             return -1;
     }

@@ -153,20 +153,21 @@ static void add_edges(const struct mesh *mesh, double spacing, const struct poin
 }
 
 /* Under the scan is material, that no point stands for: so that no tool comes in from beside. */
-static void add_curtain(const struct point_grid *point_grid, const struct guard_read_options *rule,
+static void add_curtain(const struct point_grid *point_grid, struct guard_read_options *rule,
                         struct vec3s *points)
 {
     const double gap = 0.25; /* of the radius */
     struct box box = box_around(point_grid->point, point_grid->n);
     unsigned char *roof = mem_alloc(point_grid->n + 1, 1);
-    size_t before = points->n;
 
     if (roof_find(point_grid, ROOF_GUARD, rule->threads, roof) > 0)
         roof_curtain(point_grid, roof, gap * rule->radius, box.low.z - rule->radius, rule->threads,
-                     points);
+                     &rule->curtain);
     free(roof);
-    if (points->n > before)
-        note("and by %zu points under the rims of the scan", points->n - before);
+    for (size_t i = 0; i < rule->curtain.n; i++)
+        *array_push(points) = rule->curtain.item[i];
+    if (rule->curtain.n > 0)
+        note("and by %zu points under the rims of the scan", rule->curtain.n);
 }
 
 static void say_bounded(const struct guard_points *surface, const struct guard_read_options *rule,

@@ -36,7 +36,8 @@ struct guard_read_options {
         noise; /* of the scan, mm; negative: as found where it is above a tenth of the tolerance */
     double effort; /* effort.h */
     int threads;
-    struct vec3s certain, doubtful; /* what becomes of it: its points (guard_points.h) */
+    struct vec3s certain, doubtful; /* what becomes of it: its points (guard_points.h), ... */
+    struct vec3s curtain;           /* ... and those that hang under its rims (roof.h) */
 };
 
 /*

@@ -40,6 +40,20 @@ static bool add_points(const struct mesh *mesh, double spacing, struct vec3s *to
     return false;
 }
 
+/* The points of the scan alone, and what keeps a tool out from under them. */
+static struct gouge_check *bare_guard(const struct vec3s *points, int threads)
+{
+    const struct vec3s *curtain = &path_options.curtain;
+    struct vec3s all = {0};
+
+    array_reserve(&all, points->n + curtain->n);
+    for (size_t i = 0; i < points->n; i++)
+        *array_push(&all) = points->item[i];
+    for (size_t i = 0; i < curtain->n; i++)
+        *array_push(&all) = curtain->item[i];
+    return gouge_new(all, threads);
+}
+
 struct path_coverage path_coverage_new(const struct mesh *mesh, const struct toolpath *t)
 {
     const struct path_options *o = &path_options;
@@ -50,7 +64,7 @@ struct path_coverage path_coverage_new(const struct mesh *mesh, const struct too
     if (!t->lift.guard)
         return c;
     if (add_points(mesh, scallop_step(h, o->radius, 0) / 2, &points))
-        c.bare = gouge_from_points(points.item, points.n);
+        c.bare = bare_guard(&points, t->threads);
     c.coverage = coverage_new(points.item, points.n, t->threads);
     c.vertex = kdtree_new_by(mesh->vertex.item, mesh->vertex.n, t->threads);
     array_free(&points);

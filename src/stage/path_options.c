@@ -275,6 +275,7 @@ int path_options_guard(const struct mesh *mesh, double near, int threads,
     path_options.noise = rule.noise;
     path_options.certain = rule.certain;
     path_options.doubtful = rule.doubtful;
+    path_options.curtain = rule.curtain;
     return *guard ? 0 : -1;
 }
 

@@ -435,6 +435,7 @@ void plane_passes_run_out(struct plane_passes *p, const struct mesh *mesh)
     p->extended = mesh->origin.extended > 0;
     array_free(&path_options.certain);
     array_free(&path_options.doubtful);
+    array_free(&path_options.curtain);
 }
 
 /* ---- planes to passes */
