@@ -18,7 +18,7 @@
 #include "math/point_grid.h"
 
 /* Usual reaches of roof_find, in spacings: for who keeps a tool off, and for who judges another's
- * path, with less that counts as roof. */
+ * path, to whom some of that is roof, and nothing else. */
 #define ROOF_GUARD 1.5
 #define ROOF_JUDGE 2.5
 

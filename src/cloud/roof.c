@@ -40,14 +40,15 @@ static unsigned eighth_of(struct vec3 d)
 static void add_cell(const struct roof_work *w, size_t i, size_t cell, struct about *about)
 {
     const struct point_grid *g = w->grid;
-    double near = w->reach, rim = RIM * point_grid_spacing(g), most = fmax(near, rim);
+    double spacing = point_grid_spacing(g), least = ROOF_GUARD * spacing;
+    double near = w->reach, rim = RIM * spacing, most = fmax(near, rim);
 
     for (size_t k = g->first[cell]; k < g->first[cell + 1]; k++) {
         struct vec3 d = vec_sub(g->point[k], g->point[i]);
         double away2 = d.x * d.x + d.y * d.y;
         if (k == i || away2 > most * most)
             continue;
-        bool level = fabs(d.z) <= STEEP * near;
+        bool level = fabs(d.z) <= STEEP * fmax(sqrt(away2), least);
         about->level += level && away2 <= near * near;
         about->off += !level && away2 <= near * near;
         if (w->all && w->all[k] && level && away2 <= rim * rim)

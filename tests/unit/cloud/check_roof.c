@@ -92,6 +92,27 @@ START_TEST(overhangs_and_slopes)
 }
 END_TEST
 
+/* Whoever reaches further finds some of the same: on a hemisphere all but the steep, and a part. */
+START_TEST(judged_by_less)
+{
+    struct vec3s p = {0};
+    sheet(&p, -15, -15, 30, 30, 0);
+    for (size_t i = 0; i < p.n; i++) {
+        double r2 = p.item[i].x * p.item[i].x + p.item[i].y * p.item[i].y;
+        p.item[i].z = r2 < 100 ? sqrt(100 - r2) : 0;
+    }
+    struct found f = find(&p, ROOF_GUARD, 1);
+    unsigned char *judged = malloc(p.n);
+    size_t n = roof_find(&f.grid, ROOF_JUDGE, 2, judged);
+    ck_assert_uint_lt(n, f.n);
+    ck_assert_uint_gt(n, f.n / 2);
+    for (size_t i = 0; i < p.n; i++)
+        ck_assert_int_le(judged[i], f.roof[i]);
+    free(judged);
+    discard(&f, &p);
+}
+END_TEST
+
 /* The curtain of a plate hangs under its four sides, no wider apart than the gap, down to the
  * bottom, and nowhere else; the same for any number of threads. */
 START_TEST(a_curtain)
@@ -131,6 +152,7 @@ int main(void)
     TCase *tcase = tcase_create("roof");
     tcase_add_test(tcase, a_plate_with_a_hole);
     tcase_add_test(tcase, overhangs_and_slopes);
+    tcase_add_test(tcase, judged_by_less);
     tcase_add_test(tcase, a_curtain);
     suite_add_tcase(suite, tcase);
     SRunner *runner = srunner_create(suite);
