@@ -1,5 +1,6 @@
 /*
- * roof - the parts of a scan that face up with nothing of it below, and what hangs below their rims.
+ * roof - the parts of a scan that face up with nothing of it below, and what hangs below their
+ * rims.
  *
  * A scan is a shell: beside its border, or in a hole that is narrower than the tool, there is room
  * under it that no point stands for, and all of that is material.  A point of the roof is one of
@@ -9,7 +10,7 @@
  * one that faces up, and is taken for one.
  *
  * The rim of the roof is where it ends to some side.  A curtain of points that hang down from there
- * keeps a ball out that comes from outside, and whoever asks whether a tool can get to a place under
+ * keeps a ball out that comes from outside, and who asks whether a tool can get to a place under
  * the roof finds no way.  They stand in material, so they take no place from a tool that is above.
  */
 #ifndef CLOUDMILL_ROOF_H

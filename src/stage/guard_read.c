@@ -13,6 +13,7 @@
 #include "gouge/guard_points.h"
 #include "cloud/outliers.h"
 #include "math/box.h"
+#include "math/kdtree.h"
 
 /* Appends a file's points; says what was left out of them. */
 static int read_file(const char *name, struct vec3s *points, struct error *error)
@@ -103,13 +104,16 @@ void guard_scan_free(struct guard_scan *scan)
     scan_sources_free(&scan->source);
 }
 
-/* How many places have no guard point within `near`. */
-static size_t far_places(const struct vec3s *place, const struct gouge_check *guard, double near)
+/* How many places have no point of the scan within `near`. */
+static size_t far_places(const struct vec3s *place, const struct vec3s *scan, double near,
+                         int threads)
 {
+    struct kdtree *tree = kdtree_new_by(scan->item, scan->n, threads);
     size_t far = 0;
 
     for (size_t i = 0; i < place->n; i++)
-        far += gouge_clear_along(guard, place->item[i], place->item[i], near, 0);
+        far += !kdtree_any_beside(tree, place->item[i], place->item[i], near);
+    kdtree_free(tree);
     return far;
 }
 
@@ -240,8 +244,8 @@ static struct gouge_check *read_guard(struct guard_scan *scan, const struct mesh
 {
     struct gouge_check *guard = gouge_of(&scan->point, mesh, rule, error);
 
+    size_t far = guard ? far_places(place_of, &scan->point, near, rule->threads) : 0;
     array_free(&scan->point);
-    size_t far = guard ? far_places(place_of, guard, near) : 0;
     if (!guard || 2 * far <= place_of->n)
         return guard;
     gouge_free(guard);
