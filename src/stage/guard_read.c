@@ -108,11 +108,12 @@ void guard_scan_free(struct guard_scan *scan)
 static size_t far_places(const struct vec3s *place, const struct vec3s *scan, double near,
                          int threads)
 {
+    const double rounding = 1e-12;
     struct kdtree *tree = kdtree_new_by(scan->item, scan->n, threads);
     size_t far = 0;
 
     for (size_t i = 0; i < place->n; i++)
-        far += !kdtree_any_beside(tree, place->item[i], place->item[i], near);
+        far += !kdtree_any_beside(tree, place->item[i], place->item[i], near * (1 + rounding));
     kdtree_free(tree);
     return far;
 }
