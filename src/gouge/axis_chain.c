@@ -204,7 +204,8 @@ static bool is_way_bad(const struct axis_chain *c, const struct holder_sweep *sw
         if (turned > swing && turned > vec_angle(s[-1].point->axis, s->point->axis) + 1e-9)
             return true;
     }
-    return fmin(s[-1].clear, s->clear) >= -sweep->slack && is_between_bad(c, sweep, &s[-1], s);
+    /* one that stays may be deeper than that: only as it was has its way been judged */
+    return fmin(s[-1].clear, s->clear) < -sweep->slack || is_between_bad(c, sweep, &s[-1], s);
 }
 
 /* The axis that the station has now; true if its angles are not those of the last look. */

@@ -33,27 +33,37 @@ struct scene {
     struct axis_chain chain;
 };
 
-/* Points along X, all axes leaning 20 degrees from the wall. */
-static void setup_scene(struct scene *s, int points)
+static void put_point(struct scene *s, int i, double x, double lean)
+{
+    struct run_point p = {.contact = vec(x, 0, 0), .normal = vec(0, 0, 1)};
+
+    p.ball = vec(x, 0, RADIUS);
+    p.axis = s->rule[i] = vec(0, sin(lean), cos(lean));
+    p.tip = vec_along(p.ball, -RADIUS, p.axis);
+    s->point[i] = p;
+}
+
+static void setup_chain(struct scene *s, int points)
 {
     struct machine machine = machine_default();
     struct error error;
 
     ck_assert_int_eq(machine_finish(&machine, &error), 0);
-    s->guard = floor_and_wall();
-    for (int i = 0; i < points; i++) {
-        struct run_point p = {.contact = vec(0.5 * i, 0, 0), .normal = vec(0, 0, 1)};
-        p.ball = vec(0.5 * i, 0, RADIUS);
-        p.axis = s->rule[i] = vec(0, -sin(RADIANS(20)), cos(RADIANS(20)));
-        p.tip = vec_along(p.ball, -RADIUS, p.axis);
-        s->point[i] = p;
-    }
     s->options =
         (struct axis_calm_options){s->guard, &flute, machine.chain, RADIUS, 0.01, RADIANS(15)};
     struct axis_calm_run run = {s->point, s->rule, (size_t)points, false};
     s->chain = axis_chain_of(&s->options, &run, 1);
     for (int i = 0; i < points; i++)
         s->chain.at[i].part = 1;
+}
+
+/* Points along X, all axes leaning 20 degrees from the wall. */
+static void setup_scene(struct scene *s, int points)
+{
+    s->guard = floor_and_wall();
+    for (int i = 0; i < points; i++)
+        put_point(s, i, 0.5 * i, -RADIANS(20));
+    setup_chain(s, points);
 }
 
 static void teardown_scene(struct scene *s)
@@ -79,6 +89,52 @@ START_TEST(a_way_from_what_was_bad_is_looked_at)
     ck_assert_uint_eq(axis_chain_find_bad(&s.chain), 1);
     ck_assert(s.chain.at[2].bad);
     s.chain.at[2].angles.lean += turn;
+    ck_assert_uint_eq(axis_chain_find_bad(&s.chain), 0);
+    teardown_scene(&s);
+}
+END_TEST
+
+/* The lean to the wall, of a tool at x, with which a point of the wall is so deep in the flute. */
+static double lean_into_wall(const struct holder_sweep *sweep, double x, double depth)
+{
+    double clear = 0, deep = RADIANS(5);
+
+    for (int k = 0; k < 50; k++) {
+        double lean = (clear + deep) / 2;
+        struct run_point p = {.ball = vec(x, 0, RADIUS), .axis = vec(0, sin(lean), cos(lean))};
+        if (holder_sweep_clearance(sweep, &p, AXIS_CHAIN_FAR) < -depth)
+            deep = lean;
+        else
+            clear = lean;
+    }
+    return clear;
+}
+
+/* Before the wall a tool that stays is deeper than who moves may be, though within the tolerance; on
+ * its way behind the wall it leans away.  Leaning there as before it is clear, too, but beside the
+ * wall it would be three times as deep as it may be. */
+START_TEST(a_way_from_what_stays_deep_is_looked_at)
+{
+    struct scene s = {.guard = floor_and_wall()};
+    const struct holder_sweep sweep = {s.guard, &flute, 0.005};
+    const double before = 3.5, behind = 13, depth = 0.0077;
+    double lean = lean_into_wall(&sweep, before, depth);
+    struct run_point beside = {.ball = vec(8, 0, RADIUS), .axis = vec(0, sin(lean), cos(lean))};
+
+    ck_assert_double_lt(holder_sweep_clearance(&sweep, &beside, AXIS_CHAIN_FAR), -0.03);
+    put_point(&s, 0, before, lean);
+    put_point(&s, 1, behind, -RADIANS(20));
+    setup_chain(&s, 2);
+    struct axis_station *at = s.chain.at;
+    at[0].part = at[1].part = 0;
+    ck_assert_uint_eq(axis_chain_find_bad(&s.chain), 0);
+    ck_assert_double_lt(at[0].clear, -sweep.slack);
+    at[1].angles = at[0].was;
+    at[1].part = 1;
+    ck_assert_uint_eq(axis_chain_find_bad(&s.chain), 1);
+    ck_assert_double_gt(at[1].clear, 0);
+    ck_assert(at[1].bad);
+    at[1].part = 0;
     ck_assert_uint_eq(axis_chain_find_bad(&s.chain), 0);
     teardown_scene(&s);
 }
@@ -141,6 +197,7 @@ int main(void)
     Suite *suite = suite_create("axis_chain");
     TCase *tcase = tcase_create("axis_chain");
     tcase_add_test(tcase, a_way_from_what_was_bad_is_looked_at);
+    tcase_add_test(tcase, a_way_from_what_stays_deep_is_looked_at);
     tcase_add_loop_test(tcase, moved_by_chance_none_is_forgotten, 0, 3);
     tcase_add_loop_test(tcase, a_clearance_is_on_the_side_of_the_guards, 0, 3);
     suite_add_tcase(suite, tcase);
