@@ -166,7 +166,7 @@ static void add_curtain(const struct point_grid *point_grid, struct guard_read_o
     unsigned char *roof = mem_alloc(point_grid->n + 1, 1);
 
     if (roof_find(point_grid, ROOF_GUARD, rule->threads, roof) > 0)
-        roof_curtain(point_grid, roof, gap * rule->radius, box.low.z - rule->radius, rule->threads,
+        roof_curtain(point_grid, roof, gap * rule->radius, box.low.z, rule->threads,
                      &rule->curtain);
     free(roof);
     for (size_t i = 0; i < rule->curtain.n; i++)
