@@ -26,9 +26,9 @@ EXE     =
 VERSION := $(shell cat VERSION)
 
 WARN  = -Wall -Wextra -Wshadow -Wconversion
-FLAGS = -std=c11 -D_XOPEN_SOURCE=700 -iquote include -ffp-contract=off -fno-math-errno -pthread \
-        $(WARN)
-LIBS  = -lm -pthread
+FLAGS = -std=c11 -D_XOPEN_SOURCE=700 -iquote include -ffp-contract=off -fno-math-errno \
+        -ffunction-sections -pthread $(WARN)
+LIBS  = -Wl,--gc-sections -lm -pthread
 
 tool_src := $(wildcard src/*.c)
 lib_src  := $(wildcard src/*/*.c src/io/*/*.c)
