@@ -26,6 +26,7 @@ struct coverage {
     bool *kept;    /* ... and that what is assumed keeps it off */
     size_t done;   /* centres of the path that have been looked at */
     struct kdtree *tree;
+    struct kdtree *roof; /* of the points that face up; NULL: not made yet */
 };
 
 struct coverage *coverage_new(const struct vec3 *point, size_t n, int threads)
@@ -33,6 +34,7 @@ struct coverage *coverage_new(const struct vec3 *point, size_t n, int threads)
     struct coverage *coverage = mem_alloc(1, sizeof *coverage);
 
     coverage->n = n;
+    coverage->roof = NULL;
     coverage->point = mem_alloc(n + 1, sizeof *coverage->point);
     coverage->known = mem_alloc(n + 1, sizeof *coverage->known);
     coverage->reach = mem_alloc(n + 1, sizeof *coverage->reach);
@@ -49,6 +51,8 @@ void coverage_free(struct coverage *coverage)
     if (!coverage)
         return;
     kdtree_free(coverage->tree);
+    if (coverage->roof)
+        kdtree_free(coverage->roof);
     free(coverage->point);
     free(coverage->known);
     free(coverage->reach);
@@ -210,7 +214,80 @@ static double find_reach(const struct coverage_options *o, struct vec3 p,
     return nearest;
 }
 
-/* What is known of a point that is not cut, once. */
+/* The area that a point stands for: that of the disc with its nearest neighbours, by their number.
+ */
+static double area_of(const struct coverage *coverage, struct vec3 p)
+{
+    size_t index[ABOUT];
+    double distance2[ABOUT];
+    size_t n = kdtree_nearest(coverage->tree, p, ABOUT, index, distance2);
+
+    return n > 1 ? PI * distance2[n - 1] / (double)(n - 1) : 0;
+}
+
+/* Cosines: between a ball's direction and the normal, at least; Z of a normal that faces up, and of
+ * one that may be either side's. */
+static const double AHEAD = 0.75, FACES_UP = 0.5, UPRIGHT = 0.3;
+
+/* Mean distances of points that a ball may be beside them; of the radius, where that may be more
+ * nothing is known; in radii how far over the ball's centre points count. */
+static const double BESIDE = 0.75, SPARSE = 0.6, OVERHEAD = 4;
+
+/* The points that face up. */
+static void find_roof(const struct covering *w)
+{
+    struct vec3s roof = {0};
+
+    if (w->coverage->roof || !w->options->guard)
+        return;
+    for (size_t i = 0; i < w->coverage->n; i++) {
+        struct vec3 p = w->coverage->point[i].p;
+        if (guess_normal(w, p).z > FACES_UP)
+            *array_push(&roof) = p;
+    }
+    w->coverage->roof = kdtree_new_by(roof.item, roof.n, w->options->threads);
+    array_free(&roof);
+}
+
+/* How near to point i along d a ball is clear of the points, in the open, and its tool comes, mm;
+ * HUGE_VAL: not so near that it cuts the point. */
+static double find_open_along(const struct covering *w, size_t i, struct vec3 d)
+{
+    const struct coverage_options *o = w->options;
+    struct vec3 p = w->coverage->point[i].p, c = vec_along(p, o->radius, d);
+    double lift = gouge_least_lift(o->guard, c, d, o->radius, TOUCHED * o->limit, NULL);
+    double smaller = TOUCHED * o->limit + BESIDE * sqrt(area_of(w->coverage, p));
+
+    if (lift < 0)
+        return HUGE_VAL;
+    c = vec_along(c, lift, d);
+    if (smaller <= SPARSE * o->radius &&
+        kdtree_any_beside(w->coverage->roof, vec_along(c, o->radius, vec(0, 0, 1)),
+                          vec_along(c, OVERHEAD * o->radius, vec(0, 0, 1)), o->radius - smaller))
+        return HUGE_VAL;
+    return has_axis(o, c, d) ? lift : HUGE_VAL;
+}
+
+/* Along the normal and BALLS directions evenly over the sphere: the first that serves, in
+ * *direction, and how near it comes. */
+static double find_open(const struct covering *w, size_t i, struct vec3 normal,
+                        struct vec3 *direction)
+{
+    enum { BALLS = 160 };
+    double near = HUGE_VAL;
+
+    for (int k = -1; k < BALLS && near == HUGE_VAL; k++) {
+        struct vec3 d = k < 0 ? normal : spread(k, BALLS);
+        double share = vec_dot(d, normal);
+        if ((normal.z < UPRIGHT ? fabs(share) : share) < AHEAD)
+            continue;
+        near = find_open_along(w, i, d);
+        *direction = near < HUGE_VAL ? d : *direction;
+    }
+    return near;
+}
+
+/* What is known of a point that is not cut, once.  What turning does not find a search about may. */
 static void look_at_point(const struct covering *w, size_t i)
 {
     const struct coverage_options *o = w->options;
@@ -220,6 +297,8 @@ static void look_at_point(const struct covering *w, size_t i)
 
     point->normal = normal;
     w->coverage->reach[i] = find_reach(o, point->p, begin, &point->normal);
+    if (o->guard && w->coverage->reach[i] > TOUCHED * o->limit)
+        w->coverage->reach[i] = find_open(w, i, normal, &point->normal);
     if (!o->assumed || w->coverage->reach[i] > TOUCHED * o->limit)
         return;
     struct coverage_options assumed = *o;
@@ -273,101 +352,23 @@ void coverage_cut(struct coverage *coverage, const struct coverage_options *opti
     struct kdtree *path = kdtree_new_by(sample.item, sample.n, options->threads);
     struct covering work = {coverage, options, path};
     array_free(&sample);
+    find_roof(&work);
     parallel_for(options->threads, coverage->n, cover_points, &work);
     coverage->done = centre->n;
     kdtree_free(path);
-}
-
-/* ---- what is taken for left */
-
-/* The area that a point stands for: that of the disc with its nearest neighbours, by their number.
- */
-static double area_of(const struct coverage *coverage, struct vec3 p)
-{
-    size_t index[ABOUT];
-    double distance2[ABOUT];
-    size_t n = kdtree_nearest(coverage->tree, p, ABOUT, index, distance2);
-
-    return n > 1 ? PI * distance2[n - 1] / (double)(n - 1) : 0;
-}
-
-/* Cosines: between a ball's direction and the normal, at least; Z of a normal that faces up, and of
- * one that may be either side's. */
-static const double AHEAD = 0.75, FACES_UP = 0.5, UPRIGHT = 0.3;
-
-/* Mean distances of points that a ball may be beside them; of the radius, where that may be more
- * nothing is known; in radii how far over the ball's centre points count. */
-static const double BESIDE = 0.75, SPARSE = 0.6, OVERHEAD = 4;
-
-/* The points that face up. */
-static struct kdtree *find_roof(const struct covering *w)
-{
-    struct vec3s roof = {0};
-
-    for (size_t i = 0; i < w->coverage->n; i++) {
-        struct vec3 p = w->coverage->point[i].p;
-        if (guess_normal(w, p).z > FACES_UP)
-            *array_push(&roof) = p;
-    }
-    struct kdtree *tree = kdtree_new_by(roof.item, roof.n, w->options->threads);
-    array_free(&roof);
-    return tree;
-}
-
-/* A ball that touches point i along d is clear of the points, in the open, and its tool comes. */
-static bool is_open_along(const struct covering *w, const struct kdtree *roof, size_t i,
-                          struct vec3 d)
-{
-    const struct coverage_options *o = w->options;
-    struct vec3 p = w->coverage->point[i].p, c = vec_along(p, o->radius, d);
-    double lift = gouge_least_lift(o->guard, c, d, o->radius, TOUCHED * o->limit, NULL);
-    double smaller = TOUCHED * o->limit + BESIDE * sqrt(area_of(w->coverage, p));
-
-    if (lift < 0)
-        return false;
-    c = vec_along(c, lift, d);
-    if (smaller <= SPARSE * o->radius &&
-        kdtree_any_beside(roof, vec_along(c, o->radius, vec(0, 0, 1)),
-                          vec_along(c, OVERHEAD * o->radius, vec(0, 0, 1)), o->radius - smaller))
-        return false;
-    return has_axis(o, c, d);
-}
-
-/* Balls along the normal and BALLS directions evenly over the sphere: who looks for them so finds
- * fewer than there are. */
-static bool is_seen_left(const struct covering *w, const struct kdtree *roof, size_t i)
-{
-    enum { BALLS = 160 };
-    struct vec3 normal = guess_normal(w, w->coverage->point[i].p);
-
-    if (is_open_along(w, roof, i, normal))
-        return true;
-    for (int k = 0; k < BALLS; k++) {
-        struct vec3 d = spread(k, BALLS);
-        double share = vec_dot(d, normal);
-        if ((normal.z < UPRIGHT ? fabs(share) : share) >= AHEAD && is_open_along(w, roof, i, d))
-            return true;
-    }
-    return false;
 }
 
 size_t coverage_seen_left(const struct coverage *coverage, const struct coverage_options *options,
                           size_t enough)
 {
     struct covering work = {(struct coverage *)coverage, options, NULL};
-    struct kdtree *roof = NULL;
+    struct vec3 direction;
     size_t n = 0;
 
-    for (size_t i = 0; i < coverage->n && n < enough; i++) {
-        if (coverage->point[i].state != COVERAGE_KEPT ||
-            coverage->point[i].height <= options->limit)
-            continue;
-        if (!roof)
-            roof = find_roof(&work);
-        n += is_seen_left(&work, roof, i);
-    }
-    if (roof)
-        kdtree_free(roof);
+    for (size_t i = 0; i < coverage->n && n < enough; i++)
+        n += coverage->point[i].state == COVERAGE_KEPT &&
+             coverage->point[i].height > options->limit &&
+             find_open(&work, i, guess_normal(&work, coverage->point[i].p), &direction) < HUGE_VAL;
     return n;
 }
 

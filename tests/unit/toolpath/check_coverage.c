@@ -4,6 +4,7 @@
 #include <check.h>
 #include <stdlib.h>
 
+#include "chains.h"
 #include "toolpath/rest_passes.h"
 
 static const double R = 5;
@@ -224,6 +225,83 @@ static double wave(double x, double y)
            0.9 * y; /* falls off along y, too steep for rows along x */
 }
 
+/* A peak, z = -3 hypot(x, y), among obstacles here and there; points[0] is its top. */
+static struct vec3s summit_among(int obstacles)
+{
+    struct vec3s points = {0};
+
+    *array_push(&points) = vec(0, 0, 0);
+    for (int i = -6; i <= 6; i++)
+        for (int k = -6; k <= 6; k++)
+            if (i || k)
+                *array_push(&points) = vec(0.1 * i, 0.1 * k, -0.3 * hypot(i, k));
+    for (int i = 0; i < obstacles; i++)
+        *array_push(&points) = vec_scale(2 + 10 * chance(), random_unit());
+    return points;
+}
+
+/* A ball that touches the top along d, and that goes out along d, is clear of all points. */
+static bool goes_out(const struct vec3s *points, struct vec3 d)
+{
+    for (size_t i = 1; i < points->n; i++) {
+        struct vec3 q = points->item[i];
+        struct vec3 near = vec_segment_nearest(vec_scale(R, d), vec_scale(R + 30, d), q);
+        if (vec_distance(near, q) < R)
+            return false;
+    }
+    return true;
+}
+
+/* The whole cap of balls 0.3 radians about d touches and goes out; 160 directions over the sphere
+ * are 0.28 apart, so that one of them is among it. */
+static bool cap_goes_out(const struct vec3s *points, struct vec3 d)
+{
+    struct vec3 x = vec_unit(vec_cross(d, fabs(d.x) < 0.7 ? vec(1, 0, 0) : vec(0, 1, 0)));
+    struct vec3 y = vec_cross(d, x);
+
+    for (int ring = 0; ring <= 6; ring++)
+        for (int k = 0; k < 6 * ring + 1; k++) {
+            double a = 0.05 * ring, b = 2 * PI * k / (6 * ring + 1);
+            struct vec3 aside = vec_along(vec_scale(cos(b), x), sin(b), y);
+            if (!goes_out(points, vec_along(vec_scale(cos(a), d), sin(a), aside)))
+                return false;
+        }
+    return true;
+}
+
+/* Where a ball touches from a whole cap of directions, far to the side as it may be, it is found. */
+START_TEST(a_ball_from_the_side_is_found)
+{
+    struct vec3s nowhere = {0};
+    struct sizes end = {0};
+    int reached = 0;
+
+    seed = 2200;
+    *array_push(&nowhere) = vec(0, 0, 1000);
+    for (int scene = 0; scene < 400; scene++) {
+        struct vec3s points = summit_among(3);
+        bool open = false;
+        for (int i = 0; i < 300 && !open; i++) {
+            struct vec3 d = random_unit();
+            open = d.z > 0.85 && cap_goes_out(&points, d);
+        }
+        struct gouge_check *guard = gouge_from_points(points.item, points.n);
+        struct coverage_options options = options_of(guard);
+        struct coverage *c = coverage_new(points.item, points.n, 1);
+        size_t n;
+        coverage_cut(c, &options, &nowhere, &end);
+        if (open)
+            ck_assert_int_eq(coverage_points(c, &n)[0].state, COVERAGE_LEFT);
+        reached += open;
+        coverage_free(c);
+        gouge_free(guard);
+        array_free(&points);
+    }
+    ck_assert_int_gt(reached, 20);
+    array_free(&nowhere);
+}
+END_TEST
+
 START_TEST(rest_passes_cut_what_is_left)
 {
     struct vec3s points = points_on(wave, 10), centre = {0};
@@ -272,6 +350,7 @@ int main(void)
     tcase_add_test(tests, what_is_assumed_keeps_the_ball_off);
     tcase_add_test(tests, the_bottom_of_a_valley_is_out_of_reach);
     tcase_add_test(tests, a_holder_keeps_the_ball_from_the_bottom_of_a_slot);
+    tcase_add_test(tests, a_ball_from_the_side_is_found);
     tcase_add_test(tests, rest_passes_cut_what_is_left);
     suite_add_tcase(suite, tests);
     SRunner *runner = srunner_create(suite);
