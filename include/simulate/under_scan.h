@@ -2,7 +2,7 @@
  * under_scan - does a tool come under a scan, where no point stands for the material that is there?
  *
  * A scan is a shell.  Below a point of its roof (what faces up with nothing of the scan below it)
- * is material, down without end: the upright line below such a point may not be in the tool.  That
+ * is material, down to the bottom: the upright line below such a point may not be in the tool.  That
  * is looked at for the ball and for spheres within the tool above it, in places along the motion
  * and up the tool a part of the radius apart; what is level with the point or above is the business
  * of deviation_map.h and holder_collision.h.  Lengths in mm.
@@ -18,7 +18,9 @@ struct under_scan_options {
     const struct tool_shape *tool; /* above the ball */
     double radius;                 /* of the ball */
     double allowed;                /* not told up to this depth */
-    int threads;                   /* as of parallel_for */
+    double bottom; /* z of the scan's lowest point, say: below it nothing is known; -HUGE_VAL: all
+                      the way down is material */
+    int threads;   /* as of parallel_for */
 };
 
 /* What was found; all zero where there is nothing. */

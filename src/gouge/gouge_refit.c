@@ -12,8 +12,8 @@ static const double FINER = 1.0 / 8;    /* of the chord error, where that decide
 static const double USELESS = 0.95;     /* of the depth before: it did not help */
 static const double ROUGHLY = 0.1;      /* of its depth, a holder may move at a deep place unseen */
 static const double LEAST_MOVED = 1e-6; /* mm */
-static const double ASTRAY = 1.2;/* times the tolerance, deeper than a fit near the line is */
-static const double NEAR = 0.5; /* mm: points this near to a place are lifted all the way */
+static const double ASTRAY = 1.2; /* times the tolerance, deeper than a fit near the line is */
+static const double NEAR = 0.5;   /* mm: points this near to a place are lifted all the way */
 
 struct walk {
     const struct gouge_refit_options *options;

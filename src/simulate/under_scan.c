@@ -36,13 +36,14 @@ static struct nc_motion_pose pose_at(const struct search *s, size_t piece, doubl
     return pose;
 }
 
-/* How far the nearest upright line below a roof point is from a place, where that is nearer than
- * `within`; else HUGE_VAL. */
+/* How far the nearest upright line from a roof point down to the bottom is from a place, where that
+ * is nearer than `within`; else HUGE_VAL. */
 static double line_distance(const struct search *s, struct vec3 place, double within)
 {
-    double near = 0, far = within;
+    double below = fmax(0, s->options->bottom - place.z);
+    double near = 0, far = sqrt(fmax(0, within * within - below * below));
 
-    if (!kdtree_any_above(s->tree, place, within))
+    if (below >= within || !kdtree_any_above(s->tree, place, far))
         return HUGE_VAL;
     for (int i = 0; i < HALVINGS; i++) {
         double middle = (near + far) / 2;
@@ -51,7 +52,7 @@ static double line_distance(const struct search *s, struct vec3 place, double wi
         else
             near = middle;
     }
-    return far;
+    return hypot(far, below);
 }
 
 /* The tool where it stands; true if any of it is deeper than is allowed. */

@@ -8,6 +8,7 @@
 
 #include "math/elementary.h"
 #include "base/array.h"
+#include "math/box.h"
 #include "math/kdtree.h"
 #include "ncread/ncread.h"
 #include "verify/verify.h"
@@ -148,8 +149,13 @@ static void look_under(struct verdict *v)
     const struct verify_options *o = &v->options;
     const struct vec3s *roof = &v->program.surface->roof;
     double known = UNDER * o->radius + v->program.surface->spacing;
-    const struct under_scan_options options = {v->program.motion, &o->tool, o->radius,
-                                               fmax(o->tolerance + v->noise, known), o->threads};
+    const struct vec3s *part = v->program.part;
+    const struct under_scan_options options = {v->program.motion,
+                                               &o->tool,
+                                               o->radius,
+                                               fmax(o->tolerance + v->noise, known),
+                                               box_around(part->item, part->n).low.z,
+                                               o->threads};
     v->under = under_scan_find(&options, roof->item, roof->n);
 }
 

@@ -138,8 +138,7 @@ END_TEST
 /* Down past the part and sharply back up to it: the way in of an axis that leans far. */
 START_TEST(a_sharp_way_in_is_none)
 {
-    const double in[PIECES + 1] = {15, -40, 3, 0, 0, 0, 0},
-                             by[PIECES + 1] = {5, 60, 5, 0, 0, 0, 0};
+    const double in[PIECES + 1] = {15, -40, 3, 0, 0, 0, 0}, by[PIECES + 1] = {5, 60, 5, 0, 0, 0, 0};
     const double out[PIECES + 1] = {0, 0, 0, 0, 3, -40, 15},
                               off[PIECES + 1] = {0, 0, 0, 0, 5, 60, 5};
     ck_assert_uint_eq(over(in, by, SHAPE_LINE).count, 0);

@@ -32,15 +32,37 @@ static void go(struct nc_motion *motion, struct vec3 from, struct vec3 to, struc
     *array_push(&motion->piece) = piece;
 }
 
-static struct under_scan find(struct nc_motion *motion, const struct tool_shape *tool, int threads)
+static struct under_scan find_above(struct nc_motion *motion, const struct tool_shape *tool,
+                                    double bottom, int threads)
 {
     struct vec3s roof = sheet();
-    const struct under_scan_options options = {motion, tool, R, ALLOWED, threads};
+    const struct under_scan_options options = {motion, tool, R, ALLOWED, bottom, threads};
     motion->track = NC_MOTION_CENTRE;
     struct under_scan found = under_scan_find(&options, roof.item, roof.n);
     array_free(&roof);
     return found;
 }
+
+static struct under_scan find(struct nc_motion *motion, const struct tool_shape *tool, int threads)
+{
+    return find_above(motion, tool, -HUGE_VAL, threads);
+}
+
+/* Below a bottom at z = -5 nothing is known: there the rim's line is as near as its lower end. */
+START_TEST(the_ball_below_the_bottom)
+{
+    const struct tool_shape none = {.n = 0};
+    for (double x = -2; x < -0.2; x += 0.4)
+        for (double z = -9; z < 0; z += 0.7) {
+            struct nc_motion motion = {.name = NULL};
+            go(&motion, vec(-20, 0, z), vec(x, 0, z), vec(0, 0, 1));
+            double depth = R - hypot(x, fmax(0, -5 - z));
+            struct under_scan found = find_above(&motion, &none, -5, 1);
+            ck_assert_double_eq_tol(found.depth, depth > ALLOWED ? depth : 0, 1e-5);
+            nc_motion_free(&motion);
+        }
+}
+END_TEST
 
 /* The ball alone comes from beside: deep by its radius less the way that is left to the sheet's
  * rim.  Level with the sheet or over it nothing is under it. */
@@ -124,6 +146,7 @@ int main(void)
 {
     Suite *suite = suite_create("under_scan");
     TCase *tests = tcase_create("under_scan");
+    tcase_add_test(tests, the_ball_below_the_bottom);
     tcase_add_test(tests, the_ball_from_beside);
     tcase_add_test(tests, the_shaft);
     tcase_add_test(tests, against_all_points);
