@@ -48,6 +48,9 @@ void patch_free(struct patch *patch)
     for (size_t i = 0; i < patch->loop.n; i++)
         patch_loop_free(&patch->loop.item[i]);
     array_free(&patch->loop);
+    for (size_t i = 0; i < patch->told.n; i++)
+        patch_loop_free(&patch->told.item[i]);
+    array_free(&patch->told);
     nurbs_free(&patch->surface);
     free(patch->file);
     *patch = (struct patch){0};

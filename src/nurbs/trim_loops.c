@@ -6,6 +6,7 @@
 #include "base/array.h"
 #include "pullback.h"
 #include "trim_crossings.h"
+#include "trim_told.h"
 
 /* Does the ray from the place to the right cross the side? */
 static bool is_passed(struct uv a, struct uv b, struct uv p)
@@ -688,14 +689,20 @@ static bool is_seamed(const struct pullback *on, const struct uvs *loop)
     return false;
 }
 
-/* Are the directed loops all holes?  Then the largest polygon runs clockwise; the surface itself
- * has no border that could bound the rest, and no loop (`raw`) runs along its seam. */
-static bool are_holes(const struct patch *patch, const struct pullback *on,
-                      const struct uv_polygon *raw, const struct uv_polygon *loops)
+/* Has the surface no border: does it close on itself, or end in poles, both ways? */
+static bool is_borderless(const struct pullback *on)
 {
     const bool *pole = on->is_pole;
     bool u = on->closed_u || (pole[PULLBACK_U_LOW] && pole[PULLBACK_U_HIGH]);
     bool v = on->closed_v || (pole[PULLBACK_V_LOW] && pole[PULLBACK_V_HIGH]);
+    return u && v;
+}
+
+/* Are the directed loops all holes?  Then the largest polygon runs clockwise, and no loop (`raw`)
+ * runs along the seam of the surface, which has no border that could bound the rest. */
+static bool are_holes(const struct patch *patch, const struct pullback *on,
+                      const struct uv_polygon *raw, const struct uv_polygon *loops)
+{
     double most = 0;
     for (size_t i = 0; i < patch->loop.n; i++)
         if (!patch->loop.item[i].directed || is_seamed(on, &raw->item[i]))
@@ -704,7 +711,7 @@ static bool are_holes(const struct patch *patch, const struct pullback *on,
         double area = uv_loop_area(&loops->item[i]);
         most = fabs(area) > fabs(most) ? area : most;
     }
-    return u && v && most < 0;
+    return most < 0;
 }
 
 void trim_loops(const struct patch *patch, double tolerance, struct uv_polygon *loops)
@@ -725,7 +732,10 @@ void trim_loops(const struct patch *patch, double tolerance, struct uv_polygon *
             k++;
     }
     loops->off = f.off;
-    loops->open = are_holes(patch, &f.on, &raw, loops);
+    loops->open = is_borderless(&f.on) && are_holes(patch, &f.on, &raw, loops);
+    /* On what closes a slit to a border may be lost as a spur, and with it what is outside. */
+    if (!loops->open && (f.on.closed_u || f.on.closed_v))
+        loops->open = trim_told_outside(patch, loops);
     uv_polygon_free(&raw);
     pullback_free(&f.on);
 }

@@ -98,6 +98,71 @@ model "140: in the parameters of what it is an offset of" "$(calc '8 * p / 4 * 7
 } | on spline "$sides"
 model "128: trimmed in its parameters" 20 - -e 0.001 "$TMP/spline.igs"
 
+# ---- IGES: holes in whole surfaces, drawn both in space and in the parameters
+
+# The loop around the whole range runs along seams there and back, which bounds nothing in space.
+holed() { # NAME: a face of {s} with the loops {whole} and {hole}, in the order that OpenCASCADE has
+	{
+		cat
+		echo "in 142 0 0,{s},{hp},{hs},3"
+		echo "out 142 0 0,{s},{wp},{ws},3"
+		echo "face 144 0 {s},1,1,{in},{out}"
+	} | iges "$1"
+}
+
+# A torus without a quarter of a quarter of it.
+{
+	rectangle 1.5707963268 1.5707963268 3.1415926536 3.1415926536
+	cat <<'END'
+axis 110 0 0,0,-5,0,0,9
+up 124 0 1,0,0,20,0,0,-1,0,0,1,0,0
+down 124 0 1,0,0,20,0,0,1,0,0,-1,0,0
+flip 124 0 1,0,0,0,0,-1,0,0,0,0,-1,0
+back 124 0 -1,0,0,-20,0,0,1,0,0,1,0,0
+side 124 0 0,0,1,0,1,0,0,20,0,1,0,0
+g 100 0@up 0,0,0,6,0,6,0
+s 120 0 {axis},{g},0.,6.283185307179586
+k 106 12 2,5,0,0,0,6.2831853,0,0,6.2831853,6.2831853,0,0,6.2831853,0,0,0,0
+wp 102 0 1,{k}
+w1 100 0@up 0,0,0,6,0,6,0
+w2 100 0 0,0,0,26,0,26,0
+w3 100 0@down 0,0,0,6,0,6,0
+w4 100 0@flip 0,0,0,26,0,26,0
+ws 102 0 4,{w1},{w2},{w3},{w4}
+hp 102 0 4,{a},{b},{c},{d}
+h1 100 0 6,0,0,0,20,-20,0
+h2 100 0@back 0,0,0,0,6,-6,0
+h3 100 0 0,0,0,0,14,-14,0
+h4 100 0@side 0,0,0,0,6,-6,0
+hs 102 0 4,{h1},{h2},{h3},{h4}
+END
+} | holed torus
+model "120: a hole in a torus" "$(calc '4 * p ^ 2 * 120 - p / 2 * 6 * (20 * p / 2 - 6)')" - -e 0.001 "$TMP/torus.igs"
+
+# A sphere whose generatrix begins at an angle of three halves of pi, and the curves at minus a half.
+{
+	awk 'BEGIN { p = atan2(0, -1); printf "hp 106 12 2,101"
+		for (i = 0; i <= 100; i++) { y = 4 * cos(p * i / 50); z = 4 * sin(p * i / 50)
+			t = atan2(y, -sqrt(84)); printf ",%.9f,%.9f,0", atan2(z, sqrt(100 - z * z)), t < 0 ? t + 2 * p : t }
+		print "" }'
+	cat <<'END'
+axis 110 0 0,0,-5,0,0,9
+up 124 0 1,0,0,0,0,0,-1,0,0,1,0,0
+down 124 0 1,0,0,0,0,0,1,0,0,-1,0,0
+across 124 0 0,0,1,-9.165151389911680,1,0,0,0,0,1,0,0
+g 100 0@up 0,0,0,0,-10,0,10
+s 120 0 {axis},{g},0.,6.283185307179586
+k1 110 0 -1.5707963268,0,0,1.5707963268,0,0
+k2 110 0 1.5707963268,6.2831853,0,-1.5707963268,6.2831853,0
+wp 102 0 2,{k1},{k2}
+w1 100 0@up 0,0,0,0,-10,0,10
+w2 100 0@down 0,0,0,0,-10,0,10
+ws 102 0 2,{w1},{w2}
+hs 100 0@across 0,0,0,4,0,4,0
+END
+} | holed ball
+model "120: a hole in a sphere" "$(calc '2 * p * 10 * (10 + sqrt(84))')" - -e 0.0005 "$TMP/ball.igs"
+
 # ---- IGES: offset curves
 
 moved() { # NAME OFFSET-PARAMETERS: the offset of the quarter circle {c}, moved along z

@@ -231,11 +231,71 @@ static int read_map(const struct iges *iges, const struct iges_entity *e, struct
     return iges_curve_ranges(iges, base, &m->base, &m->range, &unknown, error);
 }
 
+/* ---- what tells the side */
+
+/* The whole turns that bring what lies between low and high nearest to the middle of a range. */
+static double turns_to(double from, double to, double low, double high)
+{
+    const double turn = 2 * M_PI;
+    return turn * floor((from + to - low - high) / 2 / turn + 0.5);
+}
+
+/* By how much the loops that tell the side are moved: files count an arc's angle from another turn
+ * than the arc. */
+static struct uv told_shift(const struct map *m, const struct patch *patch)
+{
+    struct uv low = {HUGE_VAL, HUGE_VAL}, high = {-HUGE_VAL, -HUGE_VAL}, shift = {0, 0};
+    const struct nurbs *s = m->surface;
+    if (m->type != 120)
+        return shift;
+    for (size_t i = 0; i < patch->told.n; i++)
+        for (size_t k = 0; k < patch->told.item[i].n; k++) {
+            const struct nurbs_curve *c = &patch->told.item[i].item[k];
+            for (int j = 0; j <= LOOKS; j++) {
+                double t = c->t.from + (c->t.to - c->t.from) * j / LOOKS;
+                struct vec3 at = nurbs_curve_point(c, t);
+                low = (struct uv){fmin(low.u, at.x), fmin(low.v, at.y)};
+                high = (struct uv){fmax(high.u, at.x), fmax(high.v, at.y)};
+            }
+        }
+    const struct iges_range *first = m->range.item, *last = first + m->range.n - 1;
+    if (first->angle && last->angle)
+        shift.u = turns_to(first->from, last->to, low.u, high.u);
+    shift.v = turns_to(s->u.from, s->u.to, low.v, high.v);
+    return shift;
+}
+
+/* A curve of those as a line through places of it in the parameters of the surface. */
+static void tell_curve(const struct map *m, bool own, struct uv shift, struct nurbs_curve *c)
+{
+    size_t spans = c->t.poles - (size_t)c->t.degree, n = spans * LOOKS + 1;
+    struct nurbs_curve to = patch_curve(1, n);
+    for (size_t i = 0; i < n; i++) {
+        double part = (double)i / (double)(n - 1);
+        struct vec3 p = nurbs_curve_point(c, c->t.from + (c->t.to - c->t.from) * part);
+        struct uv at = {p.x, p.y};
+        if (!own)
+            at = mapped(m, p.x + shift.u, p.y + shift.v);
+        to.t.knot[i + 1] = part;
+        to.pole[i] = (struct nurbs_pole){at.u, at.v, 0, 1};
+    }
+    nurbs_curve_free(c);
+    *c = to;
+}
+
+static void tell_curves(const struct map *m, bool own, struct patch *patch)
+{
+    struct uv shift = own ? (struct uv){0, 0} : told_shift(m, patch);
+    for (size_t i = 0; i < patch->told.n; i++)
+        for (size_t k = 0; k < patch->told.item[i].n; k++)
+            tell_curve(m, own, shift, &patch->told.item[i].item[k]);
+}
+
 int iges_parameters(const struct iges *iges, const struct iges_entity *surface, struct patch *patch,
                     struct error *error)
 {
     struct map m = {.surface = &patch->surface};
-    bool any = false;
+    bool any = patch->told.n > 0;
     for (size_t i = 0; i < patch->loop.n; i++)
         any = any || !patch->loop.item[i].space;
     if (!any)
@@ -248,6 +308,8 @@ int iges_parameters(const struct iges *iges, const struct iges_entity *surface, 
         for (size_t k = 0; k < l->n && !l->space; k++)
             map_curve(&m, &l->item[k], &l->rough);
     }
+    if (got >= 0)
+        tell_curves(&m, got > 0, patch);
     patch_loop_free(&m.base);
     array_free(&m.range);
     iges_ruled_free(m.side);

@@ -48,6 +48,21 @@ static int curve_142(const struct iges_trimming *s, const struct iges_values *v,
     return got;
 }
 
+/* A 142 whose curve in space was taken: what its curve in the parameters, where there is one, tells
+ * beside it. */
+static int told_142(const struct iges_trimming *s, const struct iges_values *v, struct patch *patch,
+                    struct error *error)
+{
+    struct patch_loop told = {0};
+    const struct iges_entity *unknown;
+    int got = curve_at(s, v, 3, &told, &unknown, error);
+    if (got == 0 && told.n > 0)
+        *array_push(&patch->told) = told;
+    else
+        patch_loop_free(&told);
+    return got < 0 ? -1 : 0;
+}
+
 /* A 141: for each curve in space the ones in the parameters; all in space where one of them has
  * none. */
 static int curves_141(const struct iges_trimming *s, const struct iges_values *v,
@@ -147,6 +162,8 @@ int iges_trim(const struct iges_trimming *s, struct patch *patch, const struct i
               : e->type == 141 ? curves_141(s, &v, &loop, &unknown, error)
               : e->type == 508 ? edges_508(s, &v, &loop, &unknown, error)
                                : 1;
+    if (got == 0 && loop.space && e->type == 142 && told_142(s, &v, patch, error) < 0)
+        got = -1;
     array_free(&v);
     if (got == 0 && loop.space)
         place_loop(s, &loop);
