@@ -14,12 +14,12 @@
  *      lies below the flank of the other, points are put on the curve in which these intersect, and
  *      at a tip where they meet a third flank; no further than REACH spacings from a point of the
  *      scan.
- *   3. Where the ball would sink in between points of a flank that is certain, or has an edge, or is
- *      a rib's, points are put on it, up to its edges and into sharp hollows, where points or edges
+ *   3. Where the ball would sink in between points of a flank that is certain, has an edge, or is a
+ *      rib's, points are put on it, up to its edges and into sharp hollows, where points or edges
  *      of the flank are on all sides; for no surface of all nearest points goes through there.
  *   4. Where points lie below a flank, so steeply that a wall must be between, or as far below it
  *      as it is above their own surface, nobody knows where the wall is: the flank goes on up to
- *      these points, at a corner a little beyond between them, and down to them goes a wall, so that
+ *      these points, at a corner a little beyond, and down to them goes a wall, so that
  *      a ball is kept off whatever may be there.  Only flanks are continued that are certain:
  *      their points are off them by no more than noise, or than a ball may sink.
  *   5. The tip of a cone is put where its straight lines, continued, meet (cone_tip.h), and places

@@ -74,9 +74,9 @@ struct retract link_retract(const struct link_options *options, const struct run
 
 /*
  * True if the axis leans further off z on the great circle from `from` to `to`, by a hundredth of a
- * radian or more, than at both its ends: one of them leans beyond the horizontal, and the tool would
- * dip into what is below.  Then *way is where it turns by way of instead: half-way round, and half
- * as far off z as the more upright one.  All unit.
+ * radian or more, than at both its ends: one of them leans beyond the horizontal, and the tool
+ * would dip into what is below.  Then *way is where it turns by way of instead: half-way round,
+ * and half as far off z as the more upright one.  All unit.
  */
 bool link_axis_dips(struct vec3 from, struct vec3 to, struct vec3 *way);
 

@@ -31,8 +31,10 @@ enum part_class {
 struct part_coverage_options {
     double radius, limit;
     const struct tool_shape *tool;
-    const struct vec3s *axis; /* unit vectors up the tool that the machine has */
-    int threads;              /* as of parallel_for */
+    const struct vec3s *axis;    /* unit vectors up the tool that the machine has */
+    const struct vec3s *curtain; /* points in the way of ball and tool, and not of the part; NULL:
+                                    none */
+    int threads;                 /* as of parallel_for */
 };
 
 /* What is of one class. */

@@ -2,10 +2,10 @@
  * under_scan - does a tool come under a scan, where no point stands for the material that is there?
  *
  * A scan is a shell.  Below a point of its roof (what faces up with nothing of the scan below it)
- * is material, down to the bottom: the upright line below such a point may not be in the tool.  That
- * is looked at for the ball and for spheres within the tool above it, in places along the motion
- * and up the tool a part of the radius apart; what is level with the point or above is the business
- * of deviation_map.h and holder_collision.h.  Lengths in mm.
+ * is material, down to the bottom: the upright line below such a point may not be in the tool.
+ * That is looked at for the ball and for spheres within the tool above it, in places along the
+ * motion and up the tool a part of the radius apart; what is level with the point or above is the
+ * business of deviation_map.h and holder_collision.h.  Lengths in mm.
  */
 #ifndef CLOUDMILL_UNDER_SCAN_H
 #define CLOUDMILL_UNDER_SCAN_H

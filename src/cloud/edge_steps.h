@@ -76,8 +76,8 @@ double edge_flank_above(const struct edge_flank *flank, struct vec3 p, struct ve
 /* A surface of its own is known of the point: a flank, or one of all its neighbours. */
 bool edge_flank_known(const struct edge_flank *flank);
 
-/* Its points are no further off it than a ball may sink, or noise is: continued as far as it goes it
- * is where they tell. */
+/* Its points are no further off it than a ball may sink, or noise is: continued as far as it goes
+ * it is where they tell. */
 bool edge_flank_certain(const struct edge_work *work, const struct edge_flank *flank);
 
 /* Points of a surface may be off it by this; on average by this. */

@@ -84,8 +84,8 @@ static double allowed(const struct upsample *fill, double distance2)
     return fmax(fill->sink, fmin(touched, VAGUE * fill->sink)) + SIGMAS * fill->noise;
 }
 
-/* Directions in a plane: those furthest to the left and to the right while all are in one half plane,
- * and then none. */
+/* Directions in a plane: those furthest to the left and to the right while all are in one half
+ * plane, and then none. */
 struct fan {
     size_t n;
     bool around; /* no half plane is without any of them */
@@ -130,7 +130,8 @@ static bool is_nearer(const struct neighbourhood *near, size_t i, struct vec3 fr
     return 2 * vec_dot(out, to) > vec_dot(to, to);
 }
 
-/* None of them is.  *last: the one that was nearer to the place before, often nearer to this one. */
+/* None of them is.  *last: the one that was nearer to the place before, often nearer to this
+ * one. */
 static bool is_nearest(const struct neighbourhood *near, struct vec3 from, struct vec3 out,
                        size_t *last)
 {

@@ -73,7 +73,8 @@ struct run_point axis_chain_point(const struct axis_chain *c, const struct axis_
 /* How far the tool is from the guard at the station with this axis, mm, no more than
  * AXIS_CHAIN_FAR.  The guard is asked only where what it said before, of other axes, does not tell:
  * no point of the tool is further from where it was than the reach times what the axis has moved.
- * If not `exact`, what is returned is a bound on the same side of the slack, a lower one if clear. */
+ * If not `exact`, what is returned is a bound on the same side of the slack, a lower one if
+ * clear. */
 double axis_chain_clearance(const struct axis_chain *c, const struct holder_sweep *sweep,
                             struct axis_station *s, struct vec3 axis, bool exact);
 

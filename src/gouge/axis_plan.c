@@ -625,7 +625,8 @@ static bool is_without(const struct work *w, size_t n, size_t at)
 
 /* Appends a point, and before it, if it is joined to the last, as many on the straight line of the
  * ball's centre that a tip that goes straight does not swing the ball off it by more than may be.
- * An axis that would leave its travel on the way is not turned: check_points parts the run there. */
+ * An axis that would leave its travel on the way is not turned: check_points parts the run
+ * there. */
 static void put_point(const struct work *w, size_t after, struct run_point end, double at,
                       bool joined, struct run *to, struct doubles *along)
 {

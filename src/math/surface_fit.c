@@ -427,8 +427,8 @@ static void fit_along(const struct surface_fit_options *rule, struct vec3 vertex
 /* What points may be spread about a surface that explains them, in sigma. */
 static const double ROUGH = 1.2;
 
-/* The cubic through about k points around the foot of a place, fit->n 0: they carry none.  False: it
- * does not explain them, or they are not all around. */
+/* The cubic through about k points around the foot of a place, fit->n 0: they carry none.  False:
+ * it does not explain them, or they are not all around. */
 static bool fit_moments(const struct surface_fit_options *rule, struct vec3 place,
                         struct vec3 guess, size_t k, struct surface_fit *fit)
 {
@@ -470,8 +470,8 @@ static bool fit_first(const struct surface_fit_options *rule, struct vec3 place,
     return true;
 }
 
-/* The points are so far off the first round's surface, and those of each cell off a plane, that none
- * is there to be found: that is as good as any. */
+/* The points are so far off the first round's surface, and those of each cell off a plane, that
+ * none is there to be found: that is as good as any. */
 static bool has_no_surface(const struct surface_fit_options *rule, struct vec3 place,
                            const struct surface_fit *fit)
 {

@@ -671,8 +671,9 @@ static void tidy_polygon(const struct nurbs *s, double tolerance, struct uvs *lo
     drop_spurs(s, tolerance, loop);
 }
 
-/* Does a loop run along a seam, forth and, a turn further on, back?  What it bounds is on both sides
- * of the seam, and so between: OpenCASCADE writes some such loops of tori the wrong way round. */
+/* Does a loop run along a seam, forth and, a turn further on, back?  What it bounds is on both
+ * sides of the seam, and so between: OpenCASCADE writes some such loops of tori the wrong way
+ * round. */
 static bool is_seamed(const struct pullback *on, const struct uvs *loop)
 {
     if (loop_rounds(on, loop, true) != 0 || loop_rounds(on, loop, false) != 0)

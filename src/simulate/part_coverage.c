@@ -90,7 +90,9 @@ struct reach {
     size_t n;
     const struct part_coverage_options *options;
     struct kdtree *tree;
-    struct vec3s sparse; /* few of the points, one of each small cell ... */
+    struct vec3s solid; /* what is in the way: the points, and the curtain */
+    struct kdtree *solid_tree;
+    struct vec3s sparse; /* few of them, one of each small cell ... */
     struct kdtree *sparse_tree;
     struct collision_body body;
     double far;         /* further away than that is outside */
@@ -103,9 +105,8 @@ struct reach {
 };
 
 /* Which cell of a grid of this width a point is in, as a number to sort by. */
-static uint64_t cell_of(const struct reach *r, struct vec3 low, double width, size_t i)
+static uint64_t cell_of(struct vec3 p, struct vec3 low, double width)
 {
-    const struct vec3 p = r->point[i];
     uint64_t x = (uint64_t)((p.x - low.x) / width), y = (uint64_t)((p.y - low.y) / width),
              z = (uint64_t)((p.z - low.z) / width);
     return (x << 42) | (y << 21) | z;
@@ -124,29 +125,40 @@ static int by_key(const void *a, const void *b)
     return p->index < q->index ? -1 : p->index > q->index;
 }
 
-/* All points by their cells. */
-static struct keyed *sort_points(const struct reach *r, double width)
+/* n points by their cells. */
+static struct keyed *sort_points(const struct vec3 *point, size_t n, double width)
 {
-    struct keyed *keyed = mem_alloc(r->n, sizeof *keyed);
-    struct box box = box_around(r->point, r->n);
-    for (size_t i = 0; i < r->n; i++)
-        keyed[i] = (struct keyed){cell_of(r, box.low, width, i), i};
-    qsort(keyed, r->n, sizeof *keyed, by_key);
+    struct keyed *keyed = mem_alloc(n, sizeof *keyed);
+    struct box box = box_around(point, n);
+    for (size_t i = 0; i < n; i++)
+        keyed[i] = (struct keyed){cell_of(point[i], box.low, width), i};
+    qsort(keyed, n, sizeof *keyed, by_key);
     return keyed;
+}
+
+static void add_solid(struct reach *r)
+{
+    const struct vec3s *curtain = r->options->curtain;
+    for (size_t i = 0; i < r->n; i++)
+        *array_push(&r->solid) = r->point[i];
+    for (size_t i = 0; curtain && i < curtain->n; i++)
+        *array_push(&r->solid) = curtain->item[i];
+    r->solid_tree = kdtree_new_by(r->solid.item, r->solid.n, r->options->threads);
 }
 
 static void thin_points(struct reach *r)
 {
-    struct keyed *keyed = sort_points(r, SPARSE * r->options->radius);
-    for (size_t i = 0; i < r->n; i++)
+    const struct vec3s *solid = &r->solid;
+    struct keyed *keyed = sort_points(solid->item, solid->n, SPARSE * r->options->radius);
+    for (size_t i = 0; i < solid->n; i++)
         if (i == 0 || keyed[i].key != keyed[i - 1].key)
-            *array_push(&r->sparse) = r->point[keyed[i].index];
+            *array_push(&r->sparse) = solid->item[keyed[i].index];
     free(keyed);
 }
 
 static void sort_into_cells(struct reach *r)
 {
-    struct keyed *keyed = sort_points(r, CELL * r->options->radius);
+    struct keyed *keyed = sort_points(r->point, r->n, CELL * r->options->radius);
     uint64_t last = 0;
     for (size_t i = 0; i < r->n; i++) {
         if (r->deviation[keyed[i].index] <= r->options->limit)
@@ -182,7 +194,7 @@ static bool ball_clears(const struct reach *r, struct vec3 p, struct vec3 d, str
 {
     double budget = SURE * r->options->limit;
     struct vec3 at = vec_along(p, r->options->radius, d);
-    double out = kdtree_leave(r->tree, at, d, r->options->radius, budget, NULL);
+    double out = kdtree_leave(r->solid_tree, at, d, r->options->radius, budget, NULL);
     *centre = vec_along(at, out, d);
     return out <= budget;
 }
@@ -215,7 +227,7 @@ static bool tool_clears(struct look *l, struct vec3 centre, struct vec3 d, struc
         if (search.distance < least)
             return false;
     }
-    return !kdtree_any_beside(r->tree, vec_along(centre, 2 * clear, axis),
+    return !kdtree_any_beside(r->solid_tree, vec_along(centre, 2 * clear, axis),
                               vec_along(centre, r->far, axis), LINE * clear);
 }
 
@@ -426,19 +438,22 @@ void part_coverage_run(const struct vec3 *point, const double *deviation,
     r.up = mem_alloc(n, sizeof *r.up);
     r.tree = kdtree_new(point, n);
     r.far = vec_distance(box.low, box.high) + 4 * options->radius;
+    add_solid(&r);
     thin_points(&r);
     r.sparse_tree = kdtree_new(r.sparse.item, r.sparse.n);
-    r.body = collision_body_points(point, n);
+    r.body = collision_body_points(r.solid.item, r.solid.n);
     sort_into_cells(&r);
     parallel_for(options->threads, n, measure_areas, &r);
     find_roofs(&r);
     parallel_for(options->threads, (r.first.n + GROUP - 1) / GROUP, look_at_cells, &r);
     sum_up(&r, coverage);
     kdtree_free(r.tree);
+    kdtree_free(r.solid_tree);
     kdtree_free(r.sparse_tree);
     kdtree_free(r.roof_tree);
     free(r.up);
     collision_body_free(&r.body);
+    array_free(&r.solid);
     array_free(&r.sparse);
     array_free(&r.order);
     array_free(&r.first);

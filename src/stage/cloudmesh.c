@@ -309,9 +309,9 @@ static int mesh_of_nodes(const struct cloudmesh_options *options, const struct c
     return 0;
 }
 
-/* Are there walls between nodes of the grid, and do they, put into a mesh of nodes alone, bring that
- * about as close to the points as nodes do that are chosen from all of them?  Else they are steep
- * flanks, and no mesh with walls need be made. */
+/* Are there walls between nodes of the grid, and do they, put into a mesh of nodes alone, bring
+ * that about as close to the points as nodes do that are chosen from all of them?  Else they are
+ * steep flanks, and no mesh with walls need be made. */
 static bool walls_serve(const struct cloudmesh_options *options, const struct cloud_parts *parts,
                         const struct vec3s *points, double noise, int threads)
 {

@@ -287,7 +287,8 @@ static double find_open(const struct covering *w, size_t i, struct vec3 normal,
     return near;
 }
 
-/* What is known of a point that is not cut, once.  What turning does not find a search about may. */
+/* What is known of a point that is not cut, once.  What turning does not find a search about
+ * may. */
 static void look_at_point(const struct covering *w, size_t i)
 {
     const struct coverage_options *o = w->options;

@@ -59,7 +59,12 @@ static void cover_points(const struct verdict *v, const double *left,
     const struct vec3s *part = v->program.part;
     const struct verify_surface *surface = v->program.surface;
     struct vec3s axis = part_coverage_axes(&v->program.motion->kinematics);
-    const struct part_coverage_options reach = {o->radius, v->limit, &o->tool, &axis, o->threads};
+    const struct part_coverage_options reach = {.radius = o->radius,
+                                                .limit = v->limit,
+                                                .tool = &o->tool,
+                                                .axis = &axis,
+                                                .curtain = surface ? &surface->curtain : NULL,
+                                                .threads = o->threads};
 
     part_coverage_run(part->item, left, surface ? surface->under : NULL, part->n, &reach, coverage);
     array_free(&axis);

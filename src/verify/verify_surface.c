@@ -9,8 +9,12 @@
 #include "cloud/plan_extent.h"
 #include "cloud/roof.h"
 #include "cloud/settle.h"
+#include "math/box.h"
+#include "math/elementary.h"
 #include "math/point_grid.h"
 #include "verify/verify.h"
+
+#define GAP 0.005 /* of the width of the part: points of the curtain are no nearer to one another */
 
 struct settle {
     const struct point_grid *grid;
@@ -57,6 +61,18 @@ static void find_roof(const struct point_grid *grid, int threads, struct vec3s *
     free(mark);
 }
 
+/* As the tools that guard a path hang it, for who asks what they could reach. */
+static void find_curtain(const struct point_grid *grid, int threads, struct vec3s *curtain)
+{
+    struct box box = box_around(grid->point, grid->n);
+    double wide = fmax(box.high.x - box.low.x, box.high.y - box.low.y);
+    double gap = fmax(2 * point_grid_spacing(grid), GAP * wide);
+    unsigned char *mark = mem_alloc(grid->n, 1);
+    if (roof_find(grid, ROOF_GUARD, threads, mark) > 0 && gap > 0)
+        roof_curtain(grid, mark, gap, box.low.z, threads, curtain);
+    free(mark);
+}
+
 int verify_surface_find(struct vec3s *point, double noise, int threads,
                         struct verify_surface *surface, struct error *error)
 {
@@ -82,6 +98,7 @@ int verify_surface_find(struct vec3s *point, double noise, int threads,
     outliers_under_roof(&grid, threads, surface->under);
     surface->spacing = point_grid_spacing(&grid);
     find_roof(&grid, threads, &surface->roof);
+    find_curtain(&grid, threads, &surface->curtain);
     if (surface->noise > 0)
         settle_all(&grid, surface->noise, threads);
     point_grid_free(&grid);
@@ -92,6 +109,7 @@ void verify_surface_free(struct verify_surface *surface)
 {
     array_free(&surface->outliers);
     array_free(&surface->roof);
+    array_free(&surface->curtain);
     free(surface->under);
     *surface = (struct verify_surface){0};
 }

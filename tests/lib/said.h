@@ -1,5 +1,5 @@
-/* said - what a tool says on standard error, for unit tests: between said_begin and said_end it goes
- * into a file. */
+/* said - what a tool says on standard error, for unit tests: between said_begin and said_end it
+ * goes into a file. */
 #ifndef CLOUDMILL_TEST_SAID_H
 #define CLOUDMILL_TEST_SAID_H
 

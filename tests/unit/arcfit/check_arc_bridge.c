@@ -91,7 +91,8 @@ START_TEST(beside_a_kink)
 }
 END_TEST
 
-/* Three in a row at the start of a chain, or at its end: none of them with its neighbour is long. */
+/* Three in a row at the start of a chain, or at its end: none of them with its neighbour is
+ * long. */
 START_TEST(several_in_a_row)
 {
     struct reference t = trial_wave(401, 0.25, 0, 0);

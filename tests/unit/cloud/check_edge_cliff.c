@@ -1,5 +1,5 @@
-/* edge_cliff: the floor of a mesa goes on to the points below its wall, and the wall down to them; a
- * roof has no cliff. */
+/* edge_cliff: the floor of a mesa goes on to the points below its wall, and the wall down to them;
+ * a roof has no cliff. */
 #include <check.h>
 #include <stdlib.h>
 

@@ -110,9 +110,9 @@ static double lean_into_wall(const struct holder_sweep *sweep, double x, double 
     return clear;
 }
 
-/* Before the wall a tool that stays is deeper than who moves may be, though within the tolerance; on
- * its way behind the wall it leans away.  Leaning there as before it is clear, too, but beside the
- * wall it would be three times as deep as it may be. */
+/* Before the wall a tool that stays is deeper than who moves may be, though within the tolerance;
+ * on its way behind the wall it leans away.  Leaning there as before it is clear, too, but beside
+ * the wall it would be three times as deep as it may be. */
 START_TEST(a_way_from_what_stays_deep_is_looked_at)
 {
     struct scene s = {.guard = floor_and_wall()};

@@ -156,7 +156,8 @@ START_TEST(with_play_the_rotary_axes_turn_little)
 }
 END_TEST
 
-/* The axis comes through the pole a hundredth of a mm beside a point: it passes it at that point. */
+/* The axis comes through the pole a hundredth of a mm beside a point: it passes it at that
+ * point. */
 START_TEST(no_point_so_near_to_the_pole_but_at_it)
 {
     struct gouge_check *guard = floor_and_wall(0, NULL);

@@ -248,7 +248,8 @@ START_TEST(what_is_exact)
 }
 END_TEST
 
-/* To the bit as each of them alone, of angles of any size, beside quarter turns, of what is none. */
+/* To the bit as each of them alone, of angles of any size, beside quarter turns, of what is
+ * none. */
 START_TEST(sine_and_cosine_at_once)
 {
     const double odd[] = {0, -0.0, 1e-320, 0x1p-27, 1e300, HUGE_VAL, NAN};

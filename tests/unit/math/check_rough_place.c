@@ -1,5 +1,5 @@
-/* rough_place: vegetation is one; a plane, the foot of a wall, the border of a wood and a place with
- * too few points are none. */
+/* rough_place: vegetation is one; a plane, the foot of a wall, the border of a wood and a place
+ * with too few points are none. */
 #include <check.h>
 #include <stdlib.h>
 

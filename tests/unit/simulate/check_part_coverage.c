@@ -13,11 +13,12 @@
 static const struct verify_kinematics upright = {.n = 0, .tool = {0, 0, 1}};
 
 /* The class of the point nearest to p when `left` is left on it, and nothing on all others. */
-static int class_at(const struct vec3s *points, struct vec3 p, double left,
-                    const struct tool_shape *tool, const struct verify_kinematics *kinematics)
+static int class_behind(const struct vec3s *points, const struct vec3s *curtain, struct vec3 p,
+                        double left, const struct tool_shape *tool,
+                        const struct verify_kinematics *kinematics)
 {
     struct vec3s axis = part_coverage_axes(kinematics);
-    struct part_coverage_options options = {R, LIMIT, tool, &axis, 1};
+    struct part_coverage_options options = {R, LIMIT, tool, &axis, curtain, 1};
     double *deviation = mem_alloc(points->n, sizeof *deviation);
     struct part_coverage coverage;
     size_t at = 0;
@@ -33,6 +34,12 @@ static int class_at(const struct vec3s *points, struct vec3 p, double left,
     array_free(&axis);
     free(deviation);
     return class;
+}
+
+static int class_at(const struct vec3s *points, struct vec3 p, double left,
+                    const struct tool_shape *tool, const struct verify_kinematics *kinematics)
+{
+    return class_behind(points, NULL, p, left, tool, kinematics);
 }
 
 /* z = 0 with a half round groove along y, 2 in radius: a ball of 3 stands on both its edges with
@@ -191,7 +198,7 @@ START_TEST(areas_and_threads)
     for (size_t i = 0; i < points.n; i++)
         deviation[i] = points.item[i].y < 0 ? 0 : 0.5;
     struct part_coverage one, four;
-    struct part_coverage_options options = {R, LIMIT, &alone, &axis, 1};
+    struct part_coverage_options options = {R, LIMIT, &alone, &axis, NULL, 1};
     part_coverage_run(points.item, deviation, NULL, points.n, &options, &one);
     options.threads = 4;
     part_coverage_run(points.item, deviation, NULL, points.n, &options, &four);
@@ -212,6 +219,28 @@ START_TEST(areas_and_threads)
 }
 END_TEST
 
+/* What a curtain over a floor keeps the ball from is out of reach; what is 4 mm beside it is not,
+ * and the points of the curtain are none of the part. */
+START_TEST(behind_a_curtain)
+{
+    const struct tool_shape alone = {0};
+    struct vec3s points = {0}, curtain = {0};
+    for (int i = -60; i <= 60; i++)
+        for (int k = -40; k <= 40; k++)
+            *array_push(&points) = vec(0.25 * i, 0.25 * k, 0);
+    for (int i = -8; i <= 8; i++)
+        for (int k = -8; k <= 8; k++)
+            *array_push(&curtain) = vec(0.25 * i, 0.25 * k, 2);
+    ck_assert_int_eq(class_at(&points, vec(0, 0, 0), 1, &alone, &upright), COVERAGE_LEFT);
+    ck_assert_int_eq(class_behind(&points, &curtain, vec(0, 0, 0), 1, &alone, &upright),
+                     COVERAGE_OUT_OF_REACH);
+    ck_assert_int_eq(class_behind(&points, &curtain, vec(6, 0, 0), 1, &alone, &upright),
+                     COVERAGE_LEFT);
+    array_free(&points);
+    array_free(&curtain);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("part_coverage");
@@ -222,6 +251,7 @@ int main(void)
     tcase_add_test(tcase, past_a_wall_without_points);
     tcase_add_test(tcase, within_a_hollow_body_is_in_the_part);
     tcase_add_test(tcase, areas_and_threads);
+    tcase_add_test(tcase, behind_a_curtain);
     tcase_set_timeout(tcase, 60);
     suite_add_tcase(suite, tcase);
     SRunner *runner = srunner_create(suite);

@@ -269,7 +269,8 @@ static bool cap_goes_out(const struct vec3s *points, struct vec3 d)
     return true;
 }
 
-/* Where a ball touches from a whole cap of directions, far to the side as it may be, it is found. */
+/* Where a ball touches from a whole cap of directions, far to the side as it may be, it is
+ * found. */
 START_TEST(a_ball_from_the_side_is_found)
 {
     struct vec3s nowhere = {0};

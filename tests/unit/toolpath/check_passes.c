@@ -122,7 +122,8 @@ static void add_straight(struct slice_chains *chains, struct vec3 a, struct vec3
 }
 
 /* Two walls of a box and what is between them, of surfaces of their own: in whatever order and
- * whichever way round they come, they are cut in one, along.  The walls begin where the top does. */
+ * whichever way round they come, they are cut in one, along.  The walls begin where the top
+ * does. */
 START_TEST(walls_and_top_are_one_strip)
 {
     static const int order[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2},

@@ -165,8 +165,8 @@ START_TEST(parts_stay_apart)
 }
 END_TEST
 
-/* Points each 0.5 mm along x, then one `aside` mm to the side of the last and back by `back`, and on
- * along y; all lifted by so much. */
+/* Points each 0.5 mm along x, then one `aside` mm to the side of the last and back by `back`, and
+ * on along y; all lifted by so much. */
 static struct lifted_strip with_hook(double aside, double back, double lift)
 {
     struct lifted_strip strip = {.run = {.radius = R}};

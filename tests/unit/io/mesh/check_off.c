@@ -1,4 +1,5 @@
-/* check_off - OFF text at the edge of what is taken: counts, corners, indices, comments, normals. */
+/* check_off - OFF text at the edge of what is taken: counts, corners, indices, comments,
+ * normals. */
 #include <check.h>
 #include <stdlib.h>
 #include <string.h>
