@@ -10,8 +10,8 @@
 
 #include "trim_loops.h"
 
-/* True when patch->told, by the rule of even and odd, has inside what the loops have outside and the
- * other way round: at most places of the range.  False where nothing is told. */
+/* True when patch->told, by the rule of even and odd, has inside what the loops have outside and
+ * the other way round: at most places of the range.  False where nothing is told. */
 bool trim_told_outside(const struct patch *patch, const struct uv_polygon *loops);
 
 #endif
