@@ -342,6 +342,28 @@ static int nurbs_round(struct nc_spline *spline, struct nc_spline_digits digits,
     return 0;
 }
 
+/* Do the rotary axes stay within their travel between the ends, too?  Beside the pole their poles
+ * may be far from the curve, and that from both its ends. */
+static bool nurbs_in_travel(const struct nc_spline *spline, const struct kinematic_chain *chain)
+{
+    enum { PLACES = 16 }; /* in a span */
+    const double printed = RADIANS(0.0005);
+    const struct bspline *b = &spline->curve;
+    for (size_t span = (size_t)b->degree; span < b->poles; span++) {
+        double u = b->knot[span], h = b->knot[span + 1] - u;
+        for (int k = 0; h > 0 && k <= PLACES; k++) {
+            double basis[BSPLINE_DEGREE_MAX + 1];
+            bspline_basis(b->degree, b->knot, span, u + h * k / PLACES, basis);
+            struct vec3 at = angles_at(b, spline->angle, span, basis);
+            const double q[ROTARY_MAX] = {at.x, at.y};
+            for (int i = 0; i < chain->n; i++)
+                if (q[i] < chain->rotary[i].min - printed || q[i] > chain->rotary[i].max + printed)
+                    return false;
+        }
+    }
+    return true;
+}
+
 static struct pose_deviation nurbs_words(struct nc_spline *spline, struct nc_spline_digits digits,
                                          const struct interpolation *f,
                                          const struct block_pose *from, const struct motion *motion,
@@ -364,6 +386,8 @@ static struct pose_deviation nurbs_words(struct nc_spline *spline, struct nc_spl
             break;
     }
     beside_free(&c);
+    if (pose_deviation_within(d, allowed) && !nurbs_in_travel(spline, f->chain))
+        d = (struct pose_deviation){HUGE_VAL, HUGE_VAL};
     return d;
 }
 
