@@ -356,7 +356,7 @@ static bool nurbs_in_travel(const struct nc_spline *spline, const struct kinemat
             bspline_basis(b->degree, b->knot, span, u + h * k / PLACES, basis);
             struct vec3 at = angles_at(b, spline->angle, span, basis);
             const double q[ROTARY_MAX] = {at.x, at.y};
-            for (int i = 0; i < chain->n; i++)
+            for (int i = 0; i < chain->n && i < ROTARY_MAX; i++)
                 if (q[i] < chain->rotary[i].min - printed || q[i] > chain->rotary[i].max + printed)
                     return false;
         }

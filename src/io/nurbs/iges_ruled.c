@@ -126,7 +126,8 @@ static void kinks_of(const struct iges_side side[2], struct doubles *at)
                 *array_push(&all) = part_at(&side[k], i, own[m]);
             free(own);
         }
-    qsort(all.item, all.n, sizeof *all.item, compare);
+    if (all.n > 0)
+        qsort(all.item, all.n, sizeof *all.item, compare);
     *array_push(at) = 0;
     for (size_t i = 0; i < all.n; i++)
         if (all.item[i] > at->item[at->n - 1] + 1e-9 && all.item[i] < 1 - 1e-9)
