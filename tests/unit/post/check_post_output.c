@@ -190,7 +190,7 @@ END_TEST
 /* Two halves, one after the other, are the whole's bytes. */
 START_TEST(halves_are_the_whole)
 {
-    char *all = malloc(40000), *both = malloc(40000);
+    char *all = calloc(40000, 1), *both = calloc(40000, 1);
     size_t n = 0;
     begin_rows(5, true);
     for (long k = 0; k <= 2; k++) {

@@ -48,11 +48,11 @@ END_TEST
 START_TEST(what_takes_the_tool_elsewhere)
 {
     static const enum nc_kind moving[] = {NC_RAPID, NC_LINE, NC_ARC, NC_SPLINE, NC_HOLE};
-    static const enum nc_kind not [] = {NC_PASS, NC_TEXT, NC_TOOL, NC_PLANE};
+    static const enum nc_kind still[] = {NC_PASS, NC_TEXT, NC_TOOL, NC_PLANE};
     for (size_t i = 0; i < sizeof moving / sizeof *moving; i++)
         ck_assert(nc_moves(&(struct nc_move){.kind = moving[i]}));
-    for (size_t i = 0; i < sizeof not / sizeof *not ; i++)
-        ck_assert(!nc_moves(&(struct nc_move){.kind = not [i]}));
+    for (size_t i = 0; i < sizeof still / sizeof *still; i++)
+        ck_assert(!nc_moves(&(struct nc_move){.kind = still[i]}));
     ck_assert_uint_le(sizeof(struct nc_move), 64); /* there may be millions */
 }
 END_TEST

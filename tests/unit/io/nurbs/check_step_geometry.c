@@ -1,0 +1,361 @@
+/* step_geometry: places, curves from end to end and surfaces are where ISO 10303-42 says, in mm and
+ * placed; the file is in inches and degrees, the part turned a quarter about z and shifted. */
+#include <check.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/array.h"
+#include "io/nurbs/step_geometry.h"
+#include "math/elementary.h"
+#include "scratch.h"
+
+static struct step step;
+static struct step_place place;
+static struct patch_loop loop;
+static struct nurbs surface;
+static struct error error;
+static double rough;
+static char kind[40];
+static const double MM = 25.4;
+
+static void teardown(void)
+{
+    step_free(&step);
+    patch_loop_free(&loop);
+    nurbs_free(&surface);
+    step = (struct step){0};
+    loop = (struct patch_loop){0};
+    surface = (struct nurbs){0};
+}
+
+/* #90 refers to what is looked at. */
+static void read_data(const char *data)
+{
+    static const char *const points =
+        "#1=CARTESIAN_POINT('',(0.,0.,0.));\n#2=CARTESIAN_POINT('',(1.,2.,3.));\n"
+        "#3=DIRECTION('',(0.,0.,1.));\n#4=DIRECTION('',(0.,2.,0.));\n#5=DIRECTION('',(5.,1.,0.));\n"
+        "#6=AXIS2_PLACEMENT_3D('',#1,#3,$);\n#7=AXIS2_PLACEMENT_3D('',#2,#4,#5);\n"
+        "#8=VECTOR('',#4,3.);\n#9=VERTEX_POINT('',#2);\n";
+    char text[4000];
+    struct reader r;
+    teardown();
+    snprintf(text, sizeof text,
+             "ISO-10303-21;\nHEADER;\nENDSEC;\nDATA;\n%s%sENDSEC;\nEND-ISO-10303-21;\n", points,
+             data);
+    ck_assert_int_eq(reader_open(&r, scratch_text(text), &error), 0);
+    ck_assert_msg(step_read(&r, &step, &error) == 0, "%s", error.text);
+    reader_close(&r);
+    place = (struct step_place){&step, transform_identity(), MM, RADIANS(1)};
+    memset(place.to.m, 0, sizeof place.to.m);
+    place.to.m[0][1] = -MM;
+    place.to.m[1][0] = MM;
+    place.to.m[2][2] = MM;
+    place.to.m[0][3] = 100;
+    place.to.m[3][3] = 1;
+    rough = 0;
+}
+
+/* A place of the file, in the part's. */
+static struct vec3 placed(double x, double y, double z)
+{
+    return vec(100 - MM * y, MM * x, MM * z);
+}
+
+static void near_point(struct vec3 p, struct vec3 q)
+{
+    ck_assert_msg(vec_distance(p, q) < 1e-8, "%.12g %.12g %.12g, not %.12g %.12g %.12g", p.x, p.y,
+                  p.z, q.x, q.y, q.z);
+}
+
+/* What stands for a reference in the attributes of instance 90. */
+static struct step_values referring;
+static const struct step_value *reference(void)
+{
+    array_free(&referring);
+    referring = (struct step_values){0};
+    ck_assert_int_eq(step_values(&step, step_find(&step, 90), &referring, &error), 0);
+    return step_item(step_item(referring.item, 0), 0);
+}
+
+static int curve(const struct vec3 *ends)
+{
+    const struct step_value *r = reference();
+    int got = step_curve(&place, &referring, r, ends, &loop, &error);
+    array_free(&referring);
+    referring = (struct step_values){0};
+    return got;
+}
+
+static int surface_of(const struct vec3s *points)
+{
+    const struct step_value *r = reference();
+    int got = step_surface(&place, &referring, r, points, &surface, &rough, kind, &error);
+    array_free(&referring);
+    referring = (struct step_values){0};
+    return got;
+}
+
+START_TEST(axes_and_vertices)
+{
+    struct transform t;
+    struct vec3 p;
+    struct step_values to = {0};
+    read_data("#90=X(#7);\n");
+    /* z along y, x along the ratios given less their part along it; lengths as in the file */
+    ck_assert_int_eq(step_axes(&step, &referring, reference(), &t, &error), 0);
+    near_point(transform_point(&t, vec(0, 0, 0)), vec(1, 2, 3));
+    near_point(transform_point(&t, vec(1, 0, 0)), vec(2, 2, 3));
+    near_point(transform_point(&t, vec(0, 1, 0)), vec(1, 2, 2));
+    near_point(transform_point(&t, vec(0, 0, 1)), vec(1, 3, 3));
+    ck_assert_int_eq(step_follow(&step, &referring, reference(), &to, &error), 0);
+    ck_assert_int_eq(to.instance->id, 7);
+    array_free(&to);
+    ck_assert_int_eq(step_vertex(&place, &referring, reference(), &p, &error), -1);
+    read_data("#90=X(#9);\n");
+    ck_assert_int_eq(step_vertex(&place, &referring, reference(), &p, &error), 0);
+    near_point(p, placed(1, 2, 3));
+    ck_assert_int_eq(step_axes(&step, &referring, reference(), &t, &error), -1);
+    ck_assert_ptr_nonnull(strstr(error.text, "no axis placement"));
+    read_data("#90=X(#2);\n");
+    ck_assert_int_eq(step_vertex(&place, &referring, reference(), &p, &error), 0);
+    near_point(p, placed(1, 2, 3));
+    read_data("#90=X(#44);\n");
+    ck_assert_int_eq(step_vertex(&place, &referring, reference(), &p, &error), -1);
+    ck_assert_ptr_nonnull(strstr(error.text, "#90 refers to #44"));
+    read_data("#90=X(5.);\n");
+    ck_assert_int_eq(step_follow(&step, &referring, reference(), &to, &error), -1);
+    array_free(&referring);
+    referring = (struct step_values){0};
+}
+END_TEST
+
+/* Each piece begins where the one before it ends. */
+static void joins(struct vec3 from, struct vec3 to)
+{
+    for (size_t i = 0; i < loop.n; i++) {
+        const struct nurbs_curve *c = &loop.item[i];
+        near_point(nurbs_curve_point(c, c->t.from), from);
+        from = nurbs_curve_point(c, c->t.to);
+    }
+    near_point(from, to);
+}
+
+static struct vec3 at(size_t i, double part)
+{
+    const struct nurbs_curve *c = &loop.item[i];
+    return nurbs_curve_point(c, c->t.from + part * (c->t.to - c->t.from));
+}
+
+START_TEST(lines_and_circles)
+{
+    struct vec3 ends[2];
+    read_data("#10=LINE('',#1,#8);\n#90=X(#10);\n");
+    ck_assert_int_eq(curve(NULL), 1); /* has no ends */
+    ends[0] = placed(0, 1, 0);
+    ends[1] = placed(0, 4, 0);
+    ck_assert_int_eq(curve(ends), 0);
+    joins(ends[0], ends[1]);
+    near_point(at(0, 0.5), placed(0, 2.5, 0));
+    /* about 1, 2, 3 in the plane of x and -z: from x to -z is a quarter, and three back */
+    read_data("#10=CIRCLE('',#7,2.);\n#90=X(#10);\n");
+    for (int way = 0; way < 3; way++) {
+        struct vec3 x = placed(3, 2, 3), y = placed(1, 2, 1);
+        ends[0] = way == 1 ? y : x;
+        ends[1] = way == 0 ? y : x;
+        patch_loop_free(&loop);
+        loop = (struct patch_loop){0};
+        ck_assert_int_eq(curve(ends), 0);
+        joins(ends[0], ends[1]);
+        double turned = way == 0 ? 45 : way == 1 ? 90 + 135 : 180; /* degrees, in the middle */
+        double a = RADIANS(turned);
+        ck_assert_uint_eq(loop.n, 1);
+        near_point(at(0, 0.5), placed(1 + 2 * cos(a), 2, 3 - 2 * sin(a)));
+    }
+    patch_loop_free(&loop);
+    loop = (struct patch_loop){0};
+    ck_assert_int_eq(curve(NULL), 0); /* all of it */
+    joins(placed(3, 2, 3), placed(3, 2, 3));
+    read_data("#10=CIRCLE('',#7,0.);\n#90=X(#10);\n");
+    ck_assert_int_eq(curve(NULL), -1);
+    ck_assert_ptr_nonnull(strstr(error.text, "a radius that is not positive"));
+}
+END_TEST
+
+START_TEST(other_conics)
+{
+    struct vec3 ends[2] = {placed(4, 0, 0), placed(0, 3, 0)};
+    read_data("#10=ELLIPSE('',#6,4.,3.);\n#90=X(#10);\n");
+    ck_assert_int_eq(curve(ends), 0);
+    joins(ends[0], ends[1]);
+    near_point(at(0, 0.5), placed(4 * sqrt(0.5), 3 * sqrt(0.5), 0));
+    read_data("#10=HYPERBOLA('',#6,4.,3.);\n#90=X(#10);\n");
+    ends[0] = placed(4 * cosh(-1), 3 * sinh(-1), 0);
+    ends[1] = placed(4 * cosh(1), 3 * sinh(1), 0);
+    ck_assert_int_eq(curve(ends), 0);
+    joins(ends[0], ends[1]);
+    near_point(at(0, 0.5), placed(4, 0, 0));
+    read_data("#10=PARABOLA('',#6,2.);\n#90=X(#10);\n");
+    ends[0] = placed(2, -4, 0); /* t = -1: 2 t^2, 4 t */
+    ends[1] = placed(8, 8, 0);
+    ck_assert_int_eq(curve(ends), 0);
+    joins(ends[0], ends[1]);
+    near_point(at(0, 0.5), placed(0.5, 2, 0));
+    ck_assert_int_eq(curve(NULL), 1);
+}
+END_TEST
+
+/* Knots by the kind of spline; trimmed by parameters, against its direction. */
+START_TEST(splines)
+{
+    static const char *const points = "#20=CARTESIAN_POINT('',(0.,0.,0.));\n"
+                                      "#21=CARTESIAN_POINT('',(1.,2.,0.));\n"
+                                      "#22=CARTESIAN_POINT('',(2.,0.,0.));\n";
+    char text[1000];
+    snprintf(
+        text, sizeof text,
+        "%s#10=B_SPLINE_CURVE_WITH_KNOTS('',2,(#20,#21,#22),.UNSPECIFIED.,.F.,.F.,(3,3),(0.,4.)"
+        ",.UNSPECIFIED.);\n#90=X(#10);\n",
+        points);
+    read_data(text);
+    ck_assert_int_eq(curve(NULL), 0);
+    joins(placed(0, 0, 0), placed(2, 0, 0));
+    near_point(at(0, 0.25), placed(0.5, 0.75, 0)); /* a parabola: x = 2 s, y = 4 s (1 - s) */
+    struct vec3 ends[2] = {placed(0.5, 0.75, 0), placed(1.5, 0.75, 0)};
+    patch_loop_free(&loop);
+    loop = (struct patch_loop){0};
+    ck_assert_int_eq(curve(ends), 0);
+    joins(ends[0], ends[1]);
+    snprintf(text, sizeof text,
+             "%s#10=BEZIER_CURVE('',2,(#20,#21,#22),.UNSPECIFIED.,.F.,.F.);\n"
+             "#11=TRIMMED_CURVE('',#10,(PARAMETER_VALUE(0.75)),(PARAMETER_VALUE(0.25)),.F.,"
+             ".PARAMETER.);\n#90=X(#11);\n",
+             points);
+    read_data(text);
+    ck_assert_int_eq(curve(NULL), 0);
+    joins(placed(1.5, 0.75, 0), placed(0.5, 0.75, 0));
+    snprintf(text, sizeof text,
+             "%s#10=(BOUNDED_CURVE()B_SPLINE_CURVE(2,(#20,#21,#22),.UNSPECIFIED.,.F.,.F.)"
+             "B_SPLINE_CURVE_WITH_KNOTS((3,3),(0.,1.),.UNSPECIFIED.)CURVE()"
+             "GEOMETRIC_REPRESENTATION_ITEM()RATIONAL_B_SPLINE_CURVE((1.,3.,1.))"
+             "REPRESENTATION_ITEM(''));\n#90=X(#10);\n",
+             points);
+    read_data(text);
+    ck_assert_int_eq(curve(NULL), 0);
+    near_point(at(0, 0.5), placed(1, 1.5, 0)); /* (0 + 2 * 3 * 2 + 0) / (1 + 6 + 1) */
+    snprintf(
+        text, sizeof text,
+        "%s#10=B_SPLINE_CURVE_WITH_KNOTS('',2,(#20,#21,#22),.UNSPECIFIED.,.F.,.F.,(3,2),(0.,4.)"
+        ",.UNSPECIFIED.);\n#90=X(#10);\n",
+        points);
+    read_data(text);
+    ck_assert_int_eq(curve(NULL), -1);
+    ck_assert_ptr_nonnull(strstr(error.text, "multiplicities of knots"));
+}
+END_TEST
+
+/* Segments that run their own way or against it; a circle trimmed by angles in the file's degrees. */
+START_TEST(composites)
+{
+    read_data("#10=CIRCLE('',#6,2.);\n"
+              "#11=TRIMMED_CURVE('',#10,(PARAMETER_VALUE(0.)),(PARAMETER_VALUE(90.)),.T.,"
+              ".PARAMETER.);\n"
+              "#12=CARTESIAN_POINT('',(-3.,2.,0.));\n#13=CARTESIAN_POINT('',(0.,2.,0.));\n"
+              "#14=POLYLINE('',(#12,#13));\n"
+              "#15=COMPOSITE_CURVE_SEGMENT(.CONTINUOUS.,.T.,#11);\n"
+              "#16=COMPOSITE_CURVE_SEGMENT(.CONTINUOUS.,.F.,#14);\n"
+              "#17=COMPOSITE_CURVE('',(#15,#16),.F.);\n#90=X(#17);\n");
+    ck_assert_int_eq(curve(NULL), 0);
+    joins(placed(2, 0, 0), placed(-3, 2, 0));
+    ck_assert_uint_eq(loop.n, 2);
+    near_point(at(0, 0.5), placed(sqrt(2), sqrt(2), 0));
+    read_data("#10=CIRCLE('',#6,2.);\n"
+              "#11=OFFSET_CURVE_3D('',#10,0.5,.F.,#3);\n#90=X(#11);\n");
+    ck_assert_int_eq(curve(NULL), 0); /* z x tangent looks in */
+    for (int i = 0; i <= 8; i++)
+        ck_assert_double_eq_tol(vec_distance(at(0, i / 8.0), placed(0, 0, 0)), 1.5 * MM, 1e-5);
+    read_data("#11=TRIMMED_CURVE('',#11,(#1),(#2),.T.,.CARTESIAN.);\n#90=X(#11);\n");
+    ck_assert_int_eq(curve(NULL), -1);
+    ck_assert_ptr_nonnull(strstr(error.text, "without end"));
+}
+END_TEST
+
+static double off_torus(struct vec3 p)
+{
+    double x = p.y / MM, y = (100 - p.x) / MM, z = p.z / MM;
+    return hypot(hypot(x, y) - 4, z) - 1;
+}
+
+/* As far as the points reach, the normal by the standard; what is not read is named. */
+START_TEST(surfaces)
+{
+    struct vec3 square[4] = {placed(0, 0, 0), placed(4, 0, 0), placed(4, 4, 0), placed(0, 4, 0)};
+    struct vec3s points = {4, 4, square};
+    read_data("#10=PLANE('',#6);\n#90=X(#10);\n");
+    ck_assert_int_eq(surface_of(&points), 0);
+    struct nurbs_place p = nurbs_place(&surface, (struct uv){(surface.u.from + surface.u.to) / 2,
+                                                             (surface.v.from + surface.v.to) / 2});
+    near_point(p.point, placed(2, 2, 0));
+    near_point(p.normal, vec(0, 0, 1));
+    read_data("#10=TOROIDAL_SURFACE('',#6,4.,1.);\n#90=X(#10);\n");
+    ck_assert_int_eq(surface_of(&points), 0);
+    for (int i = 0; i < 12; i++)
+        for (int k = 0; k < 12; k++) {
+            struct uv uv = {surface.u.from + (surface.u.to - surface.u.from) * i / 12,
+                            surface.v.from + (surface.v.to - surface.v.from) * k / 12};
+            ck_assert_double_eq_tol(off_torus(nurbs_point(&surface, uv)), 0, 1e-9);
+        }
+    read_data("#10=FACETED_SURFACE('',#6);\n#90=X(#10);\n");
+    ck_assert_int_eq(surface_of(&points), 1);
+    ck_assert_str_eq(kind, "FACETED_SURFACE");
+    read_data("#10=TOROIDAL_SURFACE('',#6,'four',1.);\n#90=X(#10);\n");
+    ck_assert_int_eq(surface_of(&points), -1);
+}
+END_TEST
+
+/* A sector of a cylinder from 0 to 90 degrees, heights 1 to 3: four sides in turn. */
+START_TEST(rectangles)
+{
+    struct step_values v = {0};
+    read_data("#10=CYLINDRICAL_SURFACE('',#6,2.);\n"
+              "#90=RECTANGULAR_TRIMMED_SURFACE('',#10,0.,90.,1.,3.,.T.,.T.);\n");
+    ck_assert_int_eq(step_values(&step, step_find(&step, 90), &v, &error), 0);
+    ck_assert_int_eq(step_rectangle(&place, &v, &loop, &error), 0);
+    array_free(&v);
+    ck_assert(loop.space);
+    ck_assert_uint_ge(loop.n, 4);
+    struct vec3 last = at(loop.n - 1, 1);
+    joins(last, last);
+    size_t corners = 0;
+    for (size_t i = 0; i < loop.n; i++)
+        for (int k = 0; k <= 4; k++) {
+            struct vec3 p = at(i, k / 4.0);
+            double x = p.y / MM, y = (100 - p.x) / MM, z = p.z / MM;
+            ck_assert_double_eq_tol(hypot(x, y), 2, 1e-8);
+            ck_assert(x > -1e-8 && y > -1e-8 && z > 1 - 1e-8 && z < 3 + 1e-8);
+            corners += k == 0 && (fabs(x) < 1e-8 || fabs(y) < 1e-8) &&
+                       (fabs(z - 1) < 1e-8 || fabs(z - 3) < 1e-8);
+        }
+    ck_assert_uint_eq(corners, 4);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("step_geometry");
+    TCase *tests = tcase_create("step_geometry");
+    tcase_add_checked_fixture(tests, NULL, teardown);
+    tcase_add_test(tests, axes_and_vertices);
+    tcase_add_test(tests, lines_and_circles);
+    tcase_add_test(tests, other_conics);
+    tcase_add_test(tests, splines);
+    tcase_add_test(tests, composites);
+    tcase_add_test(tests, surfaces);
+    tcase_add_test(tests, rectangles);
+    suite_add_tcase(suite, tests);
+    SRunner *runner = srunner_create(suite);
+    srunner_run_all(runner, CK_ENV);
+    int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed > 0;
+}
