@@ -1,7 +1,7 @@
 /*
  * trim_crossings: loops that cross themselves as often as they were drawn to, on a plane whose
- * parameters are its mm; what counts is known from areas and widths, and for polygons by chance from
- * each pair of sides.
+ * parameters are its mm; what counts is known from areas and widths, and for polygons by chance
+ * from each pair of sides.
  */
 #include <check.h>
 #include <stdlib.h>

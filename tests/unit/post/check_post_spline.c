@@ -132,8 +132,8 @@ START_TEST(nurbs)
 END_TEST
 
 /* Across the singular direction the axis nearest the work turns far while the tool hardly does, and
- * a curve that keeps the tolerance may go beyond its travel between ends that are within: then there
- * are no words. */
+ * a curve that keeps the tolerance may go beyond its travel between ends that are within: then
+ * there are no words. */
 START_TEST(within_travel_between_ends)
 {
     const struct nc_spline_digits mm = {3, 3, 3};

@@ -115,7 +115,7 @@ START_TEST(assemblies)
 }
 END_TEST
 
-/* A solid with two voids: three shells, whose faces count as of bodies 5, 6, 7 after four others. */
+/* A solid with two voids: three shells, whose faces are of bodies 5, 6, 7 after four others. */
 START_TEST(voids)
 {
     int face[4], shell[3];

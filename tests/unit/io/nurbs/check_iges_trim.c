@@ -1,5 +1,5 @@
-/* iges_trim: loops of a triangle, by each entity that trims (IGES 5.3, 4.31, 4.32, 4.70 to 4.72): in
- * the parameters or in space as the file prefers, edges turned round as the loop uses them. */
+/* iges_trim: loops of a triangle, by each entity that trims (IGES 5.3, 4.31, 4.32, 4.70 to 4.72):
+ * in the parameters or in space as the file prefers, edges turned round as the loop uses them. */
 #include "iges_files.h"
 
 #include "base/array.h"

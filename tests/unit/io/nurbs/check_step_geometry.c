@@ -254,7 +254,7 @@ START_TEST(splines)
 }
 END_TEST
 
-/* Segments that run their own way or against it; a circle trimmed by angles in the file's degrees. */
+/* Segments that run their own way or against it; a circle trimmed by angles in degrees. */
 START_TEST(composites)
 {
     read_data("#10=CIRCLE('',#6,2.);\n"
