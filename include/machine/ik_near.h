@@ -27,7 +27,9 @@ static inline double ik_component(const struct ik_near_table *w, int i, double c
     return w->still[i] + w->cosine[i] * c1 + w->sine[i] * s1;
 }
 
-/* Each angle by[i] further, no more than 0.01 radians: to 1e-15. */
+#define IK_TURNED_MOST 0.01 /* radians */
+
+/* Each angle by[i] further, no more than IK_TURNED_MOST: to 1e-15. */
 static inline struct turned ik_turned_on(const struct turned *from, const double by[])
 {
     struct turned t;

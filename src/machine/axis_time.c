@@ -14,25 +14,47 @@ struct rates {
 /* Of a bound that rounding might bring under what it bounds: beyond it, nothing does. */
 static const double SURELY = 1 + 1e-12;
 
-static double slope_of(const struct axis_time_place *to, int k)
+/* What each axis does for each length of the way up to a place. */
+struct slopes {
+    double axis[AXIS_TIME_AXES];
+};
+
+static inline struct slopes slopes_to(const struct axis_time_place *to)
 {
+    struct slopes s = {{0}};
     double length = to->way - to[-1].way;
 
-    return length > 0 ? (to->axis[k] - to[-1].axis[k]) / length : 0;
+    for (int k = 0; k < AXIS_TIME_AXES && length > 0; k++)
+        s.axis[k] = (to->axis[k] - to[-1].axis[k]) / length;
+    return s;
+}
+
+/* About a place between others, from the slopes up to it and after it. */
+static inline struct rates rates_between(const struct axis_time_limits *limits,
+                                         const struct axis_time_place *at, struct slopes before,
+                                         struct slopes after)
+{
+    struct rates r;
+    double over = fmax((at[1].way - at[-1].way) / 2, limits->smoothing);
+
+    for (int k = 0; k < AXIS_TIME_AXES; k++) {
+        r.slope[k] = fmax(fabs(before.axis[k]), fabs(after.axis[k]));
+        r.bend[k] = fabs(after.axis[k] - before.axis[k]) / over;
+    }
+    return r;
 }
 
 static struct rates rates_at(const struct axis_time_limits *limits,
                              const struct axis_time_place place[], size_t i, size_t n)
 {
     struct rates r = {{0}, {0}};
-    double half = i > 0 && i + 1 < n ? (place[i + 1].way - place[i - 1].way) / 2 : 0;
 
-    for (int k = 0; k < AXIS_TIME_AXES; k++) {
-        double before = i > 0 ? slope_of(&place[i], k) : 0;
-        double after = i + 1 < n ? slope_of(&place[i + 1], k) : before;
-        r.slope[k] = fmax(fabs(before), fabs(after));
-        if (i > 0 && i + 1 < n)
-            r.bend[k] = fabs(after - before) / fmax(half, limits->smoothing);
+    if (i > 0 && i + 1 < n)
+        return rates_between(limits, &place[i], slopes_to(&place[i]), slopes_to(&place[i + 1]));
+    if (n > 1) {
+        struct slopes s = slopes_to(&place[i > 0 ? i : 1]);
+        for (int k = 0; k < AXIS_TIME_AXES; k++)
+            r.slope[k] = fabs(s.axis[k]);
     }
     return r;
 }
@@ -54,21 +76,16 @@ static double speed_at(const struct axis_time_limits *limits, const struct rates
     return v;
 }
 
-/* The fastest a length after (or before) place i where it is v, no more than `most`: a way that is
- * no slower there bounds nothing. */
-static double speed_after(const struct axis_time_limits *limits,
-                          const struct axis_time_place place[], size_t i, size_t n, double v,
+/* The fastest a length after (or before) a place where it is v, no more than `most`. */
+static double speed_after(const struct axis_time_limits *limits, const struct rates *r, double v,
                           double length, double most)
 {
     double change = HUGE_VAL;
 
-    if (most <= v)
-        return most;
-    struct rates r = rates_at(limits, place, i, n);
     for (int k = 0; k < AXIS_TIME_AXES; k++)
-        if (r.slope[k] > 0)
+        if (r->slope[k] > 0)
             change =
-                fmin(change, fmax(0, limits->acceleration[k] - r.bend[k] * v * v) / r.slope[k]);
+                fmin(change, fmax(0, limits->acceleration[k] - r->bend[k] * v * v) / r->slope[k]);
     return change < HUGE_VAL ? fmin(most, sqrt(v * v + 2 * length * change)) : most;
 }
 
@@ -80,8 +97,9 @@ static double step_seconds(const struct axis_time_limits *limits, const struct a
 
     if (v0 == v1 && v0 > 0 && top > 0 && top <= v0 && length > 0) /* even: no axis bounds it */
         return length / v0;
+    struct slopes s = slopes_to(to);
     for (int k = 0; k < AXIS_TIME_AXES; k++) {
-        double slope = fabs(slope_of(to, k));
+        double slope = fabs(s.axis[k]);
         if (slope > 0) {
             top = fmin(top, limits->speed[k] / slope);
             change = fmin(change, limits->acceleration[k] / slope);
@@ -97,26 +115,51 @@ static double step_seconds(const struct axis_time_limits *limits, const struct a
     return (2 * top - v0 - v1) / change + fmax(length - ramps, 0) / top;
 }
 
+/* The speeds at all places, 0 at both ends, with no more than what was before them in mind: a way
+ * that is no slower at the place before bounds nothing. */
+static void speeds_forth(const struct axis_time_limits *limits,
+                         const struct axis_time_place place[], size_t n, double v[])
+{
+    struct rates last = rates_at(limits, place, 0, n);
+    struct slopes before = slopes_to(&place[1]);
+
+    for (size_t i = 1; i + 1 < n; i++) {
+        struct slopes after = slopes_to(&place[i + 1]);
+        struct rates r = rates_between(limits, &place[i], before, after);
+        v[i] = speed_at(limits, &r, fmin(place[i].feed, place[i + 1].feed));
+        if (v[i] > v[i - 1])
+            v[i] = speed_after(limits, &last, v[i - 1], place[i].way - place[i - 1].way, v[i]);
+        before = after;
+        last = r;
+    }
+}
+
+/* And with what comes after them; each becomes the seconds from the place before. */
+static void seconds_back(const struct axis_time_limits *limits,
+                         const struct axis_time_place place[], size_t n, double v[])
+{
+    for (size_t i = n; i-- > 1;) {
+        if (v[i - 1] > v[i]) {
+            struct rates r = rates_at(limits, place, i, n);
+            v[i - 1] = speed_after(limits, &r, v[i], place[i].way - place[i - 1].way, v[i - 1]);
+        }
+        v[i] = step_seconds(limits, &place[i], v[i - 1], v[i]);
+    }
+}
+
 double axis_time_run(const struct axis_time_limits *limits, const struct axis_time_place place[],
                      size_t n, double step[])
 {
     double *v = mem_alloc(n + 1, sizeof *v), sum = 0;
 
-    for (size_t i = 1; i + 1 < n; i++) { /* it stands at both ends */
-        struct rates rates = rates_at(limits, place, i, n);
-        v[i] = speed_at(limits, &rates, fmin(place[i].feed, place[i + 1].feed));
+    if (n > 1) {
+        speeds_forth(limits, place, n, v);
+        seconds_back(limits, place, n, v);
     }
-    for (size_t i = 1; i < n; i++)
-        v[i] =
-            speed_after(limits, place, i - 1, n, v[i - 1], place[i].way - place[i - 1].way, v[i]);
-    for (size_t i = n; i-- > 1;)
-        v[i - 1] =
-            speed_after(limits, place, i, n, v[i], place[i].way - place[i - 1].way, v[i - 1]);
     for (size_t i = 1; i < n; i++) {
-        double seconds = step_seconds(limits, &place[i], v[i - 1], v[i]);
         if (step)
-            step[i] = seconds;
-        sum += seconds;
+            step[i] = v[i];
+        sum += v[i];
     }
     free(v);
     return sum;

@@ -8,8 +8,9 @@ struct turned chain_turned(const struct kinematic_chain *chain, const double q[]
 {
     struct turned t = {{1, 1}, {0, 0}};
     for (int i = 0; i < chain->n; i++) {
-        t.cosine[i] = cos(q[i]);
-        t.sine[i] = sin(q[i]);
+        struct sine_cosine at = elementary_sine_cosine(q[i]);
+        t.cosine[i] = at.cosine;
+        t.sine[i] = at.sine;
     }
     return t;
 }

@@ -6,9 +6,10 @@
 #include "base/array.h"
 #include "base/num.h"
 #include "machine/axis_time.h"
+#include "machine/ik_near.h"
 #include "post_feed.h"
 
-enum { LOOKS_MOST = 400 };
+enum { LOOKS_MOST = 400, TURNED_ON_MOST = 64 };
 
 static const double STEP = 0.2;        /* mm: between places on curves and where the tool turns */
 static const double PER_DEGREE = 0.05; /* mm of way for each degree that the tool turns */
@@ -25,6 +26,9 @@ struct timing {
     struct places places; /* of the run at feed */
     struct sizes move;    /* of each place, for feeds as times: the move that leads to it */
     double wished;        /* seconds of the run at its feeds */
+    double q[ROTARY_MAX]; /* of the last place, ... */
+    struct turned turned; /* ... and its cosines and sines, ... */
+    unsigned turned_on;   /* ... so many places from where they were reckoned from the angles */
 };
 
 static double per_second(const struct machine *m, int axis)
@@ -46,11 +50,26 @@ static struct axis_time_limits limits_of(const struct machine *m, double unit)
     return limits;
 }
 
+/* The rotary axes turn to q: mostly by little, which needs no sine of it, and never many times in a
+ * row, so that rounding does not add up. */
+static void turn_to(struct timing *t, const double q[])
+{
+    const double by[ROTARY_MAX] = {q[0] - t->q[0], q[1] - t->q[1]};
+    bool near = fabs(by[0]) <= IK_TURNED_MOST && fabs(by[1]) <= IK_TURNED_MOST;
+    t->turned_on = near && t->turned_on < TURNED_ON_MOST ? t->turned_on + 1 : 0;
+    t->turned = t->turned_on ? ik_turned_on(&t->turned, by) : chain_turned(&t->machine->chain, q);
+    t->q[0] = q[0], t->q[1] = q[1];
+}
+
 /* Where the axes are when the tip is at p and the rotary axes at q. */
-static void axes_at(const struct timing *t, struct vec3 p, const double q[], double axis[])
+static void axes_at(struct timing *t, struct vec3 p, const double q[], double axis[])
 {
     const struct kinematic_chain *chain = &t->machine->chain;
-    struct vec3 linear = t->plan->ability.mode == INTERPOLATE_JOINT ? p : chain_linear(chain, p, q);
+    struct vec3 linear = p;
+    if (t->plan->ability.mode != INTERPOLATE_JOINT) {
+        turn_to(t, q);
+        linear = chain_linear_of(chain, p, &t->turned);
+    }
     axis[0] = linear.x, axis[1] = linear.y, axis[2] = linear.z;
     for (int k = 0; k < 2; k++)
         axis[3 + k] = k < chain->n ? DEGREES(q[k]) : 0;
@@ -75,15 +94,17 @@ static struct vec3 tip_at(const struct nc_plan *plan, const struct nc_move *move
 
 /* Seconds of a block by its F. */
 static double block_seconds(const struct timing *t, const struct nc_move *move, double tip,
-                            double joint, double degrees)
+                            double straight, const double from[], const double to[])
 {
+    enum nc_feeds feeds = t->plan->ability.feeds;
     if (!(move->feed > 0))
         return 0;
-    if (t->plan->ability.feeds == NC_FEEDS_INVERSE)
+    if (feeds == NC_FEEDS_INVERSE)
         return 60 / move->feed;
-    if (t->plan->ability.feeds == NC_FEEDS_COMBINED)
-        return 60 * joint / move->feed;
-    return 60 * (tip > 0 ? tip : degrees) / move->feed;
+    if (feeds == NC_FEEDS_TIP && tip > 0)
+        return 60 * tip / move->feed;
+    double around = DEGREES(hypot(to[0] - from[0], to[1] - from[1]));
+    return 60 * (feeds == NC_FEEDS_COMBINED ? hypot(straight, around) : around) / move->feed;
 }
 
 static void add_place(struct timing *t, const double axis[], double way, double feed, size_t move)
@@ -102,13 +123,11 @@ static void add_move(struct timing *t, size_t index, const struct block_pose *fr
 {
     const struct nc_move *move = &t->plan->move.item[index];
     double turn = DEGREES(fmax(fabs(to->q[0] - from->q[0]), fabs(to->q[1] - from->q[1])));
-    double around = DEGREES(hypot(to->q[0] - from->q[0], to->q[1] - from->q[1]));
     double unit = t->plan->ability.unit, straight = vec_distance(from->p, to->p), length = straight;
     if (move->kind == NC_ARC)
         length = nc_arc_length(&t->plan->arc.item[move->index], from, to);
     double way = fmax(length, PER_DEGREE / unit * turn), axis[AXIS_TIME_AXES];
-    double joint = hypot(straight, around);
-    double seconds = block_seconds(t, move, length, joint, around);
+    double seconds = block_seconds(t, move, length, straight, from->q, to->q);
     bool even = move->kind == NC_LINE && turn == 0;
     int n = even ? 1 : (int)fmin(LOOKS_MOST, fmax(1, ceil(way * unit / STEP)));
     if (!(way > 0) || !(seconds > 0))
@@ -173,8 +192,10 @@ static void add_rapid(struct timing *t, const struct block_pose *from, const str
 
 void post_time(struct nc_plan *plan, const struct machine *machine)
 {
-    struct timing t = {
-        .plan = plan, .machine = machine, .limits = limits_of(machine, plan->ability.unit)};
+    struct timing t = {.plan = plan,
+                       .machine = machine,
+                       .limits = limits_of(machine, plan->ability.unit),
+                       .turned_on = TURNED_ON_MOST};
     const struct nc_move *last = NULL;
     struct block_pose at = {.a = vec(0, 0, 1)};
     array_reserve(&t.places, plan->move.n + 1); /* most moves have one */
