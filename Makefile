@@ -135,6 +135,8 @@ $(BUILD)/tests/fuzz/replay: $(BUILD)/tests/fuzz/replay.o
 	$(CC) $(CFLAGS) $(LDFLAGS) -Wl,--wrap=exit -o $@ $^ $(LIBS)
 $(BUILD)/tests/fuzz/fuzz: $(BUILD)/tests/fuzz/fuzz.o
 	$(CC) $(CFLAGS) -fsanitize=fuzzer $(LDFLAGS) -Wl,--wrap=exit -o $@ $^ $(LIBS)
+$(BUILD)/tests/fuzz/hammer: $(BUILD)/tests/fuzz/hammer.o
+	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
 $(BUILD)/tests/fuzz/fuzz $(BUILD)/tests/fuzz/replay: $(BUILD)/tests/fuzz/fuzz_reader.o \
   $(BUILD)/tests/lib/scratch.o $(lib)
 
@@ -254,10 +256,12 @@ sanitize:
 	  $(MAKE) BUILD=$(BUILD)/sanitize CC=clang \
 	  CFLAGS='-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all' check
 
-# Each reader in turn under libFuzzer and the sanitizers: FUZZ_SECONDS in all, READERS (default: all).
+# Each reader under libFuzzer and the sanitizers, each tool on broken files: FUZZ_SECONDS in all, READERS
+# (default: all; a tool is tool:NAME).
 fuzz:
 	$(MAKE) BUILD=$(BUILD)/fuzz CC=clang CFLAGS='-O1 -g -fsanitize=fuzzer-no-link,address,undefined \
-	  -fno-sanitize-recover=all -fno-omit-frame-pointer' $(BUILD)/fuzz/tests/fuzz/fuzz
+	  -fno-sanitize-recover=all -fno-omit-frame-pointer' all $(BUILD)/fuzz/tests/fuzz/fuzz \
+	  $(BUILD)/fuzz/tests/fuzz/hammer
 	FUZZ="$(abspath $(BUILD))/fuzz/tests/fuzz/fuzz" OUT="$(abspath $(BUILD))/fuzz/out" \
 	  sh tests/fuzz/fuzz.sh $(READERS)
 

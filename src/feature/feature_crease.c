@@ -376,7 +376,7 @@ struct feature feature_crease(const struct feature_cloud *cloud, struct vec3 a, 
     /* the second one across the way, for the normals may both be of one side */
     struct vec3 w[2] = {vec_unit(sum), vec_unit(vec_reject(sum, vec_unit(vec_sub(b, a))))};
 
-    p.asked = 0;
+    p.n = p.asked = 0;
     for (int i = 0; i < 2; i++) {
         p.origin = origin;
         p.w = w[i];

@@ -103,8 +103,8 @@ static size_t add_points(struct moments *m, const struct quadric *frame, double 
                          const struct vec3 *point, const double *weight, size_t n)
 {
     size_t count = 0;
+    struct block b = {.n = 0};
     for (size_t i = 0; i < n;) {
-        struct block b;
         for (b.n = 0; i < n && b.n < BLOCK; i++) {
             struct vec3 d = vec_sub(point[i], frame->origin);
             b.part[b.n] = weight ? weight[i] : 1;

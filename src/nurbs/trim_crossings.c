@@ -88,38 +88,58 @@ static bool is_corner_crossed(const struct uvs *loop, size_t i, size_t k)
            parts(a, b, loop->item[(i + 2) % loop->n], c, loop->item[(k + 2) % loop->n]);
 }
 
+/* A loop with its sides in order, and twice the areas that those up to each corner have about the
+ * first one: what lies between two of them costs no walk. */
+struct crossed {
+    const struct uvs *loop;
+    struct side *side;
+    double *about;
+};
+
 /* Of the two parts of a loop that crosses itself: is the one from i to k the smaller, and does it
  * count, or is it as narrow as the tolerance? */
-static bool is_part(const struct uvs *loop, const struct nurbs *s, double tolerance, size_t i,
+static bool is_part(const struct crossed *c, const struct nurbs *s, double tolerance, size_t i,
                     size_t k, struct uv at, bool *smaller)
 {
     const double least = 1e-3;
-    double area = 0;
-    for (size_t m = i + 1; m < k; m++)
-        area += turn(at, loop->item[m], loop->item[m + 1]) / 2;
-    double rest = uv_loop_area(loop) - area;
+    const struct uvs *loop = c->loop;
+    double area = (c->about[k] - c->about[i + 1] + turn(loop->item[0], loop->item[k], at) +
+                   turn(loop->item[0], at, loop->item[i + 1])) /
+                  2;
+    double rest = c->about[loop->n] / 2 - area;
     *smaller = fabs(area) < fabs(rest);
     return fmin(fabs(area), fabs(rest)) > least * fmax(fabs(area), fabs(rest)) &&
            (*smaller ? width_on(s, loop, i + 1, k, at)
                      : width_on(s, loop, k + 1, i + loop->n, at)) > tolerance;
 }
 
-static struct side *sorted_sides(const struct uvs *loop)
+static struct crossed crossed_make(const struct uvs *loop)
 {
-    struct side *side = mem_alloc(loop->n + 1, sizeof *side);
+    struct crossed c = {loop, mem_alloc(loop->n + 1, sizeof *c.side),
+                        mem_alloc(loop->n + 1, sizeof *c.about)};
+    c.about[0] = 0;
     for (size_t i = 0; i < loop->n; i++) {
         struct uv a = loop->item[i], b = loop->item[(i + 1) % loop->n];
-        side[i] = (struct side){fmin(a.u, b.u), fmax(a.u, b.u), fmin(a.v, b.v), fmax(a.v, b.v), i};
+        c.side[i] =
+            (struct side){fmin(a.u, b.u), fmax(a.u, b.u), fmin(a.v, b.v), fmax(a.v, b.v), i};
+        c.about[i + 1] = c.about[i] + turn(loop->item[0], a, b);
     }
     if (loop->n > 0)
-        qsort(side, loop->n, sizeof *side, compare_sides);
-    return side;
+        qsort(c.side, loop->n, sizeof *c.side, compare_sides);
+    return c;
+}
+
+static void crossed_free(struct crossed *c)
+{
+    free(c->side);
+    free(c->about);
 }
 
 size_t trim_crossings(const struct uvs *loop, const struct nurbs *s, double tolerance)
 {
     size_t count = 0;
-    struct side *side = sorted_sides(loop);
+    struct crossed c = crossed_make(loop);
+    const struct side *side = c.side;
     for (size_t i = 0; i < loop->n; i++)
         for (size_t m = i + 1; m < loop->n && side[m].low <= side[i].high; m++) {
             size_t p = side[i].i, q = side[m].i, low = p < q ? p : q, high = p < q ? q : p;
@@ -129,15 +149,16 @@ size_t trim_crossings(const struct uvs *loop, const struct nurbs *s, double tole
                 continue;
             count += is_corner_crossed(loop, low, high) ||
                      (is_crossing(loop, low, high, &at) &&
-                      is_part(loop, s, tolerance, low, high, at, &smaller));
+                      is_part(&c, s, tolerance, low, high, at, &smaller));
         }
-    free(side);
+    crossed_free(&c);
     return count;
 }
 
 bool trim_crossings_drop(const struct nurbs *s, double tolerance, struct uvs *loop)
 {
-    struct side *side = sorted_sides(loop);
+    struct crossed c = crossed_make(loop);
+    const struct side *side = c.side;
     size_t low = 0, high = 0;
     struct uv at = {0, 0};
     bool found = false, smaller = false;
@@ -149,9 +170,9 @@ bool trim_crossings_drop(const struct nurbs *s, double tolerance, struct uvs *lo
             if (side[i].high_v < side[m].low_v || side[m].high_v < side[i].low_v)
                 continue;
             found = is_crossing(loop, low, high, &at) &&
-                    !is_part(loop, s, tolerance, low, high, at, &smaller);
+                    !is_part(&c, s, tolerance, low, high, at, &smaller);
         }
-    free(side);
+    crossed_free(&c);
     if (!found)
         return false;
     struct uvs rest = {0};

@@ -1,6 +1,8 @@
 /* post_ik - see post_ik.h. */
 #include "post_ik.h"
 
+#include <string.h>
+
 #include "base/num.h"
 
 static int over_travel(struct nc_planner *planner, struct vec3 tip, int axis, const char *what,
@@ -381,6 +383,43 @@ static bool follow_on(const struct follow_way *way, double s0, double s1, double
         q[i] = next[i];
     }
     return true;
+}
+
+/* Does all of a curve or an arc stay so near to 0 that no linear axis can leave its travel? */
+static bool stays_near(const struct nc_planner *planner, const struct motion *motion)
+{
+    double far = planner->safe_radius;
+    if (motion->kind != MOTION_SPLINE)
+        return vec_length(motion->centre) + vec_distance(motion->centre, motion->from.p) < far;
+    for (size_t i = 0; i < motion->curve->poles; i++)
+        if (vec_dot(motion->curve->pole[i], motion->curve->pole[i]) >= far * far)
+            return false;
+    return true;
+}
+
+int post_ik_check_between(struct nc_planner *planner, const struct motion *motion, double s0,
+                          double s1)
+{
+    enum { LOOKS = 16 };
+    const struct kinematic_chain *chain = &planner->machine->chain;
+    double q[ROTARY_MAX] = {planner->state.at.q[0], planner->state.at.q[1]};
+    if (stays_near(planner, motion))
+        return 0;
+    for (double s = s0, next; s < s1; s = next) {
+        next = motion->kind == MOTION_SPLINE ? fmin(motion_next_knot(motion, s), s1) : s1;
+        for (int i = 1; i <= LOOKS; i++) {
+            struct pose at = motion_at(motion, s + (next - s) * i / LOOKS);
+            double turned[ROTARY_MAX] = {q[0], q[1]};
+            if (nearest_angles(chain, at.a, q, turned))
+                memcpy(q, turned, sizeof q);
+            struct vec3 p = chain_linear(chain, at.p, q);
+            const double place[3] = {p.x, p.y, p.z};
+            int axis = out_of_travel(planner, place);
+            if (axis >= 0)
+                return over_travel(planner, at.p, axis, "a position of", place[axis]);
+        }
+    }
+    return 0;
 }
 
 bool post_ik_follow(const struct nc_planner *planner, const struct motion *motion, double s0,

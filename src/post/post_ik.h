@@ -61,6 +61,10 @@ int post_ik_linear_over(const struct nc_planner *planner, struct vec3 tip, const
  * leave their travel. */
 int post_ik_check_linear(struct nc_planner *planner, const struct machine_pose *to);
 
+/* The same between s0 and s1 of an arc or a curve, which bulge beyond their ends. */
+int post_ik_check_between(struct nc_planner *planner, const struct motion *motion, double s0,
+                          double s1);
+
 /*
  * The chain with the tool of this number: where the machine file has lengths of tools, the centres
  * of heads are seen from the spindle's nose, and the tool's length (mm; the chain's unit is `unit`

@@ -486,6 +486,8 @@ static int arc_piece(struct nc_planner *planner, const struct motion *motion, do
         planner->state.why = NC_WHY_CHORD;
         return straight_blocks(planner, motion, s0, s1, NC_LINE, planner->allowed);
     }
+    if (post_ik_check_between(planner, motion, s0, s1) != 0)
+        return -1;
     *array_push(&planner->plan->arc) = words;
     /* a small one is not as long as its path, and the feed counts on it as it is read */
     const struct motion printed = nc_arc_motion(&words, &planner->state.at, &to.at);
@@ -527,7 +529,8 @@ static int one_curve(struct nc_planner *planner, const struct motion *motion)
         to.turned = chain_turned(&planner->machine->chain, to.at.q);
         if (!post_ik_follow(planner, motion, 0, 1, &to))
             return no_way_on(planner, motion->to, &to);
-        if (post_ik_check_linear(planner, &to) != 0)
+        if (post_ik_check_linear(planner, &to) != 0 ||
+            post_ik_check_between(planner, motion, 0, 1) != 0)
             return -1;
         const struct nc_along along = {motion, 0, 1, &words, 0};
         add_move(planner, NC_SPLINE, &to, motion_length(motion), planner->plan->spline.n - 1,

@@ -166,10 +166,13 @@ void plane_passes_scallop(struct plane_passes *p, const struct mesh *mesh, doubl
     move_first(p);
 }
 
-/* About how long all passes are. */
+/* About how long all passes are; HUGE_VAL: they are more than a path may have. */
 static double length_at(const struct mesh *mesh, double angle, double radius, double h)
 {
     struct pass_options rule = plane_passes_upright(angle, radius);
+    struct error error;
+    if (plane_passes_bounded(mesh, rule.normal, scallop_step(h, radius, 0), &error) != 0)
+        return HUGE_VAL;
     struct slice *cut = slice_new(mesh, rule.normal, true);
     struct scallop_options options = {.normal = rule.normal, .h = h, .radius = radius};
     struct doubles height = {0};

@@ -1,19 +1,47 @@
 #!/bin/sh
-# fuzz.sh [READER...] - each reader of the tools (default: all of them) under libFuzzer, by `make
-# fuzz`: FUZZ_SECONDS in all (default 600), shared alike, from what seeds.sh names.  Prints the runs
-# of each, and how many a second; a crash, an undefined operation, a run over 5 s or over 2 GB stays
-# as a file in $OUT/READER, and the exit status is 1.  Such a file, once mended, goes to
-# tests/fuzz/found/READER; fuzz-found.t replays it.
+# fuzz.sh [READER|TOOL...] - each reader of the tools under libFuzzer and the sanitizers, from what
+# seeds.sh names, and each tool of tools.txt on files with something wrong in them (hammer.c); by
+# `make fuzz`: FUZZ_SECONDS in all (default 600), shared alike.  Prints the runs of each, and how many
+# a second; a crash, an undefined operation, a run over 5 s (a tool's: 10 s of processor time) or over
+# 2 GB, a tool's nan stays as a file in $OUT/READER, and the exit status is 1.  Such a file, once
+# mended, goes to tests/fuzz/found/READER, or for a tool into fuzz-found.t, which replays it.
 SRC=$(cd "$(dirname "$0")/../.." && pwd)
 OUT=${OUT:-$SRC/build/fuzz/out}
 FUZZ=${FUZZ:-$SRC/build/fuzz/tests/fuzz/fuzz}
+HAMMER=${FUZZ%/*}/hammer
+PATH=${FUZZ%/tests/*}/bin:$PATH
+CLOUDMILL_MACHINES=$SRC/machines
+export CLOUDMILL_MACHINES
 bad=0
+cd "$SRC" || exit 1
 # shellcheck disable=SC2046 # names
-[ $# -gt 0 ] || set -- $(sh "$SRC/tests/fuzz/seeds.sh")
+[ $# -gt 0 ] || set -- $(sh tests/fuzz/seeds.sh) $(sed -n 's/^\([a-z][-a-z0-9]*\) .*/tool:\1/p' tests/fuzz/tools.txt)
 seconds=$((${FUZZ_SECONDS:-600} / $#))
 [ $seconds -gt 0 ] || seconds=1
 
+
+
+# tool NAME: on broken files, which it keeps if it dies of them, takes too long or too much, or writes nan
+tool() {
+	line=$(sed -n "s,@,$SRC,g; s/^$1 //p" tests/fuzz/tools.txt)
+	mkdir -p "$OUT/$1"
+	# shellcheck disable=SC2046,SC2086 # words, and the good files by their whole names
+	ASAN_OPTIONS=detect_leaks=0:allocator_may_return_null=1:hard_rss_limit_mb=2048 \
+		"$HAMMER" ${seconds}s "${SEED:-$(date +%j)}" 10 "$OUT/$1" ${line%% -- *} -- \
+		$(printf "$SRC/%s\n" ${line##* -- }) >"$OUT/$1.log" 2>&1
+	status=$?
+	awk -v tool="$1" -v seconds="$seconds" '/ runs: / { runs = $1; sub(/.*runs: /, ""); what = $0 }
+		END { printf "%-16s %9d runs, %6.0f a second: %s\n", tool, runs, runs / seconds, what }' "$OUT/$1.log"
+	[ $status -eq 0 ] || { bad=1 && sed '$d' "$OUT/$1.log"; }
+}
+
 for reader; do
+	case $reader in
+	tool:*)
+		tool "${reader#tool:}"
+		continue
+		;;
+	esac
 	mkdir -p "$OUT/$reader/corpus" "$OUT/$reader/seeds"
 	sh "$SRC/tests/fuzz/seeds.sh" "$reader" | while read -r file; do
 		ln -sf "$file" "$OUT/$reader/seeds"
@@ -24,7 +52,7 @@ for reader; do
 		"$OUT/$reader/seeds" >"$OUT/$reader.log" 2>&1
 	status=$?
 	awk -v reader="$reader" '/number_of_executed_units/ { runs = $2 } /average_exec_per_sec/ { rate = $2 }
-		END { printf "%-14s %9d runs, %6d a second", reader, runs, rate }' "$OUT/$reader.log"
+		END { printf "%-16s %9d runs, %6d a second", reader, runs, rate }' "$OUT/$reader.log"
 	if [ $status -eq 0 ]; then
 		echo
 	else

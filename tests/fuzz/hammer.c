@@ -2,7 +2,8 @@
  * hammer RUNS SEED SECONDS FOLDER COMMAND... -- FILE... - runs a tool on files with something wrong
  * in them, made from good ones, and keeps in FOLDER those that it does not take as it should.
  *
- * COMMAND has {} where the file's name goes.  Each file is one of FILE... with one to four changes:
+ * RUNS: how many, or with an s behind it for how many seconds.  COMMAND has {} where the file's name
+ * goes.  Each file is one of FILE... with one to four changes:
  * a number replaced by a hostile one (0, huge, tiny, nan, negative, another of the file), a line
  * doubled, left out or exchanged, bytes changed, the end cut off.
  *
@@ -19,6 +20,7 @@
 #include <string.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 enum { MOST = 1 << 20, SEEDS = 200, WORDS = 60 };
@@ -207,9 +209,11 @@ int main(int argc, char **argv)
     for (char **word = command; *word; word++)
         if (strcmp(*word, "{}") == 0)
             *word = file;
-    size_t runs = strtoul(argv[1], NULL, 10), bad = 0, count[4] = {0};
+    char *unit;
+    size_t most = strtoul(argv[1], &unit, 10), runs = 0, bad = 0, count[4] = {0};
+    time_t begun = time(NULL);
     unsigned long first = strtoul(argv[2], NULL, 10);
-    for (size_t i = 0; i < runs; i++) {
+    for (size_t i = 0; *unit == 's' ? time(NULL) - begun < (time_t)most : i < most; i++, runs++) {
         state = (first << 32) + i;
         below(1);
         read_seed(argv[(size_t)dashes + 1 + below((size_t)(argc - dashes - 1))]);

@@ -48,4 +48,8 @@ vertex 1 "0 0 0"
 told 1 "planes for scallops that nobody sees" meshnorm -q -j 1 -r 4 --scallop 1e-12 mesh.ply
 told 1 "the same, in the best direction" meshnorm -q -j 1 -r 4 --scallop 1e-12 --direction auto mesh.ply
 told 1 "planes for scallops that nobody sees" planecut -q -j 1 -r 4 --scallop 1e-12 mesh.ply
+vertex 97 "0 2147483647 0"
+told 1 "a vertex as far as no part" meshnorm -q -j 1 -r 4 mesh.ply
+told 1 "the same, in the best direction" meshnorm -q -j 1 -r 4 --direction auto mesh.ply
+told 1 "the same, in the best direction" planecut -q -j 1 -r 4 --scallop 0.02 --direction auto mesh.ply
 done_testing

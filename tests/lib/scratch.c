@@ -27,8 +27,12 @@ const char *scratch_name(void)
 {
     if (name[0] && owner == getpid())
         return name;
-    strcpy(name, "/tmp/cloudmill.XXXXXX");
+    strcpy(name, "/dev/shm/cloudmill.XXXXXX"); /* in memory, where there is that */
     int fd = mkstemp(name);
+    if (fd < 0) {
+        strcpy(name, "/tmp/cloudmill.XXXXXX");
+        fd = mkstemp(name);
+    }
     if (fd < 0)
         fail(name);
     close(fd);

@@ -552,6 +552,22 @@ has "names it" '^contact [0-9.]+ 0\.000000 [0-9.]+, normal' out
 status 1 "--explain a block that is not there" ncpost -c fanuc --explain 5000 "$golden/shapes.cl"
 has "names the last" 'the last one is 1270' err
 
+# ---- a curve or an arc that bulges beyond the travel between ends within it; poles without bound
+for control in fanuc siemens heidenhain linuxcnc; do
+	sed 's/26,41,1,30,40,0/26,41,9000,30,40,0/' "$golden/shapes.cl" >bulge.cl
+	status 1 "a curve beyond the travel: $control" ncpost -c $control bulge.cl
+	has "names the axis" 'axis Z of .*: found a position of 2[0-9]{3}\.' err
+	sed 's/26,41,1,30,40,0/26,41,3000,30,40,0/' "$golden/shapes.cl" >bulge.cl
+	status 0 "poles beyond it, of a curve within: $control" ncpost -c $control bulge.cl
+	sed -e '/^PAINT\|^MOVNRB/d' -e '16,$d' "$golden/shapes.cl" >bulge.cl
+	printf 'GOTO/0,1990,0,0,0,1\nCIRCLE/25,1990,0,0,0,-1,25\nGOTO/50,1990,0,0,0,1\nFINI\n' >>bulge.cl
+	status 1 "an arc beyond the travel: $control" ncpost -c $control bulge.cl
+	has "names the axis" 'axis Y of .*: found a position of 20[01][0-9]\.' err
+done
+sed 's/26,41,1,30,40,0/26,41,1e300,30,40,0/' "$golden/shapes.cl" >bulge.cl
+status 1 "a pole without bound" ncpost -c siemens bulge.cl
+has "is told" 'a pole too far for any machine' err
+
 # ---- the self-test of every machine: the tip stays where it is
 for machine in "$SRC"/machines/*.txt; do
 	control=fanuc

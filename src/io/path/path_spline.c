@@ -97,10 +97,14 @@ static int read_poles(struct spline_parse *s, const struct apt *apt, const char 
     if (apt->argument.n != 3 * s->poles + 1)
         return error_at(error, name, apt->line, "found %zu numbers in MOVNRB/%s, expected %zu",
                         apt->argument.n - 1, apt->argument.item[0].text, 3 * s->poles);
-    for (size_t i = 1; i + 2 < apt->argument.n; i += 3)
-        *array_push(pole) =
-            vec_scale(unit, vec(apt->argument.item[i].number, apt->argument.item[i + 1].number,
-                                apt->argument.item[i + 2].number));
+    for (size_t i = 1; i + 2 < apt->argument.n; i += 3) {
+        struct vec3 at = vec(apt->argument.item[i].number, apt->argument.item[i + 1].number,
+                             apt->argument.item[i + 2].number);
+        if (!(unit * vec_length(at) < 1e8))
+            return error_at(error, name, apt->line,
+                            "found a pole too far for any machine, expected less than 1e8 mm");
+        *array_push(pole) = vec_scale(unit, at);
+    }
     return 0;
 }
 
