@@ -16,6 +16,7 @@
 #include "nurbs/sew.h"
 #include "nurbs/skin.h"
 #include "nurbs/skin_close.h"
+#include "nurbs/skin_measure.h"
 #include "stage/cloud_options.h"
 #include "stage/nurbs_report.h"
 
@@ -253,6 +254,8 @@ static double make_patch_mesh(const struct cli *cli, const struct settings *s,
     struct skin skin = skin_of(patch_mesh);
     if (out.conflicts > 0 && skin.unlike > 0)
         say("%zu neighbours cannot be oriented alike", out.conflicts);
+    if (notes_shown())
+        skin_measure(&skin, patch_mesh, patches, cli->threads);
     nurbs_report_skin(patches, &skin);
     check_closed(patches, &skin, unmet);
     skin_free(&skin);

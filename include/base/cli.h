@@ -81,6 +81,9 @@ const char *cli_tool(void);
 void say(const char *format, ...) __attribute__((format(printf, 1, 2)));
 void note(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
+/* Is what note() prints asked for?  What it costs much to find need not be found else. */
+bool notes_shown(void);
+
 /* Ends the process with the message: exit 1, exit 1 with error's text, exit 2, exit 3. */
 _Noreturn void die(const char *format, ...) __attribute__((format(printf, 1, 2)));
 _Noreturn void die_error(const struct error *error);

@@ -31,6 +31,9 @@ struct skin_body {
     size_t uneven;       /* of these, those that are not as often gone along there as back */
     size_t unlike;       /* edges whose two facets are turned differently */
     double area, volume; /* mm^2; mm^3, of what is enclosed: only of a closed one */
+    bool exact;          /* of the surfaces themselves (skin_measure.h), else of the facets */
+    size_t number;       /* as they were found */
+    bool shared;         /* facets of a surface are in another body, too */
     long genus;          /* handles, of a closed one that nowhere touches itself along an edge */
 };
 
@@ -43,6 +46,7 @@ struct skin {
     struct skin_loops loop;
     struct skin_bodies body;
     size_t open, many, unlike; /* edges, of all bodies */
+    int *body_of; /* [sheet] the number of the body that it is a part of, -1: of none or several */
 };
 
 /* Closed: no open edge, and all facets turned alike; along an edge of more than two as many of them

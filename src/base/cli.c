@@ -65,6 +65,11 @@ void say(const char *format, ...)
     va_end(args);
 }
 
+bool notes_shown(void)
+{
+    return state.verbose;
+}
+
 void note(const char *format, ...)
 {
     if (!state.verbose)

@@ -203,6 +203,33 @@ bool skin_body_closed(const struct skin_body *body)
     return body->open == 0 && body->uneven == 0 && body->unlike == 0;
 }
 
+/* The largest body first, and the body that each sheet is a part of. */
+static void sort_bodies(const struct patch_mesh *q, const size_t *body, struct skin *skin)
+{
+    enum { NONE = -1, SEVERAL = -2 };
+    int *new_number = mem_alloc(skin->body.n + 1, sizeof *new_number);
+
+    for (size_t i = 0; i < skin->body.n; i++)
+        skin->body.item[i].number = i;
+    if (skin->body.n > 1)
+        qsort(skin->body.item, skin->body.n, sizeof *skin->body.item, compare_bodies);
+    for (size_t i = 0; i < skin->body.n; i++)
+        new_number[skin->body.item[i].number] = (int)i;
+    skin->body_of = mem_alloc(q->sheets + 1, sizeof *skin->body_of);
+    for (size_t i = 0; i < q->sheets; i++)
+        skin->body_of[i] = NONE;
+    for (size_t f = 0; f < q->face.n; f++) {
+        int *of = &skin->body_of[q->sheet.item[f]],
+            b = body[f] > 0 ? new_number[body[f] - 1] : NONE;
+        if (b >= 0 && *of != b)
+            *of = *of == NONE ? b : SEVERAL;
+    }
+    for (size_t f = 0; f < q->face.n; f++)
+        if (body[f] > 0 && skin->body_of[q->sheet.item[f]] == SEVERAL)
+            skin->body.item[new_number[body[f] - 1]].shared = true;
+    free(new_number);
+}
+
 struct skin skin_of(const struct patch_mesh *q)
 {
     struct skin skin = {.open = 0};
@@ -240,8 +267,7 @@ struct skin skin_of(const struct patch_mesh *q)
         b->genus = (2 - ((long)b->fans - (long)b->edges + (long)b->facets)) / 2;
     }
     find_loops(q, &open, &skin);
-    if (skin.body.n > 1)
-        qsort(skin.body.item, skin.body.n, sizeof *skin.body.item, compare_bodies);
+    sort_bodies(q, body, &skin);
     array_free(&open);
     free(side);
     free(parent);
@@ -253,4 +279,6 @@ void skin_free(struct skin *skin)
 {
     array_free(&skin->loop);
     array_free(&skin->body);
+    free(skin->body_of);
+    skin->body_of = NULL;
 }

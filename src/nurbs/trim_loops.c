@@ -161,6 +161,7 @@ struct follower {
     const struct nurbs_curve *curve;
     double tolerance;
     bool space, directed;
+    bool bent;  /* corners so that what the chords bound is what the curve bounds */
     double off; /* the farthest that the curve was off the surface */
     int seeks;  /* searches of the whole surface that may still fail */
     struct uvs *to;
@@ -195,13 +196,15 @@ static struct uv uv_between(struct uv a, struct uv b, double t)
     return (struct uv){a.u + (b.u - a.u) * t, a.v + (b.v - a.v) * t};
 }
 
-/* Is the chord in the parameters, and on the surface, near the curve at three places? */
-static bool is_near(struct follower *f, double t0, struct uv a, double t1, struct uv b)
+/* Is the chord in the parameters, and on the surface, near the curve at three places (`at`)? */
+static bool is_near(struct follower *f, double t0, struct uv a, double t1, struct uv b,
+                    struct uv at[3])
 {
     struct vec3 p = pullback_point(&f->on, a), q = pullback_point(&f->on, b);
     for (int i = 1; i < 4; i++) {
         struct uv m = uv_between(a, b, i / 4.0);
-        struct vec3 on = pullback_point(&f->on, uv_at(f, t0 + (t1 - t0) * i / 4, m));
+        at[i - 1] = uv_at(f, t0 + (t1 - t0) * i / 4, m);
+        struct vec3 on = pullback_point(&f->on, at[i - 1]);
         if (vec_segment_distance(p, q, on) > f->tolerance ||
             vec_segment_distance(p, q, pullback_point(&f->on, m)) > f->tolerance)
             return false;
@@ -209,14 +212,40 @@ static bool is_near(struct follower *f, double t0, struct uv a, double t1, struc
     return true;
 }
 
+/* The corners of a chord and of the curve at its quarters, moved off the chord so much further that
+ * chords through them bound what the curve does: the trapezoids of these offsets are off by what
+ * Boole's rule says, for a parabola a fifteenth. */
+static void bend_chord(struct follower *f, struct uv a, struct uv b, const struct uv at[3])
+{
+    static const double rule[3] = {64 / 45.0, 24 / 45.0, 64 / 45.0};
+    double chords = 0, curve = 0;
+    for (int i = 0; i < 3; i++) {
+        double off = (b.u - a.u) * (at[i].v - a.v) - (b.v - a.v) * (at[i].u - a.u);
+        chords += off;
+        curve += rule[i] * off;
+    }
+    bool even = curve > 0.5 * chords && curve < 2 * chords;
+    bool odd = curve < 0.5 * chords && curve > 2 * chords;
+    double by = even || odd ? curve / chords : 1;
+    *array_push(f->to) = a;
+    for (int i = 0; i < 3; i++) {
+        struct uv m = uv_between(a, b, (i + 1) / 4.0);
+        *array_push(f->to) = uv_between(m, at[i], by);
+    }
+}
+
 /* All points of the curve from t0 to t1 but the last. */
 static void follow_span(struct follower *f, double t0, struct uv a, double t1, struct uv b,
                         int depth)
 {
-    if (depth == DEPTH_MAX || is_near(f, t0, a, t1, b)) {
+    struct uv at[3] = {a, a, a};
+    bool near = depth < DEPTH_MAX && is_near(f, t0, a, t1, b, at);
+    if (near && f->bent)
+        bend_chord(f, a, b, at);
+    else if (near || depth == DEPTH_MAX)
         *array_push(f->to) = a;
+    if (near || depth == DEPTH_MAX)
         return;
-    }
     double middle = t0 + (t1 - t0) / 2;
     struct uv m = uv_at(f, middle, uv_between(a, b, 0.5));
     follow_span(f, t0, a, middle, m, depth + 1);
@@ -715,11 +744,12 @@ static bool are_holes(const struct patch *patch, const struct pullback *on,
     return most < 0;
 }
 
-void trim_loops(const struct patch *patch, double tolerance, struct uv_polygon *loops)
+static void find_loops(const struct patch *patch, double tolerance, bool bent,
+                       struct uv_polygon *loops)
 {
     struct uv_polygon raw = {0};
     struct follower f = {
-        .on = pullback_new(&patch->surface), .tolerance = tolerance, .seeks = SEEKS};
+        .on = pullback_new(&patch->surface), .tolerance = tolerance, .bent = bent, .seeks = SEEKS};
     for (size_t i = 0; i < patch->loop.n; i++) {
         struct uvs loop = {0};
         follow_loop(patch, &patch->loop.item[i], &f, &loop);
@@ -739,4 +769,14 @@ void trim_loops(const struct patch *patch, double tolerance, struct uv_polygon *
         loops->open = trim_told_outside(patch, loops);
     uv_polygon_free(&raw);
     pullback_free(&f.on);
+}
+
+void trim_loops(const struct patch *patch, double tolerance, struct uv_polygon *loops)
+{
+    find_loops(patch, tolerance, false, loops);
+}
+
+void trim_loops_bent(const struct patch *patch, double tolerance, struct uv_polygon *loops)
+{
+    find_loops(patch, tolerance, true, loops);
 }

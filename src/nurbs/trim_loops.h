@@ -32,6 +32,10 @@ struct uv_polygon {
  */
 void trim_loops(const struct patch *patch, double tolerance, struct uv_polygon *loops);
 
+/* The same for what the loops bound: four sides for each, with corners a little beyond the curve,
+ * so that the areas in the parameters agree to higher order. */
+void trim_loops_bent(const struct patch *patch, double tolerance, struct uv_polygon *loops);
+
 /* True when an odd number of loops go round the place, or an even number where `open`. */
 bool uv_polygon_inside(const struct uv_polygon *loops, bool open, struct uv at);
 

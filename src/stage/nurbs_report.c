@@ -172,16 +172,17 @@ void nurbs_report_skin(const struct patches *patches, const struct skin *skin)
     for (size_t i = 0; i < skin->body.n && i < NAMED; i++) {
         const struct skin_body *b = &skin->body.item[i];
         const char *about = b->volume < 0 ? " about a void" : "";
+        const char *of = b->exact ? "" : " (of the facets)";
         if (skin_body_closed(b) && b->many > 0)
             note("body %zu: closed%s, touches itself along %zu edges, area %.10g mm2, "
-                 "volume %.10g mm3, %zu facets",
-                 i + 1, about, b->many, b->area, b->volume, b->facets);
+                 "volume %.10g mm3%s, %zu facets",
+                 i + 1, about, b->many, b->area, b->volume, of, b->facets);
         else if (skin_body_closed(b))
-            note("body %zu: closed%s, genus %ld, area %.10g mm2, volume %.10g mm3, %zu facets",
-                 i + 1, about, b->genus, b->area, b->volume, b->facets);
+            note("body %zu: closed%s, genus %ld, area %.10g mm2, volume %.10g mm3%s, %zu facets",
+                 i + 1, about, b->genus, b->area, b->volume, of, b->facets);
         else
-            note("body %zu: open at %zu edges, area %.10g mm2, %zu facets", i + 1, b->open, b->area,
-                 b->facets);
+            note("body %zu: open at %zu edges, area %.10g mm2%s, %zu facets", i + 1, b->open,
+                 b->area, of, b->facets);
     }
     if (skin->body.n > NAMED)
         note("%zu bodies more", skin->body.n - NAMED);

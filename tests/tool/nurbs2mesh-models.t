@@ -254,7 +254,7 @@ box_volume=$(calc '6000 - 160 * p')
 model "STEP: a box with a hole" "$box_area" "$box_volume" -e 0.003 "$TMP/box.step"
 
 nurbs2mesh -v -e 0.003 "$TMP/box.step" 2>"$TMP/report" >/dev/null
-has "the hole is a handle, and the body closed" 'body 1: closed, genus 1, area 2350\.8[0-9]* mm2, volume 5497\.4' "$TMP/report"
+has "the hole is a handle, and the body closed" 'body 1: closed, genus 1, area 2350\.796[0-9]* mm2, volume 5497\.345' "$TMP/report"
 hasnt "nothing is open" '^nurbs2mesh: open: ' "$TMP/report"
 grep -v '^l5 \|^b5 \|^s5 \|^f5 ' <<END | { cat; echo "REP ADVANCED_BREP_SHAPE_REPRESENTATION('',({SOLID}),{CONTEXT})"; } |
 $(box | sed 's/,{f5}//')

@@ -23,6 +23,18 @@ off_profile() { # PROFILE COLUMN FILE: of a grid (,) or of vertices
 	END { print (count > 100 ? most + 0 : 1) }' "$1" "$3"
 }
 
+# reported DESC AREA VOLUME ARGS...: what -v tells is of the surfaces, however coarse the triangles are
+reported() {
+	what=$1 want_area=$2 want_volume=$3
+	shift 3
+	nurbs2mesh -v "$@" 2>&1 >/dev/null | sed -n 's/.*body 1: closed.* area \([^ ]*\) mm2, volume \([^ ]*\) mm3, [0-9]* facets$/\1 \2/p' >"$TMP/told"
+	read -r area volume <"$TMP/told"
+	usual=${within:-0.0001} within=0.000001
+	part "$what: the area that is told" "$area" "$want_area"
+	part "$what: and the volume" "$volume" "$want_volume"
+	within=$usual
+}
+
 # both NAME E: the profile $TMP/NAME as IGES and STEP
 both() {
 	name=$1 e=$2
@@ -33,6 +45,7 @@ both() {
 	for kind in igs step; do
 		model "$name.$kind" "$want_a" "$want_v" -e "$e" "$TMP/$name.$kind"
 		below "$name.$kind: every vertex is on it" "$(off_profile "$TMP/$name" 1 "$TMP/model.ply")" 2e-6
+		reported "$name.$kind" "$want_a" "$want_v" -e 0.3 "$TMP/$name.$kind"
 		nurbs2mesh --grid 19 "$TMP/$name.$kind" >"$TMP/grid"
 		below "$name.$kind: and the surfaces, within 1e-9 of the size" "$(off_profile "$TMP/$name" 4 "$TMP/grid")" 3e-8
 	done
