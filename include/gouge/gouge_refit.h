@@ -14,7 +14,7 @@
  * Who spends what of the tolerance (-e of the fitters; how deep the ball may go):
  *
  *   constant       of            what for
- *   GOUGE_SAFE     tolerance     deeper than this is lifted: the points of a scan are not the part
+ *   GOUGE_SAFE     tolerance     deeper than this is lifted (gouge.h): the rest is ncpost's
  *   GOUGE_CHORD    tolerance     straight pieces off the motion while it is checked, ...
  *   GOUGE_FINEST   tolerance     ... and at closest, where that decides
  *   GOUGE_SWEPT    tolerance     what shank and holder move between two poses that are looked at
@@ -29,7 +29,6 @@
 #include "gouge/gouge.h"
 #include "gouge/gouge_track.h"
 
-#define GOUGE_SAFE 0.92
 #define GOUGE_CHORD (1.0 / 20)
 #define GOUGE_FINEST 1e-3
 #define GOUGE_SWEPT 0.25

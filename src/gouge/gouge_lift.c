@@ -8,6 +8,8 @@
 
 #include <stdlib.h>
 
+#include "gouge/gouge.h"
+
 #include "smooth_up.h"
 
 enum { HALVINGS = 20 }; /* of a jump of the lift, at most */
@@ -151,18 +153,19 @@ static struct lifted_point lift_halfway(const struct lifted_point *a, const stru
     return lift_point(&p, &touch, rule, radius);
 }
 
-/* True if the ball goes no deeper than the tolerance on the straight line between two points where
+/* True if the ball goes no deeper than it safely may on the straight line between two points where
  * it is clear. */
 static bool is_line_clear(const struct run_point *a, const struct run_point *b,
                           const struct gouge_lift_options *rule)
 {
     const double slack = 1e-5; /* what clear may mean, and rounding */
-    double within = rule->offset - rule->tolerance, clear = rule->offset - slack;
+    double may = GOUGE_SAFE * rule->tolerance, within = rule->offset - may;
+    double clear = rule->offset - slack;
     struct vec3 way = vec_sub(b->ball, a->ball);
 
     /* What is in neither ball stands no deeper in one between than the sagitta of the way. */
     return !rule->guard || vec_dot(way, way) / 4 <= clear * clear - within * within ||
-           gouge_clear_along(rule->guard, a->ball, b->ball, rule->offset, rule->tolerance);
+           gouge_clear_along(rule->guard, a->ball, b->ball, rule->offset, may);
 }
 
 /* True if nothing comes between them, for where they would touch they are nearer than two steps. */

@@ -65,7 +65,7 @@ START_TEST(a_chord_is_as_deep_as_its_sagitta)
         ck_assert_double_eq_tol(deepest.depth, sagitta, 0.001);
         ck_assert_double_le(fabs(deepest.ball.x), 1);
         array_free(&deeps);
-        rule.tolerance = sagitta + 0.02;
+        rule.tolerance = sagitta / GOUGE_SAFE + 0.001;
         check_motion(&rule, &line, &deeps);
         ck_assert_uint_eq(deeps.n, 0);
         ck_assert(gouge_refit_deepest(&deeps).depth == 0);
