@@ -35,4 +35,8 @@ struct ridge_direction {
 bool ridge_direction_find(const struct vec3 *point, size_t n, struct vec3 at, struct vec3 up,
                           struct vec3 way, size_t some, struct ridge_direction *rib);
 
+/* The same of three directions only, that which a place near by has and one to either side. */
+bool ridge_direction_follow(const struct vec3 *point, size_t n, struct vec3 at, struct vec3 up,
+                            struct vec3 way, size_t some, struct ridge_direction *rib);
+
 #endif

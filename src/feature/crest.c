@@ -4,15 +4,15 @@
 #include <stdlib.h>
 
 #include "feature_steps.h"
-#include "math/plane_fit.h"
 #include "math/ridge_direction.h"
 #include "feature/feature.h"
 #include "math/earclip.h"
 #include "mesh/mesh_edges.h"
 #include "base/parallel.h"
 
-enum { STEPS = 48, FEW = 12, SOME = 24, MANY = 48, WIDEST = FEATURE_MOST, TRIES = 5 };
+enum { STEPS = 48, FEW = 12, SOME = 24, MANY = 48, SHARED = 96, TRIES = 5 };
 
+static const double STEP = 0.5;    /* spacings */
 static const double BEND = 0.04;   /* of the edge, at a crest */
 static const double BESIDE = 0.08; /* of the edge, beside it, but no more than ... */
 static const double FAR = 0.4;     /* ... mean spacings */
@@ -30,6 +30,15 @@ struct profile {
     double length;        /* from a to b across `up` */
     int n;
     double height[STEPS + 1]; /* along `up`, over a */
+    struct vec3 near[SHARED]; /* points about the middle that serve all steps, 0: too many would */
+    size_t gathered;
+};
+
+/* Points about a place of the crest, which serve places beside it too, and how it runs there, unit;
+ * none to begin with. */
+struct hood {
+    struct vec3 near[RIDGE_DIRECTION_LONGER * MANY], at, way;
+    size_t n;
 };
 
 /* Twice as many points where there is much noise, from few on. */
@@ -48,28 +57,36 @@ static struct vec3 place_over(const struct profile *p, double part, double h)
     return vec_along(vec_along(p->a, part, way), h, p->up);
 }
 
-/* The plane that the neighbourhood lies about. */
-static bool find_up(struct profile *p)
+/* Is the neighbourhood seen from above, and no edge along its normal? */
+static bool measure_way(struct profile *p)
 {
-    struct vec3 near[WIDEST];
-    struct plane_fit plane;
-    double reach = 2 * vec_distance(p->a, p->b) / p->cloud->spacing;
-    size_t k = (size_t)fmin(fmax(PI * reach * reach, 60), WIDEST);
-
-    k = feature_near(p->cloud, vec_mix(p->a, p->b, 0.5), k, near);
-    if (plane_fit(near, k, &plane) < 0)
-        return false;
-    p->up = plane.normal.z < 0 ? vec_scale(-1, plane.normal) : plane.normal;
     p->length = vec_length(vec_reject(vec_sub(p->b, p->a), p->up));
     return p->length > 0 && p->up.z > FACING;
+}
+
+/* The points that are nearest to any step lie in a ball about the middle. */
+static void gather_points(struct profile *p)
+{
+    double each =
+        (double)points_needed(p->cloud, FEW) / (PI * p->up.z); /* spacings^2 that a step takes */
+    double reach = p->length / 2 / p->cloud->spacing + sqrt(each);
+    double k = ceil(PI * p->up.z * reach * reach);
+
+    p->gathered = 0;
+    if (k <= SHARED)
+        p->gathered = feature_near(p->cloud, vec_mix(p->a, p->b, 0.5), (size_t)k, p->near);
 }
 
 /* A quadric through the points nearest to a place. */
 static bool fit_at(const struct profile *p, struct vec3 at, struct quadric *q)
 {
     struct vec3 near[SOME];
-    size_t k = feature_near(p->cloud, at, points_needed(p->cloud, FEW), near);
+    size_t k = points_needed(p->cloud, FEW);
 
+    if (p->gathered >= k)
+        k = neighbourhood_along(p->near, p->gathered, at, p->up, 1, k, near);
+    else
+        k = feature_near(p->cloud, at, k, near);
     return quadric_fit(near, k, at, p->up, q) == 0;
 }
 
@@ -77,10 +94,11 @@ static bool fit_at(const struct profile *p, struct vec3 at, struct quadric *q)
 static bool follow_surface(struct profile *p)
 {
     double slope = 0, far = 3 * p->cloud->spacing;
-    int n = (int)fmin(ceil(2 * p->length / p->cloud->spacing), STEPS);
+    int n = (int)fmin(ceil(p->length / (STEP * p->cloud->spacing)), STEPS);
 
     p->n = n > 4 ? n : 4;
     p->height[0] = 0;
+    gather_points(p);
     for (int i = 1; i < p->n; i++) {
         struct quadric q;
         struct vec3 way = vec_scale(1.0 / p->n, vec_reject(vec_sub(p->b, p->a), p->up));
@@ -131,31 +149,58 @@ static struct vec3 straight_direction(const struct quadric *q, bool *rib, double
     return vec_along(vec_scale(cos(turn), q->u), sin(turn), q->v);
 }
 
-/* The surface along the rib at a place that is near to it; false: there is no rib. */
-static bool fit_along(const struct profile *p, struct vec3 at, struct quadric *q)
+/* The points leave a surface along a rib no more than noise and rounding do. */
+static bool is_explained(const struct profile *p, double rms, double round)
+{
+    return rms < 1.6 * p->cloud->noise + round * p->cloud->spacing;
+}
+
+/* The surface along the rib at a place beside the one whose points these are. */
+static bool fit_beside(const struct profile *p, struct vec3 at, struct hood *hood,
+                       struct quadric *q)
 {
     size_t some = points_needed(p->cloud, SOME);
-    struct vec3 near[RIDGE_DIRECTION_LONGER * MANY];
+    struct ridge_direction best;
     double across;
     bool rib;
-    size_t k = feature_near(p->cloud, at, RIDGE_DIRECTION_LONGER * some, near);
 
-    if (quadric_fit(near, k < some ? k : some, at, p->up, q) < 0)
+    if (!ridge_direction_follow(hood->near, hood->n, at, p->up, hood->way, some, &best))
+        return false;
+    *q = best.q;
+    hood->way = best.way;
+    straight_direction(q, &rib, &across);
+    return fabs(across) * p->length >= BENT && quadric_normal(q).z > FACING &&
+           is_explained(p, best.rms, 0.15);
+}
+
+/* The surface along the rib at a place that is near to it; false: there is no rib. */
+static bool fit_along(const struct profile *p, struct vec3 at, struct hood *hood, struct quadric *q)
+{
+    size_t some = points_needed(p->cloud, SOME);
+    double across;
+    bool rib;
+
+    if (hood->n > 0 && vec_distance(at, hood->at) < p->cloud->spacing)
+        return fit_beside(p, at, hood, q);
+    size_t k = feature_near(p->cloud, at, RIDGE_DIRECTION_LONGER * some, hood->near);
+    hood->n = 0;
+    if (quadric_fit(hood->near, k < some ? k : some, at, p->up, q) < 0)
         return false;
     struct vec3 way = straight_direction(q, &rib, &across);
     if (fabs(across) * p->length < BENT || quadric_normal(q).z < FACING)
         return false;
     if (rib) {
         struct ridge_direction best;
-        if (!ridge_direction_find(near, k, at, p->up, way, some, &best))
+        if (!ridge_direction_find(hood->near, k, at, p->up, way, some, &best))
             return false;
         *q = best.q;
-        return quadric_normal(q).z > FACING &&
-               best.rms < 1.6 * p->cloud->noise + 0.15 * p->cloud->spacing;
+        hood->n = k;
+        hood->at = at;
+        hood->way = best.way;
+        return quadric_normal(q).z > FACING && is_explained(p, best.rms, 0.15);
     }
-    double rms = quadric_rms(q, near, k < some ? k : some);
-    return fabs(across) * p->length > TIGHT &&
-           rms < 1.6 * p->cloud->noise + 0.1 * p->cloud->spacing;
+    double rms = quadric_rms(q, hood->near, k < some ? k : some);
+    return fabs(across) * p->length > TIGHT && is_explained(p, rms, 0.1);
 }
 
 /* Along the way over the edge: first and second derivative of the surface, by mm. */
@@ -190,11 +235,13 @@ static bool find_crest(const struct profile *p, int step, double sign, struct cr
 {
     double part = (double)step / p->n, rim = fmin(0.06, 0.15 * p->cloud->spacing / p->length);
     double h = p->height[step];
+    struct hood hood;
     struct quadric q;
 
+    hood.n = 0;
     for (int i = 0; i < TRIES; i++) {
         double slope, bend;
-        if (!fit_along(p, place_over(p, part, h), &q))
+        if (!fit_along(p, place_over(p, part, h), &hood, &q))
             return false;
         h += q.c[0];
         slope_and_bend(p, &q, &slope, &bend);
@@ -254,21 +301,24 @@ static bool add_farthest(const struct profile *p, struct crest *c)
         }
     }
     double part = (double)worst / p->n;
+    struct hood hood;
     struct quadric q;
-    if (worst < 0 || !fit_along(p, place_over(p, part, p->height[worst]), &q))
+    hood.n = 0;
+    if (worst < 0 || !fit_along(p, place_over(p, part, p->height[worst]), &hood, &q))
         return false;
     add_point(c, at, part, &q);
     return true;
 }
 
-struct crest crest_find(const struct feature_cloud *cloud, struct vec3 a, struct vec3 b)
+struct crest crest_find(const struct feature_cloud *cloud, struct vec3 a, struct vec3 b,
+                        struct vec3 up)
 {
-    struct profile p = {.cloud = cloud, .a = a, .b = b};
+    struct profile p = {.cloud = cloud, .a = a, .b = b, .up = up};
     struct crest c = {.n = 0, .top = -1};
     double sign[2] = {1, -1}, over[2];
     int step[2];
 
-    if (!find_up(&p) || !follow_surface(&p))
+    if (!measure_way(&p) || !follow_surface(&p))
         return c;
     for (int i = 0; i < 2; i++)
         step[i] = extreme_step(&p, sign[i], &over[i]);
@@ -363,14 +413,28 @@ static void choose_edges(struct search *s)
     }
 }
 
+/* The normal of the neighbourhood of an edge: the mean of those of its ends and of the corners
+ * opposite. */
+static struct vec3 normal_about(const struct search *s, const struct mesh_edge *e)
+{
+    const struct vec3 *normal = s->mesh->normal.item;
+    struct vec3 sum = vec_add(normal[e->v[0]], normal[e->v[1]]);
+
+    for (int i = 0; i < 2 && e->facet[i] >= 0; i++) {
+        const int *v = s->mesh->face.item[e->facet[i]].v;
+        sum = vec_add(sum, normal[v[0] ^ v[1] ^ v[2] ^ e->v[0] ^ e->v[1]]);
+    }
+    return vec_unit(sum);
+}
+
 static void find_crests(void *context, size_t from, size_t to)
 {
     const struct search *s = context;
     const struct vec3 *at = s->mesh->vertex.item;
 
     for (size_t i = from; i < to; i++) {
-        const int *v = s->edges->edge[s->edge.item[i]].v;
-        s->crest[i] = crest_find(&s->cloud, at[v[0]], at[v[1]]);
+        const struct mesh_edge *e = &s->edges->edge[s->edge.item[i]];
+        s->crest[i] = crest_find(&s->cloud, at[e->v[0]], at[e->v[1]], normal_about(s, e));
     }
 }
 

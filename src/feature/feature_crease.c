@@ -93,15 +93,7 @@ bool feature_test_sharp(const struct feature_cloud *cloud, const struct side_fit
            !is_rib(&p, cloud, near, n, STRIP, at, along);
 }
 
-enum {
-    MOST = FEATURE_MOST,
-    TURNS = 20,
-    ROUNDS = 4,
-    FEWEST = 8,
-    FEWEST_NEAR = 72,
-    HALVINGS = 40,
-    QUADRIC = 6
-};
+enum { MOST = FEATURE_MOST, TURNS = 20, FEWEST = 8, FEWEST_NEAR = 72, QUADRIC = 6 };
 
 static const double FLAT = 0.99026806874157036; /* cos 8 degrees */
 
@@ -204,26 +196,17 @@ static bool bend_sheets(struct division *p)
 /* Where on the way from a to b the sheets meet; false when they do not. */
 static bool find_crossing(const struct division *p, struct vec3 a, struct vec3 b, struct vec3 *at)
 {
-    const double sure = 1e-9; /* of the steps: beyond that rounding is nothing */
-    double low = 0, high = 1, first = step_at(p, a), last = step_at(p, b);
-    bool above = first > 0;
+    double first = step_at(p, a), last = step_at(p, b);
 
-    if (above == (last > 0))
+    if ((first > 0) == (last > 0))
         return false;
-    /* on the way the step is a parabola: first + s (slope + s bend) */
-    double middle = step_at(p, vec_mix(a, b, 0.5)), bend = 2 * (first - 2 * middle + last);
-    double slope = last - first - bend;
-    double least = sure * (fabs(first) + fabs(middle) + fabs(last));
-    for (int i = 0; i < HALVINGS; i++) {
-        double s = (low + high) / 2, step = first + s * (slope + s * bend);
-        if (!(fabs(step) > least))
-            step = step_at(p, vec_mix(a, b, s));
-        if ((step > 0) == above)
-            low = s;
-        else
-            high = s;
-    }
-    *at = side_fit_point(&p->sheet[0], vec_mix(a, b, low));
+    /* on the way the step is a parabola: first + s (slope + s bend), with one of its zeros there */
+    double bend = 2 * (first - 2 * step_at(p, vec_mix(a, b, 0.5)) + last);
+    double slope = last - first - bend, root = sqrt(fmax(slope * slope - 4 * bend * first, 0));
+    double sum = -(slope + (slope < 0 ? -root : root)) / 2, s = first / sum;
+    if (!(s >= 0 && s <= 1))
+        s = fmin(fmax(sum / bend, 0), 1);
+    *at = side_fit_point(&p->sheet[0], vec_mix(a, b, s));
     return true;
 }
 
@@ -323,26 +306,24 @@ static struct feature crease_of(const struct division *p, struct vec3 at, struct
 /*
  * From all points between a and b to where the crease may be, then the points nearest to that; each
  * time in a frame half way between the two sheets.  With `crossed` the sheets are there to begin
- * with, and meet at *at.
+ * with, and meet at *at.  Sheets that do not meet on the way at once hardly ever do later.
  */
 static bool find_crease(const struct feature_cloud *cloud, struct vec3 a, struct vec3 b,
                         bool crossed, struct division *p, struct vec3 *at)
 {
     size_t near = feature_reach(cloud);
 
-    for (int i = 0; i < ROUNDS; i++) {
-        if (!gather_points(cloud, crossed ? *at : p->origin,
-                           crossed ? near : points_needed(cloud, a, b), a, b, crossed, p) ||
-            !fit_and_divide(p, a))
+    for (bool again = crossed;; again = true) {
+        if (!gather_points(cloud, again ? *at : p->origin,
+                           again ? near : points_needed(cloud, a, b), a, b, again, p) ||
+            !fit_and_divide(p, a) || !find_crossing(p, a, b, at))
             return false;
-        bool again = crossed;
-        crossed = find_crossing(p, a, b, at);
-        if (crossed && again)
+        if (again)
             break;
         p->w = vec_unit(vec_add(side_fit_normal(&p->sheet[0], p->origin),
                                 side_fit_normal(&p->sheet[1], p->origin)));
     }
-    return crossed && bend_sheets(p) && find_crossing(p, a, b, at);
+    return bend_sheets(p) && find_crossing(p, a, b, at);
 }
 
 /* The sheets turn into each other, and by more than they turn on the way there. */

@@ -173,7 +173,7 @@ void feature_accept(const struct mesh *without, const struct mesh *with, const s
  *
  * A rounded rib is no crease, but where it is narrow against the edges of a mesh these cut off its
  * top.  The surface over the edge is followed in steps of half the spacing of the points; its
- * highest or lowest place against the plane of the neighbourhood is the crest, and it is looked at
+ * highest or lowest place against the normal of the neighbourhood is the crest, and it is looked at
  * again with a neighbourhood that is long the way the rib runs (math/ridge_direction.h). */
 
 enum { CREST_MOST = 7 };
@@ -189,7 +189,9 @@ struct crest {
 
 /* The surface bends over the edge from a to b by more than 4 % of its length, at a crest; beside it
  * or without one by more than 8 %, or 0.4 mean spacings.  Where it bends nearly as much along as
- * across, or has a radius of more than twice the edge, it is no rib. */
-struct crest crest_find(const struct feature_cloud *cloud, struct vec3 a, struct vec3 b);
+ * across, or has a radius of more than twice the edge, it is no rib.  `up`: the normal of the
+ * neighbourhood (unit), roughly. */
+struct crest crest_find(const struct feature_cloud *cloud, struct vec3 a, struct vec3 b,
+                        struct vec3 up);
 
 #endif

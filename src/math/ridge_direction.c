@@ -45,44 +45,87 @@ static void select_first(struct ranked *r, size_t n, size_t k)
     }
 }
 
-/* Ranks points, so far off and with these squares of their distance, by the distance along a way;
- * the first k in front.  The farthest in space of them goes to their end. */
-static void rank_along(const struct vec3 *off, const double *all2, size_t n, struct vec3 way,
-                       double aspect, size_t k, struct ranked *ranked)
-{
-    double most = -1, shorter = 1 - 1 / (aspect * aspect);
-    size_t farthest = 0;
-
-    for (size_t i = 0; i < n; i++) {
-        double along = vec_dot(off[i], way);
-        ranked[i] = (struct ranked){all2[i] - along * along * shorter, i};
-    }
-    if (k < n)
-        select_first(ranked, n, k);
-    for (size_t i = 0; i < k; i++) {
-        if (all2[ranked[i].index] >= most) {
-            most = all2[ranked[i].index];
-            farthest = i;
-        }
-    }
-    if (k > 0) {
-        struct ranked last = ranked[k - 1];
-        ranked[k - 1] = ranked[farthest];
-        ranked[farthest] = last;
-    }
-}
+/* So many parts of the range that the first k are in. */
+enum { PARTS = 64 };
 
 /* Points as they lie about a place. */
 struct about {
     size_t n;
     struct vec3 *off;
-    double *all2; /* squares of their distance */
+    double *all2;        /* squares of their distance */
+    double *value;       /* the same, along a way */
+    unsigned char *part; /* of the range, in which that is */
+    size_t *first;       /* the first ones of them, and room for one more */
     struct ranked *ranked;
     struct vec3 *local; /* in the frame of a surface */
     struct vec3 few_off[SOME], few_local[SOME];
-    double few_all2[SOME];
-    struct ranked few_ranked[SOME];
+    double few_all2[SOME], few_value[SOME];
+    unsigned char few_part[SOME];
+    size_t few_first[SOME + 1];
+    struct ranked few_ranked[SOME + 1];
 };
+
+/* The part of the range that the k-th of the values is in; *below: how many are in parts before. */
+static unsigned find_part(const struct about *a, size_t k, size_t *below)
+{
+    unsigned count[PARTS + 1] = {0}, last = 0;
+    double limit = 0; /* k of the values are no larger */
+
+    for (size_t i = 0; i < k; i++)
+        limit = a->value[i] > limit ? a->value[i] : limit;
+    double scale = limit > 0 ? PARTS / limit : 0;
+    for (size_t i = 0; i < a->n; i++) {
+        double part = a->value[i] * scale;
+        a->part[i] = (unsigned char)(int)(part < PARTS ? part : PARTS);
+        count[a->part[i]]++;
+    }
+    for (*below = 0; *below + count[last] < k; last++)
+        *below += count[last];
+    return last;
+}
+
+/* The k smallest of the values to first[]: those of the parts of the range before the k-th one's in
+ * the order of the points, then those of that part: a histogram, for to select from all (Hoare)
+ * means to go through most of them some three times. */
+static void rank_values(const struct about *a, size_t k)
+{
+    size_t below, sure = 0, at_last = 0;
+    unsigned last = find_part(a, k, &below);
+
+    for (size_t i = 0; i < a->n; i++) {
+        a->first[sure] = i;
+        sure += a->part[i] < last;
+        a->ranked[at_last] = (struct ranked){a->value[i], i};
+        at_last += a->part[i] == last;
+    }
+    if (below + at_last > k)
+        select_first(a->ranked, at_last, k - below);
+    for (size_t i = below; i < k; i++)
+        a->first[i] = a->ranked[i - below].index;
+}
+
+/* Ranks points by the distance along a way; the k (not 0) first.  The farthest in space of them
+ * goes to their end. */
+static void rank_along(const struct about *a, struct vec3 way, double aspect, size_t k)
+{
+    double most = -1, shorter = 1 - 1 / (aspect * aspect);
+    size_t farthest = 0;
+
+    for (size_t i = 0; i < a->n; i++) {
+        double along = vec_dot(a->off[i], way), value = a->all2[i] - along * along * shorter;
+        a->value[i] = value > 0 ? value : 0;
+    }
+    rank_values(a, k);
+    for (size_t i = 0; i < k; i++) {
+        if (a->all2[a->first[i]] >= most) {
+            most = a->all2[a->first[i]];
+            farthest = i;
+        }
+    }
+    size_t swap = a->first[k - 1];
+    a->first[k - 1] = a->first[farthest];
+    a->first[farthest] = swap;
+}
 
 static void about_begin(struct about *a, const struct vec3 *point, size_t n, struct vec3 at)
 {
@@ -92,7 +135,10 @@ static void about_begin(struct about *a, const struct vec3 *point, size_t n, str
     a->off = few ? a->few_off : mem_alloc(n, sizeof *a->off);
     a->local = few ? a->few_local : mem_alloc(n, sizeof *a->local);
     a->all2 = few ? a->few_all2 : mem_alloc(n, sizeof *a->all2);
-    a->ranked = few ? a->few_ranked : mem_alloc(n, sizeof *a->ranked);
+    a->value = few ? a->few_value : mem_alloc(n, sizeof *a->value);
+    a->part = few ? a->few_part : mem_alloc(n, 1);
+    a->first = few ? a->few_first : mem_alloc(n + 1, sizeof *a->first);
+    a->ranked = few ? a->few_ranked : mem_alloc(n + 1, sizeof *a->ranked);
     for (size_t i = 0; i < n; i++) {
         a->off[i] = vec_sub(point[i], at);
         a->all2[i] = vec_dot(a->off[i], a->off[i]);
@@ -106,6 +152,9 @@ static void about_end(struct about *a)
     free(a->off);
     free(a->local);
     free(a->all2);
+    free(a->value);
+    free(a->part);
+    free(a->first);
     free(a->ranked);
 }
 
@@ -116,9 +165,10 @@ size_t neighbourhood_along(const struct vec3 *point, size_t n, struct vec3 at, s
 
     k = k < n ? k : n;
     about_begin(&a, point, n, at);
-    rank_along(a.off, a.all2, n, way, aspect, k, a.ranked);
+    if (k > 0)
+        rank_along(&a, way, aspect, k);
     for (size_t i = 0; i < k; i++)
-        found[i] = point[a.ranked[i].index]; /* NOLINT(clang-analyzer-core.*): all are ranked */
+        found[i] = point[a.first[i]]; /* NOLINT(clang-analyzer-core.*): all are ranked */
     about_end(&a);
     return k;
 }
@@ -139,17 +189,18 @@ static struct ridge_direction look_along(struct finding *f, int i)
     size_t k = f->some < a->n ? f->some : a->n;
 
     rib.way = vec_along(vec_scale(cos(i * STEP), f->way), sin(i * STEP), f->side);
-    rank_along(a->off, a->all2, a->n, rib.way, RIDGE_DIRECTION_LONGER, k, a->ranked);
+    if (k > 0)
+        rank_along(a, rib.way, RIDGE_DIRECTION_LONGER, k);
     for (size_t p = 0; p < k; p++)
-        found[p] = a->local[a->ranked[p].index];
+        found[p] = a->local[a->first[p]];
     if (quadric_fit_local(found, k, f->at, f->up, &rib.q) == 0)
         rib.rms = quadric_rms_local(&rib.q, found, k);
     return rib;
 }
 
-/* Every other direction, then those beside the best. */
-bool ridge_direction_find(const struct vec3 *point, size_t n, struct vec3 at, struct vec3 up,
-                          struct vec3 way, size_t some, struct ridge_direction *rib)
+/* Every other direction up to so many to either side, then those beside the best. */
+static bool find_among(const struct vec3 *point, size_t n, struct vec3 at, struct vec3 up,
+                       struct vec3 way, size_t some, int tries, struct ridge_direction *rib)
 {
     struct finding f; /* large: only what is needed is set */
     struct quadric frame = quadric_frame(at, up);
@@ -163,7 +214,7 @@ bool ridge_direction_find(const struct vec3 *point, size_t n, struct vec3 at, st
     about_begin(&f.about, point, n, at);
     quadric_local_all(&frame, point, n, f.about.local);
     rib->rms = INFINITY;
-    for (int i = -TRIES; i <= TRIES; i += 2) {
+    for (int i = -tries; i <= tries; i += 2) {
         struct ridge_direction next = look_along(&f, i);
         if (next.rms < rib->rms) {
             *rib = next;
@@ -171,7 +222,7 @@ bool ridge_direction_find(const struct vec3 *point, size_t n, struct vec3 at, st
         }
     }
     for (int i = best - 1; i <= best + 1; i += 2) {
-        if (i < -TRIES || i > TRIES)
+        if (i < -tries || i > tries)
             continue;
         struct ridge_direction next = look_along(&f, i);
         if (next.rms < rib->rms)
@@ -179,4 +230,16 @@ bool ridge_direction_find(const struct vec3 *point, size_t n, struct vec3 at, st
     }
     about_end(&f.about);
     return rib->rms < INFINITY;
+}
+
+bool ridge_direction_find(const struct vec3 *point, size_t n, struct vec3 at, struct vec3 up,
+                          struct vec3 way, size_t some, struct ridge_direction *rib)
+{
+    return find_among(point, n, at, up, way, some, TRIES, rib);
+}
+
+bool ridge_direction_follow(const struct vec3 *point, size_t n, struct vec3 at, struct vec3 up,
+                            struct vec3 way, size_t some, struct ridge_direction *rib)
+{
+    return find_among(point, n, at, up, way, some, 1, rib);
 }

@@ -35,7 +35,7 @@ static void crosses(double high, double noise)
         double y = 0.6 * i, x = -y * RIB_SIN / RIB_COS, part = 0.5 + 0.05 * i;
         struct vec3 a = rib_point(high, x - 0.6 * part, y);
         struct vec3 b = rib_point(high, x + 0.6 * (1 - part), y);
-        struct crest c = crest_find(&cloud, a, b);
+        struct crest c = crest_find(&cloud, a, b, vec(0, 0, 1));
         ck_assert_int_ge(c.n, 1);
         ck_assert_int_ge(c.top, 0);
         double slope = 6 * 1.7 * noise / 0.4 / sqrt(48), curvature = 2 * 0.8 / 0.36;
@@ -73,7 +73,7 @@ START_TEST(a_long_edge)
     struct point_grid scan = sorted(&p, 0.2);
     struct feature_cloud cloud = {.scan = &scan, .spacing = 0.2};
     struct vec3 a = rib_point(0.8, -2, 0.3), b = rib_point(0.8, 2, 0.3);
-    struct crest c = crest_find(&cloud, a, b);
+    struct crest c = crest_find(&cloud, a, b, vec(0, 0, 1));
     ck_assert_int_ge(c.n, 3);
     for (int k = 0; k <= c.n; k++) {
         struct vec3 from = k > 0 ? c.place[k - 1] : a, to = k < c.n ? c.place[k] : b;
@@ -95,13 +95,13 @@ START_TEST(nothing_there)
     struct point_grid scan = sorted(&p, 0.2);
     struct feature_cloud cloud = {.scan = &scan, .spacing = 0.2, .noise = 0.02};
     struct vec3 at = rib_point(0.8, 0, 0), on = rib_point(0.8, -0.6 * RIB_SIN, 0.6 * RIB_COS);
-    struct crest along = crest_find(&cloud, at, on);
+    struct crest along = crest_find(&cloud, at, on, vec(0, 0, 1));
     ck_assert_int_le(along.n, 1);
     for (int k = 0; k < along.n; k++)
         ck_assert_double_le(
             fabs(along.place[k].z - rib_point(0.8, along.place[k].x, along.place[k].y).z),
             0.02 + fit_noise(0.02));
-    ck_assert_int_eq(crest_find(&cloud, vec(2, 2, 0), vec(2.6, 2, 0)).n, 0);
+    ck_assert_int_eq(crest_find(&cloud, vec(2, 2, 0), vec(2.6, 2, 0), vec(0, 0, 1)).n, 0);
     point_grid_free(&scan);
     for (int i = 0; i < 2500; i++) {
         double x = 6 * uniform() - 3, y = 6 * uniform() - 3;
@@ -109,7 +109,7 @@ START_TEST(nothing_there)
     }
     scan = sorted(&ball, 0.12);
     cloud = (struct feature_cloud){.scan = &scan, .spacing = 0.12};
-    ck_assert_int_eq(crest_find(&cloud, vec(-0.3, 0, 4.991), vec(0.3, 0, 4.991)).n, 0);
+    ck_assert_int_eq(crest_find(&cloud, vec(-0.3, 0, 4.991), vec(0.3, 0, 4.991), vec(0, 0, 1)).n, 0);
     point_grid_free(&scan);
     array_free(&p);
     array_free(&ball);
