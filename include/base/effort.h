@@ -12,17 +12,17 @@
 #include <stddef.h>
 
 enum effort_bound {
-    EFFORT_CREASES,      /* edges of a mesh that may cross a crease */
-    EFFORT_WALLS,        /* edges of a mesh on which a short chain is a wall */
-    EFFORT_CRESTS,       /* edges that may cut off ribs and grooves */
-    EFFORT_CRESTS_LARGE, /* the same of a scan of more points than */
-    EFFORT_CREST_POINTS, /* this */
-    EFFORT_CREST_EDGES, /* edges of a mesh that are all checked for that, not only where it bends */
-    EFFORT_ALONG,       /* places where surfaces along ribs and grooves are fitted */
-    EFFORT_SURFACE,     /* points that are all moved onto the surface, for -e */
-    EFFORT_COMPARISON,  /* points by which two meshes are compared */
-    EFFORT_NEIGHBOURS,  /* points that the surfaces of all vertices are fitted to, in sum */
-    EFFORT_GUARD_NOISE, /* points of a guarding scan whose noise is removed by default */
+    EFFORT_CREASES,       /* edges of a mesh that may cross a crease */
+    EFFORT_WALLS,         /* edges of a mesh on which a short chain is a wall */
+    EFFORT_CRESTS,        /* edges that may cut off ribs and grooves */
+    EFFORT_CRESTS_LARGE,  /* the same of a scan of more points than */
+    EFFORT_CREST_POINTS,  /* this */
+    EFFORT_CREST_FACETS,  /* facets whose edges are all checked for that, not only where it bends */
+    EFFORT_ALONG,         /* places where surfaces along ribs and grooves are fitted */
+    EFFORT_SURFACE,       /* points that are all moved onto the surface, for -e */
+    EFFORT_COMPARISON,    /* points by which two meshes are compared */
+    EFFORT_NEIGHBOURS,    /* points that the surfaces of all vertices are fitted to, in sum */
+    EFFORT_GUARD_NOISE,   /* points of a guarding scan whose noise is removed by default */
     EFFORT_GUARD_BETWEEN, /* ... between which points are inserted */
     EFFORT_GUARD_NEAR     /* ... that the surfaces of all of them are fitted to, in sum */
 };

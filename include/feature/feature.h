@@ -76,14 +76,14 @@ struct crest_mesh_options {
 
 struct crests {
     size_t found;            /* edges that got points */
-    size_t edges;            /* that the mesh had, at most */
+    size_t facets;           /* that the mesh had, at most */
     size_t wanted;           /* edges that would have been looked at in all ... */
     enum effort_bound bound; /* ... but for this */
 };
 
 /*
  * Looks at every edge whose ends have normals that turn, or that is long, for a crest,
- * on a small mesh (EFFORT_CREST_EDGES) at all of them, and puts the points of that into it: the
+ * on a small mesh (EFFORT_CREST_FACETS) at all of them, and puts the points of that into it: the
  * facets beside are cut up between them, from crest to crest.  Then at those that come of it, twice
  * more, but along rows only at edges between old vertices.  Edges with a vertex numbered `first` or
  * up, which are those of creases and walls, stay as they are.  New vertices come in

@@ -16,7 +16,7 @@ static const struct {
     [EFFORT_CRESTS_LARGE] = {4000, "edges that may cut off a rib",
                              "the last of them are not checked"},
     [EFFORT_CREST_POINTS] = {400000, "points", "fewer edges are checked for ribs"},
-    [EFFORT_CREST_EDGES] = {6000, "edges of the mesh", "ribs are detected only where it bends"},
+    [EFFORT_CREST_FACETS] = {4000, "facets of the mesh", "ribs are detected only where it bends"},
     [EFFORT_ALONG] = {71000, "places on the surface",
                       "no surface is fitted along ribs and grooves"},
     [EFFORT_SURFACE] = {200000, "points with noise", "only those of a grid are moved"},

@@ -343,10 +343,12 @@ static const double CLOSE = 0.25;               /* mean spacings: the corner opp
 struct search {
     struct mesh *mesh;
     const struct mesh_edges *edges;
+    struct faces part;  /* facets with a side that may cut off a crest, whose edges these are */
+    struct sizes facet; /* which they are of the mesh */
     struct feature_cloud cloud;
     size_t first, last;  /* vertices of creases and walls, and those from there on are new */
     size_t most, looked; /* edges that may be looked at in all; that were */
-    size_t widest;       /* edges that the mesh had, in the look when it had most */
+    size_t widest;       /* facets that the mesh had, in the look when it had most */
     bool all;            /* edges may cut off a crest, wherever they are */
     bool bound;          /* there were more */
     size_t fresh;        /* those from there on are of the last look: other edges were looked at */
@@ -358,16 +360,28 @@ struct search {
 };
 
 /* On a small mesh all may. */
-static bool may_cross(const struct search *s, const struct mesh_edge *e)
+static bool may_cross(const struct search *s, int v, int w)
 {
     const struct vec3 *n = s->mesh->normal.item, *p = s->mesh->vertex.item;
 
-    struct vec3 way = vec_sub(p[e->v[1]], p[e->v[0]]);
+    struct vec3 way = vec_sub(p[w], p[v]);
     double length = vec_length(way);
 
-    return s->all || vec_dot(n[e->v[0]], n[e->v[1]]) < TURN || length > LONG * s->cloud.spacing ||
-           fabs(vec_dot(way, n[e->v[0]])) > OFF * length ||
-           fabs(vec_dot(way, n[e->v[1]])) > OFF * length;
+    return s->all || vec_dot(n[v], n[w]) < TURN || length > LONG * s->cloud.spacing ||
+           fabs(vec_dot(way, n[v])) > OFF * length || fabs(vec_dot(way, n[w])) > OFF * length;
+}
+
+/* The facets with such a side: edges are made of these alone, for smooth ground has none. */
+static void choose_facets(struct search *s)
+{
+    s->part.n = s->facet.n = 0;
+    for (size_t f = 0; f < s->mesh->face.n; f++) {
+        const int *v = s->mesh->face.item[f].v;
+        if (!may_cross(s, v[0], v[1]) && !may_cross(s, v[1], v[2]) && !may_cross(s, v[2], v[0]))
+            continue;
+        *array_push(&s->part) = s->mesh->face.item[f];
+        *array_push(&s->facet) = f;
+    }
 }
 
 /* Neither of a crease or wall, nor put into a row that has points between its own by now. */
@@ -392,7 +406,7 @@ static bool is_taken(const struct search *s, const struct mesh_edge *e)
     double close = CLOSE * s->cloud.spacing;
 
     for (int i = 0; i < 2 && e->facet[i] >= 0; i++) {
-        const int *v = s->mesh->face.item[e->facet[i]].v;
+        const int *v = s->part.item[e->facet[i]].v;
         int opposite = v[0] ^ v[1] ^ v[2] ^ e->v[0] ^ e->v[1];
         struct vec3 at = p[opposite];
         if (vec_distance(at, vec_segment_nearest(p[e->v[0]], p[e->v[1]], at)) < close)
@@ -406,7 +420,7 @@ static void choose_edges(struct search *s)
     for (size_t e = 0; e < s->edges->n; e++) {
         const struct mesh_edge *edge = &s->edges->edge[e];
         s->of[e] = -1;
-        if (!is_free(s, edge) || !may_cross(s, edge) || is_taken(s, edge))
+        if (!is_free(s, edge) || !may_cross(s, edge->v[0], edge->v[1]) || is_taken(s, edge))
             continue;
         s->of[e] = (int)s->edge.n;
         *array_push(&s->edge) = e;
@@ -421,7 +435,7 @@ static struct vec3 normal_about(const struct search *s, const struct mesh_edge *
     struct vec3 sum = vec_add(normal[e->v[0]], normal[e->v[1]]);
 
     for (int i = 0; i < 2 && e->facet[i] >= 0; i++) {
-        const int *v = s->mesh->face.item[e->facet[i]].v;
+        const int *v = s->part.item[e->facet[i]].v;
         sum = vec_add(sum, normal[v[0] ^ v[1] ^ v[2] ^ e->v[0] ^ e->v[1]]);
     }
     return vec_unit(sum);
@@ -476,9 +490,9 @@ static void add_side(const struct search *s, size_t facet, int i, struct polygon
     struct uv a = plane[i], b = plane[(i + 1) % 3];
     int e = s->edges->of[facet][i], which = s->of[e];
     const struct crest *c = which < 0 ? NULL : &s->crest[which];
-    bool forth = s->mesh->face.item[facet].v[i] == s->edges->edge[e].v[0];
+    bool forth = s->part.item[facet].v[i] == s->edges->edge[e].v[0];
 
-    p->corner[p->n] = s->mesh->face.item[facet].v[i];
+    p->corner[p->n] = s->part.item[facet].v[i];
     p->at[p->n++] = a;
     for (int k = 0; c && k < c->n; k++) {
         int j = forth ? k : c->n - 1 - k;
@@ -505,7 +519,7 @@ static void cut_part(const struct polygon *p, size_t from, size_t to, struct fac
     earclip(part.at, part.corner, part.n, face);
 }
 
-/* Cut first from crest to crest, or from the one crest to the corner opposite. */
+/* One of the part.  Cut first from crest to crest, or from the one crest to the corner opposite. */
 static void split_facet(struct search *s, size_t facet)
 {
     struct polygon p = {.n = 0};
@@ -516,7 +530,7 @@ static void split_facet(struct search *s, size_t facet)
         add_side(s, facet, i, &p);
     }
     if (p.n == 3) {
-        *array_push(&s->face) = s->mesh->face.item[facet];
+        *array_push(&s->face) = s->part.item[facet];
         return;
     }
     if (p.tops == 1) {
@@ -539,8 +553,12 @@ static size_t insert_crests(struct search *s)
         add_vertices(s, i);
         found += s->crest[i].n > 0;
     }
-    for (size_t f = 0; f < s->mesh->face.n && found > 0; f++)
-        split_facet(s, f);
+    for (size_t f = 0, part = 0; f < s->mesh->face.n && found > 0; f++) {
+        if (part < s->facet.n && s->facet.item[part] == f)
+            split_facet(s, part++);
+        else
+            *array_push(&s->face) = s->mesh->face.item[f];
+    }
     if (found > 0) {
         array_free(&s->mesh->face);
         s->mesh->face = s->face;
@@ -554,12 +572,17 @@ static size_t insert_crests(struct search *s)
 static size_t search_once(struct search *s, size_t fresh, struct vec3 *point, size_t n,
                           struct point_grid *scan, const struct crest_mesh_options *options)
 {
-    struct mesh_edges edges = mesh_edges_find(s->mesh);
-    size_t found = 0;
+    size_t facets = s->mesh->face.n, found = 0;
+    struct mesh part = {.vertex = s->mesh->vertex};
 
+    s->widest = facets > s->widest ? facets : s->widest;
+    s->all = effort_covers(EFFORT_CREST_FACETS, options->effort, facets);
+    choose_facets(s);
+    if (s->part.n == 0)
+        return 0;
+    part.face = s->part;
+    struct mesh_edges edges = mesh_edges_find(&part);
     s->edges = &edges;
-    s->widest = edges.n > s->widest ? edges.n : s->widest;
-    s->all = effort_covers(EFFORT_CREST_EDGES, options->effort, edges.n);
     s->of = mem_alloc(edges.n, sizeof *s->of);
     s->fresh = fresh;
     s->edge.n = s->face.n = 0;
@@ -605,9 +628,11 @@ struct crests crest_mesh_keep(struct mesh *mesh, size_t first, struct vec3 *poin
         all.found += found;
         fresh = next;
     }
-    all.edges = s.widest;
+    all.facets = s.widest;
     all.wanted = s.bound ? s.looked : 0;
     point_grid_free(&scan);
     array_free(&s.edge);
+    array_free(&s.part);
+    array_free(&s.facet);
     return all;
 }

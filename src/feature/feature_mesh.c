@@ -22,6 +22,7 @@ static const double NOISY = 0.01;               /* spacings: less noise does not
 
 struct search {
     struct mesh *mesh;
+    struct mesh_edges found;
     const struct mesh_edges *edges;
     struct point_grid scan; /* what is on no wall */
     struct kdtree *walls;   /* of the cloud; NULL: it has no walls */
@@ -33,10 +34,10 @@ struct search {
 };
 
 /* The normals at the ends of an edge differ, or it leaves one of the surfaces that they are of. */
-static bool surface_turns(const struct mesh *mesh, const struct mesh_edge *e)
+static bool surface_turns(const struct mesh *mesh, const int v[2])
 {
-    struct vec3 m = mesh->normal.item[e->v[0]], n = mesh->normal.item[e->v[1]];
-    struct vec3 way = vec_unit(vec_sub(mesh->vertex.item[e->v[1]], mesh->vertex.item[e->v[0]]));
+    struct vec3 m = mesh->normal.item[v[0]], n = mesh->normal.item[v[1]];
+    struct vec3 way = vec_unit(vec_sub(mesh->vertex.item[v[1]], mesh->vertex.item[v[0]]));
 
     return vec_dot(m, n) < TURN || fabs(vec_dot(way, m)) > OFF || fabs(vec_dot(way, n)) > OFF;
 }
@@ -90,7 +91,7 @@ static void classify_edges(void *context, size_t from, size_t to)
         if (feature_steep(&s->cloud, a, b))
             *f = feature_wall(&s->cloud, a, b);
         bool rough = s->rough[v] || s->rough[w];
-        if (f->kind == FEATURE_NONE && !s->walls_only && rough && surface_turns(m, edge))
+        if (f->kind == FEATURE_NONE && !s->walls_only && rough && surface_turns(m, edge->v))
             *f = feature_crease(&s->cloud, a, b, m->normal.item[v], m->normal.item[w]);
         if (f->kind != FEATURE_NONE && !faces_up(f))
             f->kind = FEATURE_NONE;
@@ -104,7 +105,7 @@ static size_t count_doubtful(const struct search *s)
     for (size_t e = 0; e < s->edges->n; e++) {
         const struct mesh_edge *edge = &s->edges->edge[e];
         found += edge->facet[0] >= 0 && (s->rough[edge->v[0]] || s->rough[edge->v[1]]) &&
-                 surface_turns(s->mesh, edge);
+                 surface_turns(s->mesh, edge->v);
     }
     return found;
 }
@@ -152,11 +153,29 @@ static struct feature_mesh find_features(struct search *s, int threads)
 /* Only where normals turn can a crease be. */
 static void mark_turns(struct search *s)
 {
-    for (size_t e = 0; e < s->edges->n; e++) {
-        const struct mesh_edge *edge = &s->edges->edge[e];
-        if (surface_turns(s->mesh, edge))
-            s->rough[edge->v[0]] = s->rough[edge->v[1]] = 1;
-    }
+    const struct faces *face = &s->mesh->face;
+
+    for (size_t f = 0; f < face->n; f++)
+        for (int i = 0; i < 3; i++) {
+            const int v[2] = {face->item[f].v[i], face->item[f].v[(i + 1) % 3]};
+            if (surface_turns(s->mesh, v))
+                s->rough[v[0]] = s->rough[v[1]] = 1;
+        }
+}
+
+/* Does a side of a facet turn beside a rough vertex?  Elsewhere there is nothing to look for, and no
+ * list of edges need be made. */
+static bool is_doubtful(const struct search *s)
+{
+    const struct faces *face = &s->mesh->face;
+
+    for (size_t f = 0; f < face->n; f++)
+        for (int i = 0; i < 3; i++) {
+            const int v[2] = {face->item[f].v[i], face->item[f].v[(i + 1) % 3]};
+            if ((s->rough[v[0]] || s->rough[v[1]]) && surface_turns(s->mesh, v))
+                return true;
+        }
+    return false;
 }
 
 /* Vertices and normals. */
@@ -207,20 +226,18 @@ static void add_places(const struct search *s, struct vec3s *place)
     }
 }
 
-/* The search on a mesh with these edges. */
-static void search_begin(struct search *s, struct mesh *mesh, const struct mesh_edges *edges,
-                         const struct feature_scan *scan, int threads)
+/* The search on a mesh, whose edges are not known yet. */
+static void search_begin(struct search *s, struct mesh *mesh, const struct feature_scan *scan,
+                         int threads)
 {
     size_t n = scan->n - scan->flat;
     struct error error;
 
     *s =
         (struct search){.mesh = mesh,
-                        .edges = edges,
                         .walls = n > 0 ? kdtree_new_by(scan->point + scan->flat, n, threads) : NULL,
                         .rough = mem_alloc(mesh->vertex.n, 1),
-                        .active = mem_alloc(mesh->vertex.n, 1),
-                        .feature = mem_alloc(edges->n, sizeof *s->feature)};
+                        .active = mem_alloc(mesh->vertex.n, 1)};
 
     if (point_grid_make(scan->point, scan->flat, scan->spacing, threads, &s->scan, &error) < 0)
         s->scan = (struct point_grid){.n = 0}; /* all of them are on walls */
@@ -228,8 +245,16 @@ static void search_begin(struct search *s, struct mesh *mesh, const struct mesh_
                                       scan->noise};
 }
 
+static void search_edges(struct search *s)
+{
+    s->found = mesh_edges_find(s->mesh);
+    s->edges = &s->found;
+    s->feature = mem_alloc(s->found.n, sizeof *s->feature);
+}
+
 static void search_end(struct search *s)
 {
+    mesh_edges_free(&s->found);
     free(s->rough);
     free(s->active);
     free(s->feature);
@@ -271,13 +296,12 @@ struct feature_walls feature_mesh_walls(const struct mesh *mesh, const struct fe
 
     if (scan->flat >= scan->n || mesh->face.n == 0)
         return walls;
-    struct mesh_edges edges = mesh_edges_find(mesh);
     struct mesh same = *mesh; /* which stays as it is */
     struct search s;
-    search_begin(&s, &same, &edges, scan, threads);
+    search_begin(&s, &same, scan, threads);
+    search_edges(&s);
     walls = look_for_walls(&s, effort, threads);
     search_end(&s);
-    mesh_edges_free(&edges);
     return walls;
 }
 
@@ -306,29 +330,32 @@ struct feature_walls feature_mesh_try_walls(struct mesh *mesh, const struct feat
 
     if (scan->flat >= scan->n || mesh->face.n == 0)
         return walls;
-    struct mesh_edges edges = mesh_edges_find(mesh);
     struct search s;
-    search_begin(&s, mesh, &edges, scan, threads);
+    search_begin(&s, mesh, scan, threads);
+    search_edges(&s);
     walls = look_for_walls(&s, effort, threads);
     if (walls.found > 0)
         walls.found = cut_walls(&s, scan, threads);
     search_end(&s);
-    mesh_edges_free(&edges);
     return walls;
 }
 
 struct feature_mesh feature_mesh_keep(struct mesh *mesh, const struct feature_scan *scan,
                                       double effort, int threads)
 {
-    struct mesh_edges edges = mesh_edges_find(mesh);
     struct search s;
     struct mesh before = {0};
     struct feature_mesh found = {0};
 
-    search_begin(&s, mesh, &edges, scan, threads);
-    copy_places(mesh, &before);
+    search_begin(&s, mesh, scan, threads);
     mark_turns(&s);
     parallel_for(threads, mesh->vertex.n, test_vertices, &s);
+    if (!s.walls && !is_doubtful(&s)) {
+        search_end(&s);
+        return found;
+    }
+    search_edges(&s);
+    copy_places(mesh, &before);
     memset(s.active, 1, mesh->vertex.n);
     size_t doubtful = count_doubtful(&s);
     s.walls_only = !effort_covers(EFFORT_CREASES, effort, doubtful);
@@ -346,6 +373,5 @@ struct feature_mesh feature_mesh_keep(struct mesh *mesh, const struct feature_sc
     array_free(&before.vertex);
     array_free(&before.normal);
     search_end(&s);
-    mesh_edges_free(&edges);
     return found;
 }

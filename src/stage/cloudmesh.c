@@ -170,7 +170,7 @@ static void keep_crests(const struct cloudmesh_options *options, const struct fe
     result->crests = crests.found;
     if (options->silent)
         return;
-    effort_say(EFFORT_CREST_EDGES, options->effort, crests.edges);
+    effort_say(EFFORT_CREST_FACETS, options->effort, crests.facets);
     effort_say(crests.bound, options->effort, crests.wanted);
 }
 
