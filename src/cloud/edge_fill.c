@@ -1,6 +1,9 @@
 /* edge_fill - see edge_steps.h. */
 #include "edge_steps.h"
 
+/* Rings of places on a flank that is certain: up and down a steep one points are far apart. */
+enum { CERTAIN_RINGS = 3 * EDGE_RINGS };
+
 /* What is known about a flank at point i: which of the neighbours are on it, which are in a hollow
  * with it, each above the other's surface, and places of its edges. */
 struct flank_patch {
@@ -9,6 +12,7 @@ struct flank_patch {
     struct vec3s side; /* points and places of edges on it */
     size_t edges;      /* of these, places of edges */
     size_t sharp;      /* neighbours in a hollow that is sharp */
+    bool certain;      /* where it goes on it is where its points tell */
 };
 
 /* The flank of a point in a hollow turns up sharply from this one. */
@@ -24,7 +28,8 @@ static bool is_sharp(const struct flank_patch *patch, const struct edge_flank *o
 static struct flank_patch find_patch(const struct edge_work *work, const struct edge_hood *near,
                                      size_t i)
 {
-    struct flank_patch patch = {.flank = &work->flank[i]};
+    struct flank_patch patch = {.flank = &work->flank[i],
+                                .certain = edge_flank_certain(work, &work->flank[i])};
     double least = edge_within(work, patch.flank->spacing);
     struct vec3 normal;
 
@@ -65,30 +70,59 @@ static bool is_on_patch(const struct edge_work *work, const struct edge_hood *ne
         if (far >= reach || patch->hollow[k])
             continue;
         if (!edge_flank_known(other)
-                ? far < about * out
+                ? far < about * out && !(patch->on[k] && patch->certain)
                 : edge_flank_above(other, at, &normal) > (patch->on[k] ? least : least / 4))
             return false;
     }
     return true;
 }
 
-/* Every half plane of the flank through the place has a point or an edge of it that is near. */
-static bool is_surrounded(const struct flank_patch *patch, struct vec3 at, double near)
+/* So far from the place towards (u, v) the flank has gone on above that of another point: their
+ * edge is before. */
+static bool is_beyond_edge(const struct edge_work *work, const struct edge_hood *near,
+                           const struct flank_patch *patch, struct vec3 at, double u, double v)
+{
+    const struct quadric *q = &patch->flank->q;
+    struct vec3 off = vec_sub(at, q->origin), normal;
+    struct vec3 p = quadric_at(q, vec_dot(off, q->u) + u, vec_dot(off, q->v) + v);
+
+    for (size_t k = 1; k < near->n; k++) {
+        const struct edge_flank *other = &work->flank[near->index[k]];
+        double least = edge_within(work, other->spacing);
+        if (other->confirmed && !patch->on[k] && !patch->hollow[k] &&
+            edge_flank_above(other, p, &normal) > least &&
+            edge_flank_above(other, at, &normal) <= least)
+            return true;
+    }
+    return false;
+}
+
+/* Every half plane of the flank through the place has a point or an edge of it that is near, or
+ * goes on above another flank. */
+static bool is_surrounded(const struct edge_work *work, const struct edge_hood *near,
+                          const struct flank_patch *patch, struct vec3 at, double reach)
 {
     enum { SECTORS = 12 };
+    const double far = 2;
     const struct quadric *q = &patch->flank->q;
     bool has[SECTORS] = {false};
 
     for (size_t k = 0; k < patch->side.n; k++) {
         struct vec3 to = vec_sub(patch->side.item[k], at);
         double u = vec_dot(to, q->u), v = vec_dot(to, q->v);
-        if (hypot_compare(u, v, near) <= 0)
+        if (hypot_compare(u, v, reach) <= 0)
             has[(int)((atan2(v, u) + PI) / (2 * PI) * SECTORS) % SECTORS] = true;
     }
     for (int from = 0; from < SECTORS; from++) {
         bool any = false;
         for (int k = 0; k < SECTORS / 2; k++)
             any = any || has[(from + k) % SECTORS];
+        for (int k = 0; patch->certain && k < SECTORS / 2 && !any; k++) {
+            int sector = (from + k) % SECTORS;
+            double t = 2 * PI * (sector + 0.5) / SECTORS - PI;
+            any = has[sector] =
+                is_beyond_edge(work, near, patch, at, far * reach * cos(t), far * reach * sin(t));
+        }
         if (!any)
             return false;
     }
@@ -104,7 +138,7 @@ static void fill_patch(const struct edge_work *work, const struct edge_hood *nea
     const struct quadric *q = &patch->flank->q;
     double pitch = dense * work->options->along, reach = sqrt(near->distance2[EDGE_SMOOTH]);
     struct vec3 off = vec_sub(near->point[0], q->origin);
-    int rings = (int)fmin(reach / pitch, EDGE_RINGS);
+    int rings = (int)fmin(reach / pitch, patch->certain ? CERTAIN_RINGS : EDGE_RINGS);
 
     for (int j = -rings; j <= rings; j++)
         for (int i = -rings; i <= rings; i++) {
@@ -113,7 +147,7 @@ static void fill_patch(const struct edge_work *work, const struct edge_hood *nea
                 continue;
             struct vec3 at = quadric_at(q, vec_dot(off, q->u) + u, vec_dot(off, q->v) + v);
             if (is_on_patch(work, near, patch, at) &&
-                is_surrounded(patch, at, fmax(reach, 2 * hypot(u, v))))
+                is_surrounded(work, near, patch, at, fmax(reach, 2 * hypot(u, v))))
                 *array_push(to) = at;
         }
 }
@@ -124,7 +158,7 @@ void edge_fill_add(const struct edge_work *work, const struct edge_hood *near, s
     struct flank_patch patch = find_patch(work, near, i);
 
     if (patch.edges > 0 || patch.sharp >= EDGE_FEWEST || patch.flank->along ||
-        edge_flank_certain(work, patch.flank)) /* elsewhere it is rough */
+        patch.certain) /* elsewhere it is rough */
         fill_patch(work, near, &patch, to);
     array_free(&patch.side);
 }

@@ -189,9 +189,10 @@ static void find_flanks(void *context, size_t from, size_t to)
     for (size_t i = from; i < to; i++) {
         struct edge_flank *flank = &work->flank[i];
         edge_hood_find(work, i, &near);
+        flank->spacing = near.spacing;
+        flank->bent = flank->rough = true;
         if (near.n < EDGE_NEAR)
             continue;
-        flank->spacing = near.spacing;
         flank->rough =
             !is_smooth(work, &near, flank->spacing, &flank->q, &flank->rms, &flank->bent);
         if (flank->rough)
@@ -249,9 +250,10 @@ static struct edge_flank choose_flank(const struct edge_work *work, const struct
     struct vec3 normal;
 
     own.valid = own.confirmed;
-    for (size_t k = 1; k < EDGE_MEETING; k++) {
+    for (size_t k = 1; k < near->n; k++) {
         const struct edge_flank *other = &work->flank[near->index[k]];
-        if (!other->confirmed || (own.valid && !(other->rms < better * own.rms)) ||
+        if (!other->confirmed || (k >= EDGE_MEETING && !edge_flank_certain(work, other)) ||
+            (own.valid && !(other->rms < better * own.rms)) ||
             fabs(edge_flank_above(other, near->point[0], &normal)) > least)
             continue;
         own.q = other->q;
