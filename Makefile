@@ -203,8 +203,7 @@ covered = $(MAKE) BUILD=$(BUILD)/coverage CC=gcc CFLAGS='-O1 -g --coverage'
 # them and then TOOL_TESTS, as tests/tool/ncpost-forms.t (those that make coverage was run for).
 mutate: all $(units)
 	$(covered) all units
-	sh tests/house/lines.sh $(BUILD)/coverage $(basename $(unit_src)) $(TOOL_TESTS) \
-	  $$(sh tests/house/bytes.sh --names | sed 's,^,bytes/,')
+	sh tests/house/lines.sh $(BUILD)/coverage $(basename $(unit_src)) $(TOOL_TESTS)
 	@CC="$(CC)" BUILD="$(abspath $(BUILD))" sh tests/house/mutate.sh
 
 # Lines that the tests run, folder by folder.

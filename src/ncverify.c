@@ -256,6 +256,8 @@ static struct verify_program read_program(const struct settings *s, const struct
                       head->machine_file, s->machine.name);
         die_error(&error);
     }
+    if (nc_motion_bounded(motion, &error) < 0)
+        die_error(&error);
     motion->track = s->centre ? NC_MOTION_CENTRE : NC_MOTION_TIP;
     return (struct verify_program){.file = motion->name,
                                    .control = control_row(control)->name,

@@ -11,6 +11,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "base/error.h"
 #include "simulate/verify_kinematics.h"
 
 /* The tool's tip and the unit vector along its axis, from the tip to the spindle. */
@@ -113,6 +114,10 @@ struct nc_motion {
 };
 
 void nc_motion_free(struct nc_motion *m);
+
+/* -1 with the line where moves of more than 10 m, which no machine makes, are 100 m together: to
+ * follow them in steps that a part needs takes time and memory without bound. */
+int nc_motion_bounded(const struct nc_motion *m, struct error *error);
 
 /* Where the tool is at s from 0 to 1 of a piece. */
 struct nc_motion_pose nc_motion_at(const struct nc_motion *m, const struct nc_piece *piece,

@@ -179,3 +179,36 @@ void nc_motion_add_spline(struct nc_motion *m, struct nc_motion_spline spline,
         piece->touches = as->touches && i + 1 == spline.n;
     }
 }
+
+/* By five places of it, which is enough to tell what is far from what is near. */
+static double rough_length(const struct nc_motion *m, const struct nc_piece *piece)
+{
+    if (piece->shape == SHAPE_LINE)
+        return vec_distance(piece->p[0], piece->p[1]);
+    double length = 0;
+    struct vec3 last = nc_motion_at(m, piece, 0).p;
+    for (int i = 1; i <= 4; i++) {
+        struct vec3 next = nc_motion_at(m, piece, i / 4.0).p;
+        length += vec_distance(last, next);
+        last = next;
+    }
+    return length;
+}
+
+int nc_motion_bounded(const struct nc_motion *m, struct error *error)
+{
+    const double longest = 1e4, most = 1e5; /* mm */
+    double far = 0;
+    for (size_t i = 0; i < m->piece.n; i++) {
+        double length = rough_length(m, &m->piece.item[i]);
+        if (!(length > longest))
+            continue;
+        far += length;
+        if (far > most)
+            return error_at(error, m->name, m->piece.item[i].line,
+                            "found moves of more than 10 m, %.0f m together, expected at most 100 "
+                            "m: no machine goes so far",
+                            far / 1e3);
+    }
+    return 0;
+}

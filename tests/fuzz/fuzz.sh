@@ -2,7 +2,7 @@
 # fuzz.sh [READER|TOOL...] - each reader of the tools under libFuzzer and the sanitizers, from what
 # seeds.sh names, and each tool of tools.txt on files with something wrong in them (hammer.c); by
 # `make fuzz`: FUZZ_SECONDS in all (default 600), shared alike.  Prints the runs of each, and how many
-# a second; a crash, an undefined operation, a run over 5 s (a tool's: 10 s of processor time) or over
+# a second of processor time (a tool: of the clock); a crash, an undefined operation, a run over 5 s (a tool's: 10 s of processor time) or over
 # 2 GB, a tool's nan stays as a file in $OUT/READER, and the exit status is 1.  Such a file, once
 # mended, goes to tests/fuzz/found/READER, or for a tool into fuzz-found.t, which replays it.
 SRC=$(cd "$(dirname "$0")/../.." && pwd)
@@ -46,13 +46,19 @@ for reader; do
 	sh "$SRC/tests/fuzz/seeds.sh" "$reader" | while read -r file; do
 		ln -sf "$file" "$OUT/$reader/seeds"
 	done
-	FUZZ_READER=$reader ASAN_OPTIONS=detect_leaks=0:allocator_may_return_null=1 \
-		"$FUZZ" -max_total_time=$seconds -timeout=5 -rss_limit_mb=2048 -malloc_limit_mb=100000 \
-		-max_len=8192 -print_final_stats=1 -artifact_prefix="$OUT/$reader/" "$OUT/$reader/corpus" \
-		"$OUT/$reader/seeds" >"$OUT/$reader.log" 2>&1
-	status=$?
-	awk -v reader="$reader" '/number_of_executed_units/ { runs = $2 } /average_exec_per_sec/ { rate = $2 }
-		END { printf "%-16s %9d runs, %6d a second", reader, runs, rate }' "$OUT/$reader.log"
+	(
+		FUZZ_READER=$reader ASAN_OPTIONS=detect_leaks=0:allocator_may_return_null=1 \
+			"$FUZZ" -max_total_time=$seconds -timeout=5 -rss_limit_mb=2048 -malloc_limit_mb=100000 \
+			-max_len=8192 -print_final_stats=1 -artifact_prefix="$OUT/$reader/" "$OUT/$reader/corpus" \
+			"$OUT/$reader/seeds" >"$OUT/$reader.log" 2>&1
+		echo $?
+		times
+	) >"$OUT/$reader.ended"
+	status=$(head -n 1 "$OUT/$reader.ended")
+	awk -F'[ms ]' -v reader="$reader" 'FNR == NR { if (FNR == 3) used = 60 * $1 + $2 + 60 * $4 + $5; next }
+		/number_of_executed_units/ { runs = $0; sub(/.* /, "", runs) }
+		END { printf "%-16s %9d runs, %6.0f a second of processor time", reader, runs, runs / (used + 0.01) }' \
+		"$OUT/$reader.ended" "$OUT/$reader.log"
 	if [ $status -eq 0 ]; then
 		echo
 	else

@@ -6,7 +6,8 @@
 #
 #	BIN=build/bin sh tests/house/bytes.sh --make DIR    runs all jobs there
 #	BIN=build/bin sh tests/house/bytes.sh DIR NAME      runs one again: exit 0 if it is the same
-#	sh tests/house/bytes.sh --names
+#
+# DIR/list has for each its seconds of processor time, its name and the tools that it runs.
 SRC=$(cd "$(dirname "$0")/../.." && pwd)
 PATH=${BIN:-$SRC/build/bin}:$PATH
 CLOUDMILL_MACHINES=$SRC/machines
@@ -226,8 +227,7 @@ each() { # COMMAND FOLDER...
 
 # Options that are help, wrong or lack something.
 bad_options() {
-	for tool in cloud2mesh cloud2surf nurbs2mesh meshnorm planecut biarcfit bsplfit ncpost ncverify \
-		ncplot; do
+	for tool in $all_tools; do
 		$tool --help all && $tool -V
 		for option in -o -r --frob '-r six' '-e -1' '--fixed 0,1' '--coolant much' nowhere; do
 			# shellcheck disable=SC2086 # words
@@ -248,21 +248,37 @@ split() { # CONTROL PATH: all parts of its program
 }
 
 # What is only told with -v is compared too.
-for tool in cloud2mesh cloud2surf nurbs2mesh meshnorm planecut biarcfit bsplfit ncpost ncverify \
-	ncplot; do
+all_tools='cloud2mesh cloud2surf nurbs2mesh meshnorm planecut biarcfit bsplfit ncpost ncverify ncplot'
+for tool in $all_tools; do
 	eval "$tool() { command $tool -v \"\$@\"; }"
 done
 
+# the tools of a command
+tools_of() {
+	case $1 in
+	awkward* | bad_options*) echo "$all_tools" ;;
+	judged*) echo ncverify ;;
+	split*) echo ncpost ;;
+	*) for tool in $all_tools; do case " $1" in *[!a-z0-9-]"$tool"[!a-z0-9.-]*) echo "$tool" ;; esac done ;;
+	esac | tr '\n' ' '
+}
+
+# of `times` on standard input: of the children, seconds
+seconds() {
+	awk -F'[ms ]' 'NR == 2 { printf "%.2f", 60 * $1 + $2 + 60 * $4 + $5 }'
+}
+
 case ${1:-} in
---names)
-	jobs | cut -d ' ' -f 1
-	;;
 --make)
 	mkdir -p "$2" && cd "$2" || exit 1
 	jobs | while read -r name command; do
-		(eval "$command") >"$name" 2>"$name.err" </dev/null
-		echo $? >"$name.status"
-	done
+		(
+			(eval "$command") >"$name" 2>"$name.err" </dev/null
+			echo $? >"$name.status"
+			times >"$name.times"
+		)
+		echo "$(seconds <"$name.times") $name $(tools_of "$command")"
+	done >list
 	: >made
 	;;
 *)

@@ -2,9 +2,8 @@
 # lines.sh COVERED [TEST]... - which line of src/ which test runs, from a build with --coverage in
 # COVERED (`make coverage` builds it): COVERED/lines/TEST has `src/FOLDER/MODULE.c:LINE` for each,
 # COVERED/lines/all those that can be run, COVERED/seconds/TEST the processor time.  TEST: as
-# tests/unit/base/check_num or tests/tool/all-bad.t; without any, all of both; bytes/NAME: a job of
-# bytes.sh.  What is newer than the test and the library stays as it is, so that a second run costs
-# little.
+# tests/unit/base/check_num or tests/tool/all-bad.t; without any, all of both.  What is newer than
+# the test and the library stays as it is, so that a second run costs little.
 cd "$(dirname "$0")/../.." || exit 1
 SRC=$PWD
 COVERED=$(cd "$1" && pwd) || exit 1
@@ -25,7 +24,6 @@ one() { # TEST
 	mkdir -p "$(dirname "$out")" "$(dirname "$COVERED/seconds/$1")"
 	case $1 in
 	*.t) sources="$1 $COVERED/bin/ncpost" ;;
-	bytes/*) sources=$COVERED/bytes/made ;;
 	*) sources="$COVERED/$1" ;;
 	esac
 	# shellcheck disable=SC2086 # two files
@@ -36,7 +34,6 @@ one() { # TEST
 	*.t) BIN=$COVERED/bin READBACK=$COVERED/tests/readback/readback \
 		CLOUD=$COVERED/tests/accuracy/cloud REPLAY=$COVERED/tests/fuzz/replay \
 		timeout 1200 sh "$1" ;;
-	bytes/*) BIN=$COVERED/bin sh tests/house/bytes.sh "$COVERED/bytes" "${1#bytes/}" ;;
 	*) CK_FORK=no timeout 900 "$COVERED/$1" ;;
 	esac >"$counts/log" 2>&1 </dev/null
 	echo $? >"$COVERED/seconds/$1.exit"
@@ -61,12 +58,6 @@ mkdir -p "$COVERED/lines"
 find "$COVERED/src" -name '*.gcno' >"$COVERED/lines/files"
 executed 1 "$COVERED/lines/files" >"$COVERED/lines/all.new"
 mv "$COVERED/lines/all.new" "$COVERED/lines/all"
-case " $* " in
-*" bytes/"*)
-	[ -n "$(find "$COVERED/bytes/made" -newer "$COVERED/bin/ncpost" 2>/dev/null)" ] ||
-		GCOV_PREFIX=/nowhere BIN=$COVERED/bin sh tests/house/bytes.sh --make "$COVERED/bytes" 2>/dev/null
-	;;
-esac
 # shellcheck disable=SC2046 # names
 [ $# -gt 0 ] || set -- $(find tests/unit -name 'check_*.c' | sed 's/\.c$//' | sort) \
 	$(find tests -name '*.t' | sort)

@@ -2,18 +2,21 @@
 # mutate.sh - changes a line of src/ at random, N lines (200, or N=...), one change each, and sees
 # whether a test that runs the line notices: the unit tests, the quickest first; then those once
 # more under the sanitizers; then the tool tests, quickest first, as many as TOOL_SECONDS (60)
-# hold; last the jobs of bytes.sh, which say that something changed, not that it is wrong.
+# hold; last the jobs of bytes.sh that run a tool whose code is another, which say that something
+# changed, not that it is wrong.
 # FOLDERS: those to take lines from (all).  SEED (1) chooses them.  JOBS: how many at a time.
-# Which test runs which line is known from lines.sh; `make mutate` has it made for the unit tests,
-# TOOL_TESTS and the jobs, and builds all of them.  A test that fails without a change is left out.
+# Which test runs which line is known from lines.sh; `make mutate` has it made for the unit tests and
+# TOOL_TESTS, and builds all of them.  A test that fails without a change is left out.
 #
 #	BUILD=build sh tests/house/mutate.sh [FILE:LINE:CHANGE]...
 #
 # A change is one of: + for -, - for +, < for <=, <= for <, > for >=, >= for >, && for ||, || for
-# &&, a term of a sum dropped, 2 for 1.  Prints a line for each: caught, survived, no test (runs
-# it), redundant (in mutate.same, with the reason) or no program, the line as changed, and who
-# caught it; at the end how many of which.  Nothing is changed in src/: the changed module is
-# compiled beside it and linked before the library.
+# &&, a term of a sum dropped, 2 for 1.  Real numbers, which < and <= tell apart only where both are
+# the same to the last bit, are compared the other way round instead: > for <.
+#
+# Prints a line for each: caught, survived, redundant (in mutate.same, with the reason) or no
+# program, the line as changed, and who caught it; at the end how many of which.  Nothing is changed
+# in src/: the changed module is compiled beside it and linked before the library.
 SRC=$(cd "$(dirname "$0")/../.." && pwd)
 BUILD=${BUILD:-$SRC/build}
 BUILD=$(cd "$BUILD" && pwd) || exit 1
@@ -56,7 +59,7 @@ candidates() {
 	done | sort -u) | sort | cut -d ' ' -f 2- | head -n "${N:-200}"
 }
 
-# tests of KIND (tests/unit, tests/tool, bytes) that run FILE:LINE and pass as they are, quickest
+# tests of KIND (tests/unit, tests/tool) that run FILE:LINE and pass as they are, quickest
 # first: SECONDS TEST
 tests_of() {
 	[ -d "$MAP/$1" ] || return
@@ -103,60 +106,91 @@ memory_notices() { # the same under the sanitizers, and not as the module was
 		passes "$seconds" "$test" "$TMP/changed.o" $SANITIZE && continue
 		mv "$TMP/changed.o" "$TMP/kept.o"
 		compiled "$file" $SANITIZE
-		passes "$seconds" "$test" "$TMP/changed.o" $SANITIZE && return 0
+		passes "$seconds" "$test" "$TMP/changed.o" $SANITIZE && { test="memory, $test" && return 0; }
 		mv "$TMP/kept.o" "$TMP/changed.o"
 	done 3<"$TMP/units"
 	return 1
 }
 
 # shellcheck disable=SC2086
-tools_notice() { # one of $TMP/tests fails
-	[ -s "$TMP/tests" ] || return 1
-	mkdir -p "$TMP/bin"
-	cp "$BUILD/bin/cloudmill" "$TMP/bin"
-	compiled "$changed" || return 1
+link_tools() { # FOLDER: the tools with $TMP/changed.o in place of the module; 1: one cannot be linked
+	mkdir -p "$1"
 	for tool in src/*.c; do
 		own="$BUILD/${tool%.c}.o"
 		[ "$file" != "$tool" ] || own=
-		tool=$(basename "$tool" .c)
 		case $file in
 		src/*/*) ;;
-		*) [ -z "$own" ] || { cp "$BUILD/bin/$tool" "$TMP/bin" && continue; } ;;
+		*) [ -z "$own" ] || continue ;;
 		esac
-		$CC -o "$TMP/bin/$tool" $own "$TMP/changed.o" "$BUILD/libcloudmill.a" -lm -pthread \
-			2>"$TMP/link" || return 0
+		$CC -o "$1/$(basename "$tool" .c)" $own "$TMP/changed.o" "$BUILD/libcloudmill.a" \
+			-Wl,--gc-sections -lm -pthread 2>"$TMP/link" || return 1
 	done
+}
+
+# Tools that the change makes no other are those of the build; their names go to $TMP/affected.
+make_tools() {
+	compiled "$file" -ffunction-sections && link_tools "$TMP/same" || return 1
+	compiled "$changed" -ffunction-sections && link_tools "$TMP/bin" || return 1
+	: >"$TMP/affected"
+	for tool in src/*.c; do
+		tool=$(basename "$tool" .c)
+		if [ -f "$TMP/bin/$tool" ] && ! cmp -s "$TMP/bin/$tool" "$TMP/same/$tool"; then
+			echo "$tool" >>"$TMP/affected"
+		else
+			ln -sf "$BUILD/bin/$tool" "$TMP/bin/$tool"
+		fi
+	done
+	ln -s "$BUILD/bin/cloudmill" "$TMP/bin"
+}
+
+# one of $TMP/tests fails, or a job of bytes.sh that runs an affected tool has other bytes
+tools_notice() {
+	make_tools || return 0
 	spent=0
 	while read -r seconds test <&3; do
 		spent=$((spent + ${seconds%.*}))
-		case $test in
-		bytes/*)
-			BIN=$TMP/bin timeout $((20 + 40 * ${seconds%.*})) \
-				sh tests/house/bytes.sh "$BUILD/bytes" "${test#bytes/}" || return 0
-			;;
-		*)
-			[ $spent -le "${TOOL_SECONDS:-60}" ] || continue
-			BIN=$TMP/bin READBACK=$BUILD/tests/readback/readback CLOUD=$BUILD/tests/accuracy/cloud \
-				timeout $((60 + 60 * ${seconds%.*})) sh "$test" >"$TMP/out" 2>&1 </dev/null || return 0
-			;;
-		esac
+		[ $spent -le "${TOOL_SECONDS:-60}" ] || break
+		BIN=$TMP/bin READBACK=$BUILD/tests/readback/readback CLOUD=$BUILD/tests/accuracy/cloud \
+			timeout $((60 + 60 * ${seconds%.*})) sh "$test" >"$TMP/out" 2>&1 </dev/null || return 0
 	done 3<"$TMP/tests"
+	sort -n "$BUILD/bytes/list" | awk 'FNR == NR { affected[$1] = 1; next }
+		{ for (i = 3; i <= NF; i++) if ($i in affected) { print $1, $2; next } }' "$TMP/affected" - \
+		>"$TMP/jobs"
+	while read -r seconds test <&3; do
+		BIN=$TMP/bin timeout $((20 + 40 * ${seconds%.*})) \
+			sh tests/house/bytes.sh "$BUILD/bytes" "$test" || { test=bytes/$test && return 0; }
+	done 3<"$TMP/jobs"
 	return 1
 }
 
+# is_real CHANGE: is the comparison on $line, that the change is of, one of real numbers?
+# shellcheck disable=SC2086
+is_real() {
+	case $1 in
+	's/ < '* | 's/ <= '* | 's/ > '* | 's/ >= '*) ;;
+	*) return 1 ;;
+	esac
+	sed "${line}s/ [<>]=* / == /" "$file" >"$TMP/probe.c"
+	$CC ${FLAGS% -w} -Wfloat-equal -iquote "$(dirname "$file")" -fsyntax-only "$TMP/probe.c" 2>&1 |
+		grep -q "^$TMP/probe.c:$line:.*float-equal"
+}
+
 one() { # FILE LINE CHANGE: the verdict
-	file=$1 line=$2 by=
+	file=$1 line=$2 change=$3 by=
 	changed=$TMP/$(basename "$file")
-	sed "${line}$3" "$file" >"$changed"
+	if is_real "$change"; then
+		case $change in
+		's/ <'*) change='s/ <=* / > /' ;;
+		*) change='s/ >=* / < /' ;;
+		esac
+	fi
+	sed "${line}$change" "$file" >"$changed"
 	text=$(sed -n "${line}s/^[ 	]*//p" "$changed")
 	# a statement may stand on several lines, of which one is counted
 	counted=$(awk -F: -v f="$file" -v l="$line" '$1 == f && $2 <= l && $2 > b { b = $2 }
 		END { print b }' "$MAP/all")
 	tests_of tests/unit "$file:$counted" >"$TMP/units"
-	{
-		tests_of tests/tool "$file:$counted"
-		tests_of bytes "$file:$counted"
-	} >"$TMP/tests"
+	tests_of tests/tool "$file:$counted" >"$TMP/tests"
 	# shellcheck disable=SC2086
 	if cmp -s "$file" "$changed"; then
 		verdict='no change'
@@ -165,8 +199,6 @@ one() { # FILE LINE CHANGE: the verdict
 		verdict=redundant
 	elif ! compiled "$changed"; then
 		verdict='no program'
-	elif [ ! -s "$TMP/units" ] && [ ! -s "$TMP/tests" ]; then
-		verdict='no test'
 	elif units_notice || memory_notices || tools_notice; then
 		verdict=caught by=" ($test)"
 	else
@@ -196,9 +228,9 @@ tr '\n' '\0' <"$TMP/candidates" |
 	tee "$TMP/results"
 awk -F: '{ n[$1]++ }
 	$1 == "caught" {
-		by[/\(tests\/unit/ ? "unit tests" : /\(bytes/ ? "other bytes" : "tool tests"]++
+		by[/\(memory/ ? "unit tests under the sanitizers" : /\(tests\/unit/ ? "unit tests" : /\(bytes/ ? "other bytes" : "tool tests"]++
 	}
 	END { for (v in n) printf "%d %s\n", n[v], v
 	for (b in by) printf "%d caught by %s\n", by[b], b
-	all = n["caught"] + n["survived"] + n["no test"]
+	all = n["caught"] + n["survived"]
 	if (all) printf "%.0f %% caught\n", 100 * n["caught"] / all }' "$TMP/results"

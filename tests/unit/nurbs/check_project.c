@@ -99,6 +99,40 @@ START_TEST(what_is_trimmed_away_is_none)
 }
 END_TEST
 
+/* A triangle: what is beyond any of its three sides by less than the slack goes there, what is
+ * farther does not. */
+START_TEST(every_side_of_the_trimming)
+{
+    static const double corner[3][2] = {{2, 2}, {8, 3}, {4, 8}};
+    struct patch patch = saddle();
+    struct patches patches = {.n = 1, .item = &patch};
+    struct patch_loop loop = {0};
+    struct nurbs_curve side[3];
+    for (int i = 0; i < 3; i++) {
+        const double *a = corner[i], *b = corner[(i + 1) % 3];
+        side[i] = patch_line((struct uv){a[0] / 10, a[1] / 10}, (struct uv){b[0] / 10, b[1] / 10});
+    }
+    loop.n = 3;
+    loop.item = side;
+    patch.loop.n = 1;
+    patch.loop.item = &loop;
+    struct projection *on = project_new(&patches, 0.5);
+    for (int i = 0; i < 3; i++)
+        for (int k = 1; k <= 9; k++) {
+            const double *a = corner[i], *b = corner[(i + 1) % 3];
+            double off = 0.1 * k, l = hypot(b[0] - a[0], b[1] - a[1]);
+            double x = (a[0] + b[0]) / 2 + off * (b[1] - a[1]) / l;
+            double y = (a[1] + b[1]) / 2 - off * (b[0] - a[0]) / l;
+            struct contact c = {vec(x, y, x * y / 25), vec_unit(vec(-y / 25, -x / 25, 1))};
+            if (fabs(off - 0.5) > 0.06)
+                ck_assert_int_eq(project_contact(on, vec(0, 1, 0), 5, &c), off < 0.5 ? 0 : -1);
+        }
+    project_free(on);
+    for (int i = 0; i < 3; i++)
+        nurbs_curve_free(&side[i]);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("project");
@@ -106,6 +140,7 @@ int main(void)
     tcase_add_test(tests, points_go_to_the_surface_and_stay_in_their_plane);
     tcase_add_test(tests, what_is_elsewhere_stays);
     tcase_add_test(tests, what_is_trimmed_away_is_none);
+    tcase_add_test(tests, every_side_of_the_trimming);
     suite_add_tcase(suite, tests);
     SRunner *runner = srunner_create(suite);
     srunner_run_all(runner, CK_NORMAL);
