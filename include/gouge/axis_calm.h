@@ -23,6 +23,7 @@ struct axis_calm_options {
     double tolerance; /* half of it a guard point may be in the tool, and a tenth of it a tip that
                          goes straight may swing the ball off a straight line, mm */
     double play;      /* how far an axis may be off its rule, radians */
+    double inward;    /* how far rules may lean near a run's ends (axis_smooth_rules), radians */
 };
 
 /* A run, end to end with those before and after it. */

@@ -33,6 +33,7 @@ struct axis_planner_options {
     bool fixed;       /* the rule's axis is taken where it is clear, with no margin */
     double play;      /* how far axes may be off their rule to turn less, radians */
     double limit;     /* and how far to be clear, radians */
+    double inward;    /* and how far rules may lean near a run's ends (axis_smooth_rules) */
 };
 
 struct axis_planner;

@@ -5,18 +5,18 @@
 
 #include "gouge/axis_smooth.h"
 
-static const double OVER = 1.4;        /* of the radius: rules are averaged over so much, twice */
-static const double AIR = RADIANS(60); /* how far axes in the air may be off those they had */
+static const double AIR = RADIANS(60);      /* how far axes in the air may be off those they had */
 static const double STEEPEST = RADIANS(80); /* of an axis from the normal */
 
 /* The rules of a run, averaged. */
-static struct vec3 *rules_of(const struct axis_calm_run *run, double half)
+static struct vec3 *rules_of(const struct axis_calm_run *run,
+                             const struct axis_calm_options *options)
 {
     struct vec3 *rule = mem_alloc(run->n, sizeof *rule);
 
     for (size_t i = 0; i < run->n; i++)
         rule[i] = run->rule ? run->rule[i] : run->point[i].axis;
-    axis_smooth_rules(run->point, run->n, half, rule);
+    axis_smooth_rules(run->point, run->n, options->radius, options->inward, rule);
     return rule;
 }
 
@@ -32,7 +32,7 @@ struct axis_chain axis_chain_of(const struct axis_calm_options *options,
         c.n += run[k].n;
     c.at = mem_alloc(c.n, sizeof *c.at);
     for (size_t k = 0, i = 0; k < n; k++) {
-        struct vec3 *rules = rules_of(&run[k], OVER * options->radius);
+        struct vec3 *rules = rules_of(&run[k], options);
         for (size_t j = 0; j < run[k].n; j++, i++) {
             struct run_point *p = &run[k].point[j];
             struct vec3 rule = run_point_touches(p) ? rules[j] : p->axis;

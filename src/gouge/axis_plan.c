@@ -19,7 +19,6 @@ static const double SLOPE = 0.0087;    /* ... and so much more for each mm of he
 static const double SHORTEST = 0.0205; /* mm: no piece of a program should be shorter */
 static const double AT_POLE = 1e-4;    /* radians: an axis that leans less has no say in its turn */
 static const double NEAR = 0.004;      /* cost per mm of an axis that is off by all of `play` */
-static const double OVER = 1.4;        /* of the radius: rules are averaged over so much, twice */
 static const double AIR = RADIANS(60); /* how far axes in the air are off their rule for little */
 static const double FAR = 20;          /* cost per mm and radian beyond */
 static const double ALIKE = 0.1;       /* radians: directions so much further off are as good */
@@ -809,7 +808,8 @@ static void average_rule(const struct work *w, struct run *averaged)
 
     for (size_t i = 0; i < run->n; i++)
         rule[i] = run->item[i].axis;
-    axis_smooth_rules(run->item, run->n, OVER * w->planner->options.radius, rule);
+    axis_smooth_rules(run->item, run->n, w->planner->options.radius, w->planner->options.inward,
+                      rule);
     averaged->radius = run->radius;
     for (size_t i = 0; i < run->n; i++) {
         struct run_point p = run->item[i];

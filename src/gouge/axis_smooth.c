@@ -194,8 +194,9 @@ static size_t point_before(const struct averaged *a, size_t at, double along)
     return at;
 }
 
-/* Each direction becomes the mean over `half` to both sides. */
-static void average_once(struct averaged *a, double half)
+/* Each direction becomes the mean over `most` mm to both sides, less where an end is nearer, but no
+ * less than `least`. */
+static void average_once(struct averaged *a, double most, double least)
 {
     struct vec3 *mean = mem_alloc(a->n, sizeof *mean);
     double end = a->along[a->n - 1];
@@ -203,6 +204,7 @@ static void average_once(struct averaged *a, double half)
     for (size_t i = 0; i + 1 < a->n; i++)
         a->sum[i + 1] = sum_at(a, i, a->along[i + 1]);
     for (size_t i = 0, low = 0, high = 0; i < a->n; i++) {
+        double half = fmin(most, fmax(least, fmin(a->along[i], end - a->along[i])));
         double from = fmax(a->along[i] - half, 0), to = fmin(a->along[i] + half, end);
         low = point_before(a, low, from);
         high = point_before(a, high, to);
@@ -214,15 +216,35 @@ static void average_once(struct averaged *a, double half)
     free(mean);
 }
 
-void axis_smooth_rules(const struct run_point *point, size_t n, double half, struct vec3 *rule)
+/* The directions, averaged twice so, in `mean`. */
+static void average(struct averaged *a, double most, double least, const struct vec3 *rule,
+                    struct vec3 *mean)
 {
-    struct averaged a = {point, n, mem_alloc(n + 1, sizeof(double)), rule,
+    for (size_t i = 0; i < a->n; i++)
+        mean[i] = rule[i];
+    a->rule = mean;
+    for (int k = 0; k < 2 && a->n > 1; k++)
+        average_once(a, most, least);
+}
+
+void axis_smooth_rules(const struct run_point *point, size_t n, double radius, double inward,
+                       struct vec3 *rule)
+{
+    const double most = AXIS_SMOOTH_RULE * radius, least = AXIS_SMOOTH_RULE_LEAST * radius;
+    struct averaged a = {point, n, mem_alloc(n + 1, sizeof(double)), NULL,
                          mem_alloc(n + 1, sizeof(struct vec3))};
+    struct vec3 *even = mem_alloc(n + 1, sizeof *even), *all = mem_alloc(n + 1, sizeof *all);
 
     for (size_t i = 1; i < n; i++)
         a.along[i] = a.along[i - 1] + vec_distance(point[i - 1].ball, point[i].ball);
-    for (int k = 0; k < 2 && n > 1; k++)
-        average_once(&a, half);
+    average(&a, most, least, rule, even);
+    average(&a, most, most, rule, all);
+    for (size_t i = 0; i < n; i++) {
+        double off = vec_angle(even[i], all[i]);
+        rule[i] = off > inward ? vec_slerp(even[i], all[i], inward / off) : all[i];
+    }
+    free(even);
+    free(all);
     free(a.along);
     free(a.sum);
 }

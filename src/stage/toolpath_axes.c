@@ -177,6 +177,13 @@ static double chord_of(const struct run *run, size_t from, size_t to)
     return chord;
 }
 
+double toolpath_inward(const struct toolpath *t)
+{
+    const double most = RADIANS(4.5);
+
+    return t->lift.axis.lead != 0 ? 0 : most;
+}
+
 struct axis_planner *toolpath_new_planner(const struct toolpath *t)
 {
     const struct axis_planner_options options = {.guard = t->lift.guard,
@@ -187,7 +194,8 @@ struct axis_planner *toolpath_new_planner(const struct toolpath *t)
                                                  .between = t->lift.between,
                                                  .fixed = t->lift.axis.kind == AXIS_FIXED,
                                                  .play = t->rule.play,
-                                                 .limit = t->rule.lean};
+                                                 .limit = t->rule.lean,
+                                                 .inward = toolpath_inward(t)};
 
     bool bare = t->rule.holder.n == 0 && t->rule.play == 0 && t->rule.rate == 0;
     if (!t->lift.guard || (bare && !options.fixed))

@@ -32,7 +32,8 @@ static void calm_chain(const struct calmer *c, size_t from, size_t to)
                                               .chain = c->t->rule.chain,
                                               .radius = c->t->rule.radius,
                                               .tolerance = c->t->lift.tolerance,
-                                              .play = c->t->rule.play};
+                                              .play = c->t->rule.play,
+                                              .inward = toolpath_inward(c->t)};
     struct axis_calm_run *run = mem_alloc(2 * (to - from), sizeof *run);
     size_t n = 0;
     struct vec3 **rule = mem_alloc(to - from, sizeof *rule);

@@ -15,6 +15,9 @@ void toolpath_choose_lean(struct toolpath *t);
 /* What plans the axes of all strips; NULL: they stay as their rule says. */
 struct axis_planner *toolpath_new_planner(const struct toolpath *t);
 
+/* How far rules may lean inward near the ends of a run, radians: none where a lead is asked for. */
+double toolpath_inward(const struct toolpath *t);
+
 /* Lifts a strip and plans its axes (axis_plan.h).  Where the tool can't come to, points are left
  * out and the strip is in more parts. */
 void toolpath_lift_strip(const struct toolpath *t, struct toolpath_strip *strip);

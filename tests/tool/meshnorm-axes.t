@@ -51,12 +51,14 @@ below "the ball is where it was" "$(deepest nodes "$TMP/rate.cl" --panel)" 0.005
 status 0 "with a play of 10 degrees" meshnorm -q -r 8 --rows mesh --no-guard --axis-play 10 -o "$TMP/play.cl" "$TMP/panel.ply"
 below "rotary axes turn less than half as much" "$(rotary "$TMP/play.cl")" \
 	"$(rotary "$TMP/panel.cl" | awk '{ print 0.5 * $1 }')"
-# the rule with a play: the axes of panel.cl, averaged along the pass over 1.4 radii to both
-# sides, and that twice
+# the rule with a play: the axes of panel.cl, averaged along the pass over 5 radii to both
+# sides, and that twice; up to 4.5 degrees off the mean that goes no further than to the nearer end, but
+# 1.4 radii
 cuts "$TMP/panel.cl" >"$TMP/rule"
 cuts "$TMP/play.cl" | paste -d' ' - "$TMP/rule" | awk '
-	function mean(h, i, k, a, b, m, u, v, w, l) { # the integral by the middle of what is in reach
+	function mean(least, i, h, k, a, b, m, u, v, w, l) { # the integral by the middle of what is in reach
 		for (i = 1; i <= n; i++) {
+			h = s[i] < s[n] - s[i] ? s[i] : s[n] - s[i]; if (h > 40) h = 40; if (h < least) h = least
 			u = v = w = 0
 			for (k = 1; k < n; k++) {
 				a = s[k] > s[i] - h ? s[k] : s[i] - h; b = s[k + 1] < s[i] + h ? s[k + 1] : s[i] + h
@@ -68,9 +70,19 @@ cuts "$TMP/play.cl" | paste -d' ' - "$TMP/rule" | awk '
 			l = sqrt(u * u + v * v + w * w); nu[i] = u / l; nv[i] = v / l; nw[i] = w / l }
 		for (i = 1; i <= n; i++) { ru[i] = nu[i]; rv[i] = nv[i]; rw[i] = nw[i] }
 	}
-	function worst(i, c, a) { # of the pass that is held
+	function worst(i, c, a, f) { # of the pass that is held
 		if (n < 2) return
+		for (i = 1; i <= n; i++) { su[i] = ru[i]; sv[i] = rv[i]; sw[i] = rw[i] }
 		mean(11.2); mean(11.2)
+		for (i = 1; i <= n; i++) {
+			eu[i] = ru[i]; ev[i] = rv[i]; ew[i] = rw[i]; ru[i] = su[i]; rv[i] = sv[i]; rw[i] = sw[i] }
+		mean(40); mean(40)
+		for (i = 1; i <= n; i++) { # straight between the two, as good as round for so little
+			c = ru[i] * eu[i] + rv[i] * ev[i] + rw[i] * ew[i]
+			a = c < 1 ? atan2(sqrt(1 - c * c), c) * 45 / atan2(1, 1) : 0; f = a > 4.5 ? 4.5 / a : 1
+			ru[i] = eu[i] + f * (ru[i] - eu[i]); rv[i] = ev[i] + f * (rv[i] - ev[i])
+			rw[i] = ew[i] + f * (rw[i] - ew[i]); c = sqrt(ru[i] ^ 2 + rv[i] ^ 2 + rw[i] ^ 2)
+			ru[i] /= c; rv[i] /= c; rw[i] /= c }
 		for (i = 1; i <= n; i++) {
 			c = ru[i] * pu[i] + rv[i] * pv[i] + rw[i] * pw[i]
 			a = c < 1 ? atan2(sqrt(1 - c * c), c) * 45 / atan2(1, 1) : 0; if (a > most) most = a }
