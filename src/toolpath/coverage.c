@@ -26,7 +26,7 @@ struct coverage {
     bool *kept;    /* ... and that what is assumed keeps it off */
     size_t done;   /* centres of the path that have been looked at */
     struct kdtree *tree;
-    struct kdtree *roof; /* of the points that face up; NULL: not made yet */
+    struct kdtree *roof; /* of the points that face up; NULL: not made yet, for few need it */
 };
 
 struct coverage *coverage_new(const struct vec3 *point, size_t n, int threads)
@@ -106,6 +106,7 @@ struct covering {
     struct coverage *coverage;
     const struct coverage_options *options;
     const struct kdtree *path;
+    bool *unsure; /* by point: what was found of it waits for the roof */
 };
 
 /* The normal of the points about p, on the side of the mesh's or, without one, upward. */
@@ -233,20 +234,48 @@ static const double AHEAD = 0.75, FACES_UP = 0.5, UPRIGHT = 0.3;
  * nothing is known; in radii how far over the ball's centre points count. */
 static const double BESIDE = 0.75, SPARSE = 0.6, OVERHEAD = 4;
 
+struct facing {
+    const struct covering *work;
+    bool *up;
+};
+
+static void look_which_face_up(void *context, size_t from, size_t to)
+{
+    const struct facing *f = context;
+
+    for (size_t i = from; i < to; i++)
+        f->up[i] = guess_normal(f->work, f->work->coverage->point[i].p).z > FACES_UP;
+}
+
 /* The points that face up. */
 static void find_roof(const struct covering *w)
 {
+    size_t n = w->coverage->n;
+    struct facing facing = {w, mem_alloc(n + 1, sizeof *facing.up)};
     struct vec3s roof = {0};
 
-    if (w->coverage->roof || !w->options->guard)
-        return;
-    for (size_t i = 0; i < w->coverage->n; i++) {
-        struct vec3 p = w->coverage->point[i].p;
-        if (guess_normal(w, p).z > FACES_UP)
-            *array_push(&roof) = p;
-    }
+    parallel_for(w->options->threads, n, look_which_face_up, &facing);
+    for (size_t i = 0; i < n; i++)
+        if (facing.up[i])
+            *array_push(&roof) = w->coverage->point[i].p;
     w->coverage->roof = kdtree_new_by(roof.item, roof.n, w->options->threads);
     array_free(&roof);
+    free(facing.up);
+}
+
+/* A point that faces up is so near over a ball at c.  Where no point is, none that faces up is;
+ * where one is and the roof is not known, point i has to wait for it: true. */
+static bool is_under_roof(const struct covering *w, size_t i, struct vec3 c, double within)
+{
+    const struct coverage *coverage = w->coverage;
+    double radius = w->options->radius;
+    struct vec3 low = vec_along(c, radius, vec(0, 0, 1));
+    struct vec3 high = vec_along(c, OVERHEAD * radius, vec(0, 0, 1));
+
+    if (coverage->roof)
+        return kdtree_any_beside(coverage->roof, low, high, within);
+    w->unsure[i] = kdtree_any_beside(coverage->tree, low, high, within);
+    return w->unsure[i];
 }
 
 /* How near to point i along d a ball is clear of the points, in the open, and its tool comes, mm;
@@ -261,9 +290,7 @@ static double find_open_along(const struct covering *w, size_t i, struct vec3 d)
     if (lift < 0)
         return HUGE_VAL;
     c = vec_along(c, lift, d);
-    if (smaller <= SPARSE * o->radius &&
-        kdtree_any_beside(w->coverage->roof, vec_along(c, o->radius, vec(0, 0, 1)),
-                          vec_along(c, OVERHEAD * o->radius, vec(0, 0, 1)), o->radius - smaller))
+    if (smaller <= SPARSE * o->radius && is_under_roof(w, i, c, o->radius - smaller))
         return HUGE_VAL;
     return has_axis(o, c, d) ? lift : HUGE_VAL;
 }
@@ -276,7 +303,7 @@ static double find_open(const struct covering *w, size_t i, struct vec3 normal,
     enum { BALLS = 160 };
     double near = HUGE_VAL;
 
-    for (int k = -1; k < BALLS && near == HUGE_VAL; k++) {
+    for (int k = -1; k < BALLS && near == HUGE_VAL && !w->unsure[i]; k++) {
         struct vec3 d = k < 0 ? normal : spread(k, BALLS);
         double share = vec_dot(d, normal);
         if ((normal.z < UPRIGHT ? fabs(share) : share) < AHEAD)
@@ -297,6 +324,7 @@ static void look_at_point(const struct covering *w, size_t i)
     struct vec3 begin[3] = {normal, vec_unit(vec_add(normal, up)), up};
 
     point->normal = normal;
+    w->coverage->kept[i] = false;
     w->coverage->reach[i] = find_reach(o, point->p, begin, &point->normal);
     if (o->guard && w->coverage->reach[i] > TOUCHED * o->limit)
         w->coverage->reach[i] = find_open(w, i, normal, &point->normal);
@@ -344,6 +372,28 @@ static void cover_points(void *context, size_t from, size_t to)
     }
 }
 
+static bool any_unsure(const struct covering *w)
+{
+    for (size_t i = 0; i < w->coverage->n; i++)
+        if (w->unsure[i])
+            return true;
+    return false;
+}
+
+/* At the points that waited for the roof. */
+static void look_again(void *context, size_t from, size_t to)
+{
+    const struct covering *w = context;
+
+    for (size_t i = from; i < to; i++) {
+        if (!w->unsure[i])
+            continue;
+        w->unsure[i] = false;
+        look_at_point(w, i);
+        w->coverage->point[i].state = state_of(w, i);
+    }
+}
+
 void coverage_cut(struct coverage *coverage, const struct coverage_options *options,
                   const struct vec3s *centre, const struct sizes *end)
 {
@@ -351,25 +401,43 @@ void coverage_cut(struct coverage *coverage, const struct coverage_options *opti
 
     sample_path(centre, coverage->done, end, sqrt(8 * options->radius * SAGITTA), &sample);
     struct kdtree *path = kdtree_new_by(sample.item, sample.n, options->threads);
-    struct covering work = {coverage, options, path};
+    struct covering work = {coverage, options, path,
+                            mem_alloc(coverage->n + 1, sizeof *work.unsure)};
     array_free(&sample);
-    find_roof(&work);
     parallel_for(options->threads, coverage->n, cover_points, &work);
+    if (any_unsure(&work)) {
+        find_roof(&work);
+        parallel_for(options->threads, coverage->n, look_again, &work);
+    }
     coverage->done = centre->n;
     kdtree_free(path);
+    free(work.unsure);
+}
+
+static bool is_open_somehow(const struct covering *w, size_t i)
+{
+    struct vec3 normal = guess_normal(w, w->coverage->point[i].p), direction;
+    double near = find_open(w, i, normal, &direction);
+
+    if (w->unsure[i]) {
+        find_roof(w);
+        w->unsure[i] = false;
+        near = find_open(w, i, normal, &direction);
+    }
+    return near < HUGE_VAL;
 }
 
 size_t coverage_seen_left(const struct coverage *coverage, const struct coverage_options *options,
                           size_t enough)
 {
-    struct covering work = {(struct coverage *)coverage, options, NULL};
-    struct vec3 direction;
+    struct covering work = {(struct coverage *)coverage, options, NULL,
+                            mem_alloc(coverage->n + 1, sizeof *work.unsure)};
     size_t n = 0;
 
     for (size_t i = 0; i < coverage->n && n < enough; i++)
         n += coverage->point[i].state == COVERAGE_KEPT &&
-             coverage->point[i].height > options->limit &&
-             find_open(&work, i, guess_normal(&work, coverage->point[i].p), &direction) < HUGE_VAL;
+             coverage->point[i].height > options->limit && is_open_somehow(&work, i);
+    free(work.unsure);
     return n;
 }
 

@@ -303,6 +303,46 @@ START_TEST(a_ball_from_the_side_is_found)
 }
 END_TEST
 
+enum over { NOTHING, LEVEL, UPRIGHT };
+
+/* What becomes of a summit's top among obstacles of which turning finds no way out, with a square
+ * of points over all of it. */
+static enum coverage_state top_under(enum over over)
+{
+    static const struct vec3 obstacle[] = {{-6.5, -1.8, 6.5}, {-0.2, 0.5, 4.5}, {1.4, -2.9, 2.2}};
+    struct vec3s points = summit_among(0), nowhere = {0};
+    struct sizes end = {0};
+    size_t n;
+
+    for (size_t i = 0; i < sizeof obstacle / sizeof *obstacle; i++)
+        *array_push(&points) = obstacle[i];
+    for (int i = -8; over != NOTHING && i <= 8; i++)
+        for (int k = -8; k <= 8; k++)
+            *array_push(&points) = over == LEVEL ? vec(0.5 * i, 0.5 * k, 2.5 * R)
+                                                 : vec(0.5 * i, 0, 2.5 * R + 0.5 * (k + 8));
+    *array_push(&nowhere) = vec(0, 0, 1000);
+    struct gouge_check *guard = gouge_from_points(points.item, points.n);
+    struct coverage_options options = options_of(guard);
+    struct coverage *c = coverage_new(points.item, points.n, 1);
+    coverage_cut(c, &options, &nowhere, &end);
+    enum coverage_state state = coverage_points(c, &n)[0].state;
+    coverage_free(c);
+    gouge_free(guard);
+    array_free(&points);
+    array_free(&nowhere);
+    return state;
+}
+
+/* Under a part of the scan that faces up a ball is in the material, though it has room there; under
+ * one that is upright it is not. */
+START_TEST(a_ball_under_the_scan_is_none)
+{
+    ck_assert_int_eq(top_under(NOTHING), COVERAGE_LEFT);
+    ck_assert_int_eq(top_under(LEVEL), COVERAGE_OUT);
+    ck_assert_int_eq(top_under(UPRIGHT), COVERAGE_LEFT);
+}
+END_TEST
+
 START_TEST(rest_passes_cut_what_is_left)
 {
     struct vec3s points = points_on(wave, 10), centre = {0};
@@ -352,6 +392,7 @@ int main(void)
     tcase_add_test(tests, the_bottom_of_a_valley_is_out_of_reach);
     tcase_add_test(tests, a_holder_keeps_the_ball_from_the_bottom_of_a_slot);
     tcase_add_test(tests, a_ball_from_the_side_is_found);
+    tcase_add_test(tests, a_ball_under_the_scan_is_none);
     tcase_add_test(tests, rest_passes_cut_what_is_left);
     suite_add_tcase(suite, tests);
     SRunner *runner = srunner_create(suite);
