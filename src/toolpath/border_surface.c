@@ -94,16 +94,46 @@ void border_surface_free(struct border_surface *b)
     free(b);
 }
 
-/* Seen along the normal, are there points to all sides of the place? */
+/* Eighths of a turn, in order. */
+static unsigned eighth_of(double x, double y)
+{
+    unsigned half = y < 0 ? 4 : 0, steep = fabs(y) > fabs(x);
+
+    return (x < 0) != (y < 0) ? half + 3 - steep : half + steep;
+}
+
+/* The most eighths in a row that hold none of the directions. */
+static int empty_eighths(const double x[NEAR], const double y[NEAR])
+{
+    unsigned full = 0;
+    int most = 0;
+
+    for (int i = 0; i < NEAR; i++)
+        full |= 1u << eighth_of(x[i], y[i]);
+    for (int i = 0, row = 0; i < 16; i++) {
+        row = full >> i % 8 & 1 ? 0 : row + 1;
+        most = row > most ? row : most;
+    }
+    return most;
+}
+
+/* Seen along the normal, are there points to all sides of the place?  Of three or four eighths of a
+ * turn without a point their directions tell. */
 static bool is_surrounded(const struct vec3 *near, const struct contact *c, double open)
 {
     struct vec3 u = vec_perpendicular(c->n), v = vec_cross(c->n, u);
-    double angle[NEAR];
+    double angle[NEAR], x[NEAR], y[NEAR];
 
     for (int i = 0; i < NEAR; i++) {
         struct vec3 d = vec_sub(near[i], c->p);
-        angle[i] = atan2(vec_dot(d, v), vec_dot(d, u));
+        x[i] = vec_dot(d, u);
+        y[i] = vec_dot(d, v);
     }
+    int empty = empty_eighths(x, y);
+    if (empty < 3 || empty > 4)
+        return empty < 3;
+    for (int i = 0; i < NEAR; i++)
+        angle[i] = atan2(y[i], x[i]);
     doubles_sort(angle, NEAR);
     double widest = angle[0] + 2 * PI - angle[NEAR - 1];
     for (int i = 0; i + 1 < NEAR; i++)
@@ -126,24 +156,22 @@ static double uncertainty(const struct border_surface *b, const struct vec3 *nea
 }
 
 /* Moves a contact within its plane onto the surface through the points; -1: no surface there. */
-static int fit_in_plane(const struct border_surface *b, const struct vec3 *near,
-                        const struct border_surface_plane *plane, struct contact *c)
+static int fit_in_plane(const struct vec3 *near, const struct border_surface_plane *plane,
+                        struct contact *c, struct quadric *q)
 {
-    struct quadric q;
-
     for (int turn = 0; turn < 3; turn++) {
-        if (cubic_fit(near, NULL, NEAR, c->p, c->n, &q) < 0)
+        if (cubic_fit(near, NULL, NEAR, c->p, c->n, q) < 0)
             return -1;
-        struct vec3 normal = quadric_normal(&q), level = vec_reject(normal, plane->normal);
+        struct vec3 normal = quadric_normal(q), level = vec_reject(normal, plane->normal);
         double level2 = vec_dot(level, level);
-        double off = vec_dot(vec_sub(quadric_foot(&q), c->p), normal);
+        double off = vec_dot(vec_sub(quadric_foot(q), c->p), normal);
         if (level2 < STEEP || vec_dot(normal, c->n) < 0.5)
             return -1;
         c->p = vec_along(c->p, off / level2, level);
         c->p = vec_along(c->p, plane->height - vec_dot(c->p, plane->normal), plane->normal);
         c->n = normal;
     }
-    return uncertainty(b, near, &q) <= b->sure ? 0 : -1;
+    return 0;
 }
 
 /* The nearest points of a tree; false where these are too few. */
@@ -176,12 +204,13 @@ bool border_surface_move(const struct border_surface *b, const struct border_sur
     double distance2[NEAR];
     struct vec3 near[NEAR];
     struct contact on = *c;
+    struct quadric q;
 
     if (!nearest_points(b, b->points, c->p, near, distance2) ||
         distance2[0] > far * far * distance2[NEAR - 1])
         return false;
-    if (fit_in_plane(b, near, plane, &on) < 0 || vec_distance(on.p, c->p) > b->step ||
-        !is_surrounded(near, &on, OPEN))
+    if (fit_in_plane(near, plane, &on, &q) < 0 || vec_distance(on.p, c->p) > b->step ||
+        !is_surrounded(near, &on, OPEN) || !(uncertainty(b, near, &q) <= b->sure))
         return false;
     *c = on;
     return true;
