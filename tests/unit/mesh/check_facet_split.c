@@ -95,12 +95,34 @@ START_TEST(edges_turn_or_stay)
 }
 END_TEST
 
+/* A new vertex has the largest curvature of its facet's corners, where the mesh has any. */
+START_TEST(curvatures)
+{
+    for (int known = 0; known < 2; known++) {
+        struct vec3 p = {1.5, 2, 1};
+        double within = 0.1, corner[] = {0.3, 0.1, 0.2, 0.7};
+        struct mesh m = square(0, 1);
+        const int *v = m.face.item[0].v;
+        double most = fmax(corner[v[0]], fmax(corner[v[1]], corner[v[2]]));
+        for (int i = 0; i < 4 && known; i++)
+            *array_push(&m.kmax) = corner[i];
+        struct facet_split w = begin(&m, &p, &within, 1);
+        facet_split_at(&w, 0, 0);
+        ck_assert_uint_eq(m.kmax.n, known ? 5 : 0);
+        if (known)
+            ck_assert_double_eq(m.kmax.item[4], most);
+        end(&w);
+    }
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("facet_split");
     TCase *tests = tcase_create("facet_split");
     SRunner *runner = srunner_create(suite);
     tcase_add_test(tests, edges_turn_or_stay);
+    tcase_add_test(tests, curvatures);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);
     int failed = srunner_ntests_failed(runner);

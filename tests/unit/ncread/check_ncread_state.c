@@ -238,6 +238,21 @@ START_TEST(numbers_of_blocks)
 }
 END_TEST
 
+/* An error names the block, also one that is number 0; -1 is none. */
+START_TEST(errors_name_the_block)
+{
+    static const struct {
+        long block;
+        const char *said;
+    } row[] = {{-1, ":7: what it is"}, {0, ":7: N0: what it is"}, {120, ":7: N120: what it is"}};
+    for (size_t i = 0; i < sizeof row / sizeof *row; i++) {
+        c.block = row[i].block;
+        ck_assert_int_eq(ncread_error(&c, &error, "what it is"), -1);
+        says(row[i].said);
+    }
+}
+END_TEST
+
 START_TEST(modal_words)
 {
     static const int plain[] = {90, 400, 540, 593, 640, 800, 1540}, none[] = {50, 280, 430, 830};
@@ -385,6 +400,7 @@ int main(void)
     tcase_add_test(tests, before_a_cut);
     tcase_add_test(tests, rapid_moves);
     tcase_add_test(tests, numbers_of_blocks);
+    tcase_add_test(tests, errors_name_the_block);
     tcase_add_test(tests, modal_words);
     tcase_add_test(tests, addresses);
     tcase_add_test(tests, statements);

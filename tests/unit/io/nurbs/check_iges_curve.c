@@ -157,6 +157,63 @@ START_TEST(splines)
 }
 END_TEST
 
+/* 104: each conic, turned by 30 degrees and moved, runs from its start to its end on its equation: an
+ * ellipse counter-clockwise, the others the way there. */
+START_TEST(conics)
+{
+    for (int kind = 0; kind < 6; kind++) { /* ellipse, hyperbola, parabola; there and back */
+        double c = cos(RADIANS(30)), s = sin(RADIANS(30)), t[2] = {-0.4, 0.9}, end[2][2], k[6];
+        /* in its own axes: x^2/9 +- y^2/4 = 1, y^2 = 4 x */
+        double xx = kind / 2 == 2 ? 0 : 1 / 9.0, yy = kind / 2 == 2 ? 1 : 1 / 4.0, x1 = 0, one = -1;
+        if (kind / 2 == 1)
+            yy = -yy;
+        if (kind / 2 == 2)
+            x1 = -4, one = 0;
+        for (int i = 0; i < 2; i++) {
+            double at = t[kind % 2 ? 1 - i : i];
+            double u = kind / 2 == 0 ? 3 * cos(at) : kind / 2 == 1 ? 3 * cosh(at) : at * at;
+            double v = kind / 2 == 0 ? 2 * sin(at) : kind / 2 == 1 ? 2 * sinh(at) : 2 * at;
+            end[i][0] = 5 + c * u - s * v;
+            end[i][1] = -7 + s * u + c * v;
+        }
+        /* u = c (x - 5) + s (y + 7), v = c (y + 7) - s (x - 5), multiplied out */
+        double u0 = -5 * c + 7 * s, v0 = 7 * c + 5 * s;
+        k[0] = xx * c * c + yy * s * s;
+        k[1] = 2 * c * s * (xx - yy);
+        k[2] = xx * s * s + yy * c * c;
+        k[3] = 2 * (xx * u0 * c - yy * v0 * s) + x1 * c;
+        k[4] = 2 * (xx * u0 * s + yy * v0 * c) + x1 * s;
+        k[5] = xx * u0 * u0 + yy * v0 * v0 + x1 * u0 + one;
+        char text[600];
+        snprintf(text, sizeof text,
+                 "104,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,3.,%.17g,%.17g,%.17g,%.17g;", k[0], k[1],
+                 k[2], k[3], k[4], k[5], end[0][0], end[0][1], end[1][0], end[1][1]);
+        iges_file_begin();
+        ck_assert_int_eq(curve(iges_file_add(104, 1 + kind / 2, 0, false, text)), 0);
+        double turned = 0;
+        struct vec3 before = {0, 0, 0};
+        for (size_t i = 0; i < loop.n; i++)
+            for (int n = 0; n <= 16; n++) {
+                struct vec3 p = at(i, n / 16.0), about = vec_sub(p, vec(5, -7, 3));
+                double off = k[0] * p.x * p.x + k[1] * p.x * p.y + k[2] * p.y * p.y + k[3] * p.x +
+                             k[4] * p.y + k[5];
+                ck_assert_double_eq_tol(off, 0, 1e-9);
+                ck_assert_double_eq_tol(p.z, 3, 1e-12);
+                if (i + (size_t)n > 0)
+                    turned += atan2(before.x * about.y - before.y * about.x,
+                                    before.x * about.x + before.y * about.y);
+                before = about;
+            }
+        ck_assert_double_lt(vec_distance(at(0, 0), vec(end[0][0], end[0][1], 3)), 1e-9);
+        ck_assert_double_lt(vec_distance(at(loop.n - 1, 1), vec(end[1][0], end[1][1], 3)), 1e-9);
+        if (kind / 2 == 0) /* about its middle */
+            ck_assert_double_gt(turned, 0);
+        teardown();
+        memset(&iges, 0, sizeof iges);
+    }
+}
+END_TEST
+
 /* First the entity's own transformation, then what that points to: a quarter turn about z with a
  * shift, then twice as large. */
 START_TEST(transformations)
@@ -238,6 +295,7 @@ int main(void)
     tcase_add_test(tests, arcs);
     tcase_add_test(tests, polylines);
     tcase_add_test(tests, splines);
+    tcase_add_test(tests, conics);
     tcase_add_test(tests, transformations);
     tcase_add_test(tests, composites);
     tcase_add_test(tests, no_curves);

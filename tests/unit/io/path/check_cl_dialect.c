@@ -190,6 +190,8 @@ START_TEST(systems_of_nx)
     ends_at(0, vec(0, 0, 0), UP);
     ends_at(1, vec(1, 2, 3), UP);
     ends_at(2, vec(98, 1, 3), vec(0, 1, 0));
+    ck_assert_str_eq(path.head.tool_name, "BALL_10");
+    ck_assert_uint_eq(path.tool.n, 0); /* the same again */
     ck_assert_int_eq(take(NX "MSYS/0,0,0,1,0,0,0.1,1,0\nEND-OF-PATH\n"), -1);
     ck_assert_ptr_nonnull(strstr(error.text, "not square"));
     ck_assert_int_eq(take("TOOL PATH/A,TOOL,B\nTLDATA/MILL,0,5\nEND-OF-PATH\n"), -1);
