@@ -1,7 +1,8 @@
 /*
  * slice - where planes cross a mesh: chains of contact points (paper 2, 2.2).
  *
- * Every point lies on an edge of a facet, and two that follow each other on edges of one facet.
+ * Every point lies on an edge of a facet, and two that follow each other on edges of one facet, but
+ * where one less than 1e-3 mm from the one before is left out.
  * A vertex on the plane, or within ON_PLANE of it, counts as below it: each crossing is found once,
  * and a border along the plane as a whole.
  */

@@ -113,8 +113,10 @@ memory_notices() { # the same under the sanitizers, and not as the module was
 }
 
 # shellcheck disable=SC2086
-link_tools() { # FOLDER: the tools with $TMP/changed.o in place of the module; 1: one cannot be linked
-	mkdir -p "$1"
+link_tools() { # FOLDER [OPTION...]: the tools with $TMP/changed.o in place of the module; 1: not all
+	to=$1
+	shift
+	mkdir -p "$to"
 	for tool in src/*.c; do
 		own="$BUILD/${tool%.c}.o"
 		[ "$file" != "$tool" ] || own=
@@ -122,12 +124,14 @@ link_tools() { # FOLDER: the tools with $TMP/changed.o in place of the module; 1
 		src/*/*) ;;
 		*) [ -z "$own" ] || continue ;;
 		esac
-		$CC -o "$1/$(basename "$tool" .c)" $own "$TMP/changed.o" "$BUILD/libcloudmill.a" \
+		$CC "$@" -o "$to/$(basename "$tool" .c)" $own "$TMP/changed.o" "$BUILD/libcloudmill.a" \
 			-Wl,--gc-sections -lm -pthread 2>"$TMP/link" || return 1
 	done
 }
 
-# Tools that the change makes no other are those of the build; their names go to $TMP/affected.
+# Tools that the change makes no other are those of the build; names of the others go to
+# $TMP/affected.
+# shellcheck disable=SC2086
 make_tools() {
 	compiled "$file" -ffunction-sections && link_tools "$TMP/same" || return 1
 	compiled "$changed" -ffunction-sections && link_tools "$TMP/bin" || return 1
@@ -141,6 +145,11 @@ make_tools() {
 		fi
 	done
 	ln -s "$BUILD/bin/cloudmill" "$TMP/bin"
+	# and those that see a place beyond an array
+	cp -R "$TMP/bin" "$TMP/fenced"
+	while read -r tool; do rm "$TMP/fenced/$tool"; done <"$TMP/affected"
+	compiled "$changed" $SANITIZE && link_tools "$TMP/sane" $SANITIZE "$fenced" &&
+		while read -r tool; do mv "$TMP/sane/$tool" "$TMP/fenced"; done <"$TMP/affected"
 }
 
 # one of $TMP/tests fails, or a job of bytes.sh that runs an affected tool has other bytes
@@ -157,7 +166,7 @@ tools_notice() {
 		{ for (i = 3; i <= NF; i++) if ($i in affected) { print $1, $2; next } }' "$TMP/affected" - \
 		>"$TMP/jobs"
 	while read -r seconds test <&3; do
-		BIN=$TMP/bin timeout $((20 + 40 * ${seconds%.*})) \
+		BIN=$TMP/fenced timeout $((20 + 40 * ${seconds%.*})) \
 			sh tests/house/bytes.sh "$BUILD/bytes" "$test" || { test=bytes/$test && return 0; }
 	done 3<"$TMP/jobs"
 	return 1

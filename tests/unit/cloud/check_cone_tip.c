@@ -104,7 +104,9 @@ START_TEST(found)
         }
     }
     ck_assert_int_ge(tips, DESIGNS / 3);
-    ck_assert_double_le(sqrt(sum2 / tips), exact ? 0.005 : 0.05);
+    /* of so many, and five deviations of that more */
+    double rms = sqrt(sum2 / tips), more = 1 + 5 / sqrt(2.0 * tips);
+    ck_assert_double_le(rms, exact ? 0.005 : 0.05 * more);
 }
 END_TEST
 

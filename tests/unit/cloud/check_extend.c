@@ -38,7 +38,8 @@ START_TEST(continues_a_sphere)
         /* a strip of 2 mm around 160 mm, four to the square millimetre */
         ck_assert_uint_ge(over, 1000);
         ck_assert_uint_le(over, 1500);
-        ck_assert_uint_le(p.n - n - over, 40);
+        /* where the cap's edge is ragged: about 30, and six deviations of such a count more */
+        ck_assert_double_le((double)(p.n - n - over), 30 + 6 * sqrt(30));
         array_free(&p);
     }
 }

