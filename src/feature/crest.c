@@ -180,6 +180,7 @@ static bool fit_along(const struct profile *p, struct vec3 at, struct hood *hood
     double across;
     bool rib;
 
+    /* cppcheck-suppress ctuuninitvar ; n alone says whether there is anything in it */
     if (hood->n > 0 && vec_distance(at, hood->at) < p->cloud->spacing)
         return fit_beside(p, at, hood, q);
     size_t k = feature_near(p->cloud, at, RIDGE_DIRECTION_LONGER * some, hood->near);

@@ -48,6 +48,8 @@ START_TEST(creases)
         struct mesh_edges edges = mesh_edges_find(&m);
         struct feature f[3] = {{.kind = FEATURE_NONE}};
         size_t crossed = 0;
+        for (int i = 0; i < 3 && sides % 2; i++)
+            *array_push(&m.kmax) = 0.1;
         for (size_t e = 0; e < 3; e++) {
             if (sides >> e & 1)
                 f[e] = half_way(&m, &edges.edge[e], FEATURE_CREASE);
@@ -56,6 +58,7 @@ START_TEST(creases)
         feature_cut(&m, &edges, f);
         ck_assert_uint_eq(m.vertex.n, 3 + 2 * crossed);
         ck_assert_uint_eq(m.row.n, m.vertex.n);
+        ck_assert_uint_eq(m.kmax.n, sides % 2 ? m.vertex.n : 0); /* where there is any */
         ck_assert_double_eq_tol(area(&m), 8, 1e-12);
         ck_assert_uint_eq(m.face.n, crossed + 1);
         for (size_t k = 0; k < m.face.n; k++)

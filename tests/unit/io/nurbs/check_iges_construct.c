@@ -44,6 +44,7 @@ static int construct(int number)
 static int add(int type, int form, const char *format, double a, double b, double c)
 {
     char text[200];
+    /* cppcheck-suppress wrongPrintfScanfArgNum ; formats use as many as they need */
     snprintf(text, sizeof text, format, a, b, c);
     return iges_file_add(type, form, 0, true, text);
 }

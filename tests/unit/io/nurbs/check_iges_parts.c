@@ -39,6 +39,7 @@ static int find(void)
 static int add(int type, int matrix, const char *format, int a, int b, int c)
 {
     char text[200];
+    /* cppcheck-suppress wrongPrintfScanfArgNum ; formats use as many as they need */
     snprintf(text, sizeof text, format, a, b, c);
     return iges_file_add(type, 0, matrix, false, text);
 }
