@@ -8,8 +8,14 @@
 
 /* What each axis does for each length of the way about a place, and how much that changes there. */
 struct rates {
-    double slope[AXIS_TIME_AXES], bend[AXIS_TIME_AXES];
+    double slope[AXIS_TIME_AXES];
+    double change[AXIS_TIME_AXES], over; /* of the slope, over so much of the way */
 };
+
+static double bend_of(const struct rates *r, int k)
+{
+    return r->change[k] / r->over;
+}
 
 /* Of a bound that rounding might bring under what it bounds: beyond it, nothing does. */
 static const double SURELY = 1 + 1e-12;
@@ -34,12 +40,11 @@ static inline struct rates rates_between(const struct axis_time_limits *limits,
                                          const struct axis_time_place *at, struct slopes before,
                                          struct slopes after)
 {
-    struct rates r;
-    double over = fmax((at[1].way - at[-1].way) / 2, limits->smoothing);
+    struct rates r = {.over = fmax((at[1].way - at[-1].way) / 2, limits->smoothing)};
 
     for (int k = 0; k < AXIS_TIME_AXES; k++) {
         r.slope[k] = fmax(fabs(before.axis[k]), fabs(after.axis[k]));
-        r.bend[k] = fabs(after.axis[k] - before.axis[k]) / over;
+        r.change[k] = fabs(after.axis[k] - before.axis[k]);
     }
     return r;
 }
@@ -47,7 +52,7 @@ static inline struct rates rates_between(const struct axis_time_limits *limits,
 static struct rates rates_at(const struct axis_time_limits *limits,
                              const struct axis_time_place place[], size_t i, size_t n)
 {
-    struct rates r = {{0}, {0}};
+    struct rates r = {.over = 1};
 
     if (i > 0 && i + 1 < n)
         return rates_between(limits, &place[i], slopes_to(&place[i]), slopes_to(&place[i + 1]));
@@ -59,19 +64,20 @@ static struct rates rates_at(const struct axis_time_limits *limits,
     return r;
 }
 
-/* The fastest at a place.  Most bounds are far off: only what may be one is worked out. */
+/* The fastest at a place.  Most bounds are far off: only what may be one is worked out, and no
+ * quotient for it. */
 static double speed_at(const struct axis_time_limits *limits, const struct rates *r, double feed)
 {
     double v = feed;
 
     for (int k = 0; k < AXIS_TIME_AXES; k++) {
-        double jerk = limits->jerk[k] * limits->smoothing;
+        double jerk = limits->jerk[k] * limits->smoothing, change = SURELY * r->change[k];
         if (limits->speed[k] < SURELY * v * r->slope[k])
             v = fmin(v, limits->speed[k] / r->slope[k]);
-        if (limits->acceleration[k] < SURELY * v * v * r->bend[k])
-            v = fmin(v, sqrt(limits->acceleration[k] / r->bend[k]));
-        if (jerk < SURELY * v * v * v * r->bend[k])
-            v = fmin(v, cbrt(jerk / r->bend[k]));
+        if (limits->acceleration[k] * r->over < v * v * change)
+            v = fmin(v, sqrt(limits->acceleration[k] / bend_of(r, k)));
+        if (jerk * r->over < v * v * v * change)
+            v = fmin(v, cbrt(jerk / bend_of(r, k)));
     }
     return v;
 }
@@ -84,8 +90,8 @@ static double speed_after(const struct axis_time_limits *limits, const struct ra
 
     for (int k = 0; k < AXIS_TIME_AXES; k++)
         if (r->slope[k] > 0)
-            change =
-                fmin(change, fmax(0, limits->acceleration[k] - r->bend[k] * v * v) / r->slope[k]);
+            change = fmin(change,
+                          fmax(0, limits->acceleration[k] - bend_of(r, k) * v * v) / r->slope[k]);
     return change < HUGE_VAL ? fmin(most, sqrt(v * v + 2 * length * change)) : most;
 }
 

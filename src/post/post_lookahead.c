@@ -677,19 +677,22 @@ static double clear_height(const struct path *path)
     return z;
 }
 
+static bool has_planes(const struct path *path)
+{
+    for (size_t i = 0; i < path->item.n; i++)
+        if (path->item.item[i].kind == PATH_PLANE)
+            return true;
+    return false;
+}
+
 /* The height of the first rapid of a program: the clearance plane or the highest rapid, but above
  * all that is cut, and above that by the machine's `retract` where the path has no rapid. */
-static double top_of(const struct path *path, const struct machine *machine)
+static double top_of(const struct nc_planner *planner, bool planes)
 {
-    double cut = -HUGE_VAL, clear = clear_height(path);
-    for (size_t i = 0; i < path->item.n; i++) {
-        const struct path_item *item = &path->item.item[i];
-        if (item->kind == PATH_PLANE)
-            return NAN; /* heights of several frames */
-        if (path_moves(item) && !path_is_rapid(item))
-            cut = fmax(cut, item->to.p.z);
-    }
-    return isnan(clear) ? cut + machine->retract : fmax(clear, cut);
+    double cut = planner->cut.high.z, clear = planner->clearance;
+    if (planes) /* heights of several frames */
+        return NAN;
+    return isnan(clear) ? cut + planner->machine->retract : fmax(clear, cut);
 }
 
 /* The travel to the last digit within it, and what is rounded to that or beyond it by so little
@@ -727,8 +730,8 @@ int nc_plan_make(struct nc_plan *plan, const struct path *path, const struct mac
     planner.base = machine;
     planner.follow = (struct interpolation){.mode = ability.mode, .chain = &own.chain};
     planner.clearance = clear_height(path);
-    plan->top = top_of(path, machine);
     planner.cut = post_rewind_cuts(path);
+    plan->top = top_of(&planner, has_planes(path));
     array_reserve(&plan->move, path->item.n + path->item.n / 16); /* most are blocks as they are */
     planner.near = ik_near_table(&own.chain);
     planner.safe_radius = post_ik_safe_radius(machine);

@@ -515,7 +515,7 @@ void path_expand_cycles(struct path *path)
     size_t n = path->item.n;
     struct path_item *item = path->item.item;
     bool any = false;
-    for (size_t i = 0; i < n && !any; i++)
+    for (size_t i = 0; i < n && !any && path->cycle.n > 0; i++)
         any = item[i].kind == PATH_HOLE;
     if (!any)
         return;
