@@ -14,6 +14,7 @@
 enum { SAMPLES = 8, FACTORS = NC_POLY_DEGREE - 1 };
 static const double cubic_most = 20; /* PL above this would cost digits of the factors */
 static const double other_most = 1;  /* with powers up to the fifth this would */
+static const double factor_most = 1e9;
 
 /* The polynomial's value at p, its factor of p taken from both ends. */
 static struct vec3 span_at(struct vec3 start, struct vec3 end, const struct vec3 factor[FACTORS],
@@ -59,12 +60,21 @@ static struct nc_span span_words(const struct bspline *b, size_t i, int digits)
     return s;
 }
 
+/* On a span as short as its printed digits, factors have more digits than a control reads. */
+static bool is_readable(const struct nc_span *s)
+{
+    for (int i = 0; i < FACTORS; i++)
+        if (!(vec_length(s->factor[i]) < factor_most && vec_length(s->head_factor[i]) < factor_most))
+            return false;
+    return s->h > 0;
+}
+
 bool nc_poly_words(struct nc_spans *spans, const struct bspline *b, int digits)
 {
     for (size_t i = (size_t)b->degree; i < b->poles; i++)
         if (b->knot[i + 1] > b->knot[i]) {
             struct nc_span s = span_words(b, i, digits);
-            if (s.h <= 0)
+            if (!is_readable(&s))
                 return false;
             *array_push(spans) = s;
         }

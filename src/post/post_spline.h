@@ -36,7 +36,7 @@ static inline int nc_poly_factors(int degree)
 }
 
 /* The spans of a curve, in the digits that will be printed; false: one of them is shorter than the
- * digits can say. */
+ * digits can say, or so short that its factors have more than nine before the point. */
 bool nc_poly_words(struct nc_spans *spans, const struct bspline *b, int digits);
 
 /* Characters of the words of the widest span, with those of the head when it `turns`. */

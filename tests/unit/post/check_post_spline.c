@@ -316,6 +316,31 @@ START_TEST(faults_are_seen)
 }
 END_TEST
 
+/* A cubic whose span is shorter and shorter: its factors grow with the cube of that, and none is said
+ * with more than nine digits before its point. */
+START_TEST(short_spans)
+{
+    size_t refused = 0, said = 0;
+    for (double h = 1; h > 2e-6; h /= 3) {
+        struct bspline b = bspline_new(3, 5, false);
+        for (size_t i = 0; i < 9; i++)
+            b.knot[i] = i < 4 ? 0 : i == 4 ? h : 1;
+        for (size_t i = 0; i < 5; i++)
+            b.pole[i] = vec(i < 2 ? 0 : (double)i, i % 2 ? 0.01 : -0.01, 0);
+        struct nc_spans spans = {0};
+        bool can = nc_poly_words(&spans, &b, 5);
+        for (size_t i = 0; i < spans.n && can; i++)
+            for (int k = 0; k < 2; k++)
+                ck_assert_double_lt(vec_length(spans.item[i].factor[k]), 1e9);
+        *(can ? &said : &refused) += 1;
+        array_free(&spans);
+        bspline_free(&b);
+    }
+    ck_assert_uint_ge(said, 3);
+    ck_assert_uint_ge(refused, 1);
+}
+END_TEST
+
 START_TEST(width)
 {
     struct nc_span s = {.h = 1, .digits = 7};
@@ -345,6 +370,7 @@ int main(void)
     tests = tcase_create("as polynomials");
     tcase_add_test(tests, the_curve_itself);
     tcase_add_test(tests, faults_are_seen);
+    tcase_add_test(tests, short_spans);
     tcase_add_test(tests, width);
     suite_add_tcase(suite, tests);
     SRunner *runner = srunner_create(suite);
