@@ -119,6 +119,7 @@ jobs() {
 		down.ply nurbs2mesh --up 0,0,-1 -n 10 bezier.igs
 		grid nurbs2mesh --grid 6 meet.nurbs
 		radii nurbs2mesh -k torus.nurbs
+		both nurbs2mesh -n 4 -e 0.1 torus.nurbs
 	END
 	for kind in bounded placed cylinder; do
 		echo "$kind.igs iges $kind"
