@@ -192,6 +192,25 @@ static void check_rough(const struct patches *patches, double tolerance, struct 
                   roughest->entity, rough, tolerance);
 }
 
+/* Loops that could not be used, and surfaces of which their trimming leaves nothing. */
+static void check_trimming(const struct patches *patches, const struct sheet *sheet, bool partial,
+                           struct unmets *unmet)
+{
+    size_t lost = 0, empty = 0, first = patches->n;
+    for (size_t i = 0; i < patches->n && !partial; i++) {
+        bool is_empty = sheet[i].face.n == 0 && !sheet[i].refused;
+        lost += sheet[i].lost > 0;
+        empty += is_empty;
+        first = first == patches->n && (is_empty || sheet[i].lost > 0) ? i : first;
+    }
+    if (lost + empty > 0)
+        unmet_say(
+            unmet,
+            "trimming is not as the file has it: %zu surfaces whose loops are ignored, %zu of "
+            "which nothing is left, the first is surface %d (--partial accepts it)",
+            lost, empty, patches->item[first].entity);
+}
+
 /* Of a model of closed shells alone nothing may stay open. */
 static void check_closed(const struct patches *patches, const struct skin *skin,
                          struct unmets *unmet)
@@ -235,6 +254,9 @@ static double make_patch_mesh(const struct cli *cli, const struct settings *s,
          "edges",
          sewn.joined, sewn.inserted, sewn.moved, out.bodies, out.bodies == 1 ? "body" : "bodies",
          out.open);
+    check_trimming(patches, sheet, s->partial, unmet);
+    if (out.voids > 0)
+        say("%zu closed skins of loose faces lie within others and are taken for voids", out.voids);
     check_rough(patches, s->tolerance > 0 ? s->tolerance : fine, unmet);
     if (patch_mesh->narrow > 0)
         say("%zu surfaces narrower than %g mm left out", patch_mesh->narrow, NARROW * size);

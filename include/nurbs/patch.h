@@ -27,6 +27,7 @@ struct patch {
     struct nurbs surface;
     struct patch_loops loop; /* none: untrimmed */
     struct patch_loops told; /* in the parameters, roughly, the same: which side counts; or none */
+    bool outer;              /* the file says that the first loop goes round the others */
     bool open;               /* the border of the range bounds it too: all loops are holes */
     char *file;              /* where it was read from ... */
     int entity;              /* ... and its number there: in IGES its directory entry */

@@ -3,6 +3,12 @@
 
 #include <stdlib.h>
 
+#include "math/box.h"
+#include "math/elementary.h"
+
+/* Closed bodies of loose faces, that are looked at for others around them. */
+enum { NESTED_MOST = 2000 };
+
 /* A border edge between two places; forward: from the lower number to the higher. */
 struct place_edge {
     size_t low, high;
@@ -157,11 +163,103 @@ static struct body_sum sum_body(const struct patch_mesh *q, const int *body, int
     return sum;
 }
 
+/* ---- bodies within each other */
+
+/* A closed body of loose faces, by its lowest sheet. */
+struct closed_body {
+    int body;
+    struct box box;
+    struct vec3 asked[3]; /* places on it */
+};
+
+struct closed_bodies {
+    size_t n, cap;
+    struct closed_body *item;
+};
+
+static struct vec3 corner_of(const struct patch_mesh *q, size_t face, int k)
+{
+    return q->vertex.item[q->face.item[face].v[k]].point;
+}
+
+/* The boxes of the bodies, and the middles of some of their facets. */
+static void survey(const struct patch_mesh *q, const int *body, struct closed_bodies *all)
+{
+    size_t *number = mem_alloc(q->sheets + 1, sizeof *number);
+    size_t *seen = mem_alloc(all->n + 1, sizeof *seen);
+    for (size_t i = 0; i < all->n; i++) {
+        number[all->item[i].body] = i + 1;
+        all->item[i].box = box_empty();
+    }
+    for (size_t f = 0; f < q->face.n; f++) {
+        size_t n = number[body[q->sheet.item[f]]];
+        if (n == 0)
+            continue;
+        struct closed_body *b = &all->item[n - 1];
+        struct vec3 p = corner_of(q, f, 0), r = corner_of(q, f, 1), t = corner_of(q, f, 2);
+        box_add(&b->box, p);
+        box_add(&b->box, r);
+        box_add(&b->box, t);
+        /* the first facet, and those whose numbers are twice as high each time */
+        size_t count = seen[n - 1]++;
+        if ((count & (count - 1)) == 0)
+            for (int k = 0; k < 3; k++)
+                if (count == 0 || (size_t)k == count % 3)
+                    b->asked[k] = vec_scale(1 / 3.0, vec_add(p, vec_add(r, t)));
+    }
+    free(number);
+    free(seen);
+}
+
+/* How often a body goes round a place: the solid angle of its facets (Van Oosterom and Strackee
+ * 1983) by that of a sphere. */
+static bool is_within(const struct patch_mesh *q, const int *body, int which, struct vec3 at)
+{
+    double angle = 0;
+    for (size_t f = 0; f < q->face.n; f++) {
+        if (body[q->sheet.item[f]] != which)
+            continue;
+        struct vec3 a = vec_sub(corner_of(q, f, 0), at), b = vec_sub(corner_of(q, f, 1), at);
+        struct vec3 c = vec_sub(corner_of(q, f, 2), at);
+        double la = vec_length(a), lb = vec_length(b), lc = vec_length(c);
+        double over = vec_dot(a, vec_cross(b, c));
+        double under = la * lb * lc + vec_dot(a, b) * lc + vec_dot(b, c) * la + vec_dot(c, a) * lb;
+        angle += (q->flipped[q->sheet.item[f]] ? -2 : 2) * atan2(over, under);
+    }
+    return fabs(angle) > 2 * PI;
+}
+
+/* Turns inwards what lies, with all places asked, within an odd number of others. */
+static size_t turn_voids(struct patch_mesh *q, const int *body, struct closed_bodies *all)
+{
+    size_t voids = 0;
+    bool *is_void = mem_alloc(all->n + 1, sizeof *is_void);
+    survey(q, body, all);
+    for (size_t i = 0; i < all->n; i++)
+        for (size_t k = 0; k < all->n; k++) {
+            const struct closed_body *in = &all->item[i], *out = &all->item[k];
+            bool within = i != k && !(box_distance2(&out->box, in->box.low) > 0) &&
+                          !(box_distance2(&out->box, in->box.high) > 0);
+            for (int m = 0; m < 3 && within; m++)
+                within = is_within(q, body, out->body, in->asked[m]);
+            is_void[i] = is_void[i] != within;
+        }
+    for (size_t i = 0; i < all->n; i++) {
+        voids += is_void[i];
+        for (size_t k = 0; k < q->sheets && is_void[i]; k++)
+            if (body[k] == all->item[i].body)
+                q->flipped[k] = !q->flipped[k];
+    }
+    free(is_void);
+    return voids;
+}
+
 struct orient_count orient_outward(struct patch_mesh *q, const struct patches *patches,
                                    struct vec3 up)
 {
     struct orient_count count = {0};
     struct bonds bonds = {0};
+    struct closed_bodies loose = {0};
     int *body = mem_alloc(q->sheets + 1, sizeof *body);
     for (size_t i = 0; i < q->sheets; i++)
         body[i] = (int)i;
@@ -178,11 +276,16 @@ struct orient_count orient_outward(struct patch_mesh *q, const struct patches *p
         count.bodies++;
         count.unclear += !closed && fabs(along) <= ORIENT_CLOSED * sum.total;
         bool cavity = patches && patches->item[i].cavity;
+        if (closed && patches && patches->item[i].body == 0)
+            array_push(&loose)->body = (int)i;
         bool turn = closed ? (sum.volume < 0) != cavity : along < 0;
         for (size_t k = 0; k < q->sheets && turn; k++)
             if (body[k] == (int)i)
                 q->flipped[k] = !q->flipped[k];
     }
+    if (loose.n > 1 && loose.n <= NESTED_MOST)
+        count.voids = turn_voids(q, body, &loose);
+    array_free(&loose);
     array_free(&bonds);
     free(body);
     return count;

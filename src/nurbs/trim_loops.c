@@ -6,154 +6,17 @@
 #include "base/array.h"
 #include "pullback.h"
 #include "trim_crossings.h"
+#include "trim_order.h"
+#include "trim_tidy.h"
 #include "trim_told.h"
 
-/* Does the ray from the place to the right cross the side? */
-static bool is_passed(struct uv a, struct uv b, struct uv p)
-{
-    return (a.v > p.v) != (b.v > p.v) && p.u < a.u + (p.v - a.v) / (b.v - a.v) * (b.u - a.u);
-}
-
-/* Does the loop go round the place? */
-static bool goes_round(const struct uvs *loop, struct uv p)
-{
-    bool inside = false;
-    for (size_t i = 0, k = loop->n - 1; i < loop->n; k = i++)
-        inside = inside != is_passed(loop->item[k], loop->item[i], p);
-    return inside;
-}
-
-bool uv_polygon_inside(const struct uv_polygon *loops, bool open, struct uv at)
-{
-    bool inside = open;
-    for (size_t i = 0; i < loops->n; i++)
-        if (goes_round(&loops->item[i], at))
-            inside = !inside;
-    return inside;
-}
-
-/* ---- rows */
-
-/* The row of v; what lies beyond the rows is counted to the first and the last. */
-static size_t row_of(const struct uv_rows *rows, double v)
-{
-    double row = rows->height > 0 ? floor((v - rows->from) / rows->height) : 0;
-    return !(row >= 1) ? 0 : row >= (double)rows->n ? rows->n - 1 : (size_t)row;
-}
-
-/* Counts the sides of each row into first[row + 1], or, once these are sums, puts them there. */
-static void fill_rows(const struct uv_polygon *loops, struct uv_rows *rows, size_t *next)
-{
-    for (size_t l = 0; l < loops->n; l++) {
-        const struct uvs *loop = &loops->item[l];
-        for (size_t i = 0, k = loop->n - 1; i < loop->n; k = i++) {
-            struct uv a = loop->item[k], b = loop->item[i];
-            size_t row = row_of(rows, fmin(a.v, b.v)), last = row_of(rows, fmax(a.v, b.v));
-            for (; row <= last; row++) {
-                if (!next) {
-                    rows->first[row + 1]++;
-                    continue;
-                }
-                rows->side[next[row]][0] = a;
-                rows->side[next[row]++][1] = b;
-            }
-        }
-    }
-}
-
-void uv_rows_make(const struct uv_polygon *loops, struct uv_rows *rows)
-{
-    double low = HUGE_VAL, high = -HUGE_VAL, rise = 0;
-    size_t n = 0;
-    for (size_t l = 0; l < loops->n; l++)
-        for (size_t i = 0; i < loops->item[l].n; i++, n++) {
-            double v = loops->item[l].item[i].v;
-            rise += i > 0 ? fabs(v - loops->item[l].item[i - 1].v) : 0;
-            low = fmin(low, v);
-            high = fmax(high, v);
-        }
-    /* a side lies in all rows that it rises through: about eight of them, however long they are */
-    double most = rise > 0 ? fmin((double)n / 2, 8 * (double)n * (high - low) / rise) : 0;
-    *rows = (struct uv_rows){.from = n ? low : 0, .n = (size_t)most + 1};
-    rows->height = n ? (high - low) / (double)rows->n : 0;
-    rows->first = mem_alloc(rows->n + 1, sizeof *rows->first);
-    fill_rows(loops, rows, NULL);
-    for (size_t i = 0; i < rows->n; i++)
-        rows->first[i + 1] += rows->first[i];
-    size_t *next = mem_alloc(rows->n + 1, sizeof *next);
-    for (size_t i = 0; i < rows->n; i++)
-        next[i] = rows->first[i];
-    rows->side = mem_alloc(rows->first[rows->n] + 1, sizeof *rows->side);
-    fill_rows(loops, rows, next);
-    free(next);
-}
-
-bool uv_rows_inside(const struct uv_rows *rows, bool open, struct uv at)
-{
-    size_t row = row_of(rows, at.v);
-    bool inside = open;
-    for (size_t i = rows->first[row]; i < rows->first[row + 1]; i++)
-        inside = inside != is_passed(rows->side[i][0], rows->side[i][1], at);
-    return inside;
-}
-
-void uv_rows_free(struct uv_rows *rows)
-{
-    free(rows->first);
-    free(rows->side);
-    *rows = (struct uv_rows){0};
-}
-
-double uv_loop_area(const struct uvs *loop)
-{
-    double area = 0;
-    struct uv o = loop->item[0];
-    for (size_t i = 0, k = loop->n - 1; i < loop->n; k = i++) {
-        struct uv a = loop->item[k], b = loop->item[i];
-        area += (a.u - o.u) * (b.v - o.v) - (b.u - o.u) * (a.v - o.v);
-    }
-    return area / 2;
-}
-
-/* Corners of a loop that say whether it lies in another: one alone may be on the border of that. */
-enum { ASKED = 7 };
-
-bool uv_polygon_backwards(const struct uv_polygon *loops, size_t index, bool open)
-{
-    const struct uvs *loop = &loops->item[index];
-    bool hole = open;
-    for (size_t i = 0; i < loops->n; i++) {
-        int inside = 0;
-        for (size_t k = 0; k < ASKED && i != index; k++)
-            inside += goes_round(&loops->item[i], loop->item[k * loop->n / ASKED]);
-        hole = hole != (inside > ASKED / 2);
-    }
-    return (uv_loop_area(loop) > 0) == hole;
-}
-
-size_t uv_polygon_crossings(const struct uv_polygon *loops, const struct nurbs *s, double tolerance)
-{
-    size_t count = 0;
-    for (size_t k = 0; k < loops->n; k++)
-        count += trim_crossings(&loops->item[k], s, tolerance);
-    return count;
-}
-
-void uv_polygon_free(struct uv_polygon *loops)
-{
-    for (size_t i = 0; i < loops->n; i++)
-        array_free(&loops->item[i]);
-    array_free(loops);
-    loops->off = 0;
-    loops->lost = 0;
-}
-
-enum { DEPTH_MAX = 10, SPACE_PARTS = 8, SEEKS = 64, PARTS_MAX = 8 };
+enum { ASKED = 7, DEPTH_MAX = 10, SPACE_PARTS = 8, SEEKS = 64, PARTS_MAX = 8, TURNED_TRIED = 16 };
 
 /* How far from a pole, by a piece of a curve, its direction is still told; by the size of the
  * surface: how near to a pole a curve runs through it; by the width of the range: what is
- * rounding. */
-static const double POLE_STEP = 1e-3, POLE_NEAR = 1e-6, POLE = 1e-9, ROUNDING = 1e-6;
+ * rounding, and what is one way to a pole and back. */
+static const double POLE_STEP = 1e-3, POLE_SLIT = 1e-3, POLE_NEAR = 1e-6, POLE = 1e-9,
+                    ROUNDING = 1e-6;
 
 /* A curve in the parameters or in space that is being followed on the surface. */
 struct follower {
@@ -161,9 +24,12 @@ struct follower {
     const struct nurbs_curve *curve;
     double tolerance;
     bool space, directed;
-    bool bent;  /* corners so that what the chords bound is what the curve bounds */
-    double off; /* the farthest that the curve was off the surface */
-    int seeks;  /* searches of the whole surface that may still fail */
+    bool bent;         /* corners so that what the chords bound is what the curve bounds */
+    double off;        /* the farthest that the curve was off the surface */
+    struct uv slit_at; /* beside that pole */
+    bool slit;         /* a loop that is not directed went to a pole and back the same way ... */
+    double pole_way;   /* ... and goes so many turns about it there instead */
+    int seeks;         /* searches of the whole surface that may still fail */
     struct uvs *to;
 };
 
@@ -280,12 +146,18 @@ static struct uv uv_on_pole(struct follower *f, int pole, double inside, struct 
     return at;
 }
 
+/* A little way from an end of the range into it. */
+static double pole_inside(const struct nurbs_axis *a, double end)
+{
+    return end + POLE_STEP * (2 * end < a->from + a->to ? width(a) : -width(a));
+}
+
 /*
  * Where a loop goes on from a pole that it came to: by whole turns so that the side of the range in
  * between is one that bounds what is on the loop's left; by the shorter way where it is not
  * directed.
  */
-static struct uv uv_past_pole(const struct follower *f, int pole, struct uv from, struct uv to)
+static struct uv uv_past_pole(struct follower *f, int pole, struct uv from, struct uv to)
 {
     bool along_u = pole == PULLBACK_V_LOW || pole == PULLBACK_V_HIGH;
     double sign = pole == PULLBACK_V_LOW || pole == PULLBACK_U_HIGH ? 1 : -1;
@@ -299,6 +171,12 @@ static struct uv uv_past_pole(const struct follower *f, int pole, struct uv from
         by = sign * (by < ROUNDING * turn ? turn : by);
     } else {
         by -= turn * floor(by / turn + 0.5);
+        if (fabs(by) < POLE_SLIT * turn) {
+            f->slit = true;
+            f->slit_at = (struct uv){along_u ? from.u : pole_inside(&f->on.surface->u, to.u),
+                                     along_u ? pole_inside(&f->on.surface->v, to.v) : from.v};
+            by += f->pole_way * turn;
+        }
     }
     return along_u ? (struct uv){from.u + by, to.v} : (struct uv){to.u, from.v + by};
 }
@@ -381,43 +259,6 @@ static bool is_point(const struct nurbs_curve *c, double near)
     return true;
 }
 
-static double square(struct uv a, struct uv b, const struct nurbs *s)
-{
-    double u = (a.u - b.u) / (s->u.to - s->u.from), v = (a.v - b.v) / (s->v.to - s->v.from);
-    return u * u + v * v;
-}
-
-static struct vec3 end_of(const struct nurbs_curve *c, bool last)
-{
-    return nurbs_curve_point(c, last ? c->t.to : c->t.from);
-}
-
-/* The squared distance of two points of the loop's curves: in parts of the range, or in space. */
-static double loop_distance2(const struct patch *patch, const struct patch_loop *loop,
-                             struct vec3 a, struct vec3 b)
-{
-    if (loop->space)
-        return vec_dot(vec_sub(a, b), vec_sub(a, b));
-    return square((struct uv){a.x, a.y}, (struct uv){b.x, b.y}, &patch->surface);
-}
-
-/* Does curve k run backwards, when the loop has come to `at`?  The first one runs so that its end
- * is near an end of the second. */
-static bool is_backwards(const struct patch *patch, const struct patch_loop *loop, size_t k,
-                         struct vec3 at)
-{
-    struct vec3 first = end_of(&loop->item[k], false), last = end_of(&loop->item[k], true);
-    if (loop->directed)
-        return false;
-    if (k > 0)
-        return loop_distance2(patch, loop, at, last) < loop_distance2(patch, loop, at, first);
-    if (loop->n == 1)
-        return false;
-    struct vec3 p = end_of(&loop->item[1], false), q = end_of(&loop->item[1], true);
-    return fmin(loop_distance2(patch, loop, first, p), loop_distance2(patch, loop, first, q)) <
-           fmin(loop_distance2(patch, loop, last, p), loop_distance2(patch, loop, last, q));
-}
-
 /* All curves of a loop in order, without repeated points: from its first place to its last one,
  * which may be the first again a turn further on. */
 static void follow_loop(const struct patch *patch, const struct patch_loop *loop,
@@ -431,14 +272,14 @@ static void follow_loop(const struct patch *patch, const struct patch_loop *loop
     f->space = loop->space;
     f->directed = loop->directed;
     for (size_t k = 0; k < loop->n; k++) {
-        bool backwards = is_backwards(patch, loop, k, at);
+        bool backwards = trim_order_backwards(patch, loop, k, at);
         f->curve = &loop->item[k];
-        at = end_of(f->curve, !backwards);
+        at = trim_order_end(f->curve, !backwards);
         if (loop->space && loop->n > 1 && is_point(f->curve, POLE * f->on.size))
             continue;
         if (pole == -2) {
             first_pole = pole_at(f, backwards ? f->curve->t.to : f->curve->t.from);
-            last = loop->space ? pullback_seek(&f->on, end_of(f->curve, backwards)) : last;
+            last = loop->space ? pullback_seek(&f->on, trim_order_end(f->curve, backwards)) : last;
         }
         follow_curve(f, backwards, &last, &pole);
     }
@@ -447,7 +288,8 @@ static void follow_loop(const struct patch *patch, const struct patch_loop *loop
         *array_push(&all) = end;
     }
     for (size_t i = 0; i < all.n; i++)
-        if (to->n == 0 || square(to->item[to->n - 1], all.item[i], &patch->surface) > 1e-18)
+        if (to->n == 0 ||
+            trim_order_square(to->item[to->n - 1], all.item[i], &patch->surface) > 1e-18)
             *array_push(to) = all.item[i];
     f->to = NULL;
     array_free(&all);
@@ -476,6 +318,57 @@ static int loop_rounds(const struct pullback *s, const struct uvs *loop, bool u)
         return 0;
     double along = coordinate(loop->item[loop->n - 1], u) - coordinate(loop->item[0], u);
     return (int)floor(along / (a->to - a->from) + 0.5);
+}
+
+static bool is_astray(const struct follower *f, const struct uvs *loop)
+{
+    return loop_rounds(&f->on, loop, true) != 0 || loop_rounds(&f->on, loop, false) != 0;
+}
+
+/* A loop that goes once round and has a slit to a pole as part of it, there and back: it goes round
+ * the pole, too, and so comes back. */
+static void turn_at_pole(const struct patch *patch, const struct patch_loop *loop,
+                         struct follower *f, struct uvs *to)
+{
+    for (int way = -1; way <= 1 && is_astray(f, to); way += 2) {
+        struct uvs other = {0};
+        f->pole_way = way;
+        follow_loop(patch, loop, f, &other);
+        if (!is_astray(f, &other)) {
+            struct uvs swap = *to;
+            *to = other;
+            other = swap;
+            f->slit = false;
+        }
+        array_free(&other);
+    }
+    f->pole_way = 0;
+}
+
+/* A loop; one that is not directed and does not come back, with one of its parts turned round with
+ * which it does (trim_order.h). */
+static void follow_any(const struct patch *patch, const struct patch_loop *loop, struct follower *f,
+                       struct uvs *to)
+{
+    struct patch_loop turned;
+    f->slit = false;
+    f->pole_way = 0;
+    follow_loop(patch, loop, f, to);
+    if (f->slit && is_astray(f, to))
+        turn_at_pole(patch, loop, f, to);
+    for (size_t i = 0; i < TURNED_TRIED && is_astray(f, to); i++) {
+        struct uvs other = {0};
+        if (!trim_order_turned(patch, loop, i, &turned))
+            return;
+        follow_loop(patch, &turned, f, &other);
+        patch_loop_free(&turned);
+        if (!is_astray(f, &other)) {
+            struct uvs swap = *to;
+            *to = other;
+            other = swap;
+        }
+        array_free(&other);
+    }
 }
 
 /* The part of a polygon above the limit (side 1) or below it (-1): Sutherland and Hodgman 1974. */
@@ -628,78 +521,6 @@ static void trim_seam(const struct pullback *s, const struct uv_polygon *from,
     }
 }
 
-/* In tolerances: corners so near the border of the range are on it, and so near each other one. */
-static const double BORDER = 0.05, CORNER = 0.01;
-
-static double on_border(const struct nurbs_axis *a, double x, double near)
-{
-    return fabs(x - a->from) <= near ? a->from : fabs(x - a->to) <= near ? a->to : x;
-}
-
-/* How far the parameters may move about a place for a part of the tolerance in space. */
-static struct uv uv_reach(const struct nurbs *s, struct uv at, double distance)
-{
-    struct vec3 d[3][3];
-    nurbs_derivatives(s, at, 1, d);
-    return (struct uv){fmin(1e-4 * width(&s->u), distance / fmax(vec_length(d[1][0]), 1e-300)),
-                       fmin(1e-4 * width(&s->v), distance / fmax(vec_length(d[0][1]), 1e-300))};
-}
-
-static bool is_within(struct uv a, struct uv b, struct uv near)
-{
-    return fabs(a.u - b.u) <= near.u && fabs(a.v - b.v) <= near.v;
-}
-
-/* Drops the ways there and back again that bound nothing, such as an edge that a loop runs along
- * twice; what is left begins elsewhere where one is at the loop's beginning. */
-static void drop_spurs(const struct nurbs *s, double tolerance, struct uvs *loop)
-{
-    size_t kept = 0, first = 0;
-    for (size_t i = 0; i < loop->n; i++) {
-        struct uv at = loop->item[i], near = uv_reach(s, at, CORNER * tolerance);
-        loop->item[kept++] = at;
-        while (kept > 2 && is_within(at, loop->item[kept - 3], near))
-            kept -= 2;
-    }
-    while (kept > first + 2) {
-        struct uv at = loop->item[first], near = uv_reach(s, at, CORNER * tolerance);
-        bool begins = is_within(loop->item[first + 1], loop->item[kept - 1], near);
-        if (!begins && !is_within(at, loop->item[kept - 2], near))
-            break;
-        first += begins;
-        kept -= begins ? 1 : 2;
-    }
-    for (size_t i = first; i < kept; i++)
-        loop->item[i - first] = loop->item[i];
-    loop->n = kept - first;
-}
-
-/* Brings corners that lie within rounding of the border of the range onto it, and drops those that
- * repeat the one before, and spurs. */
-static void tidy_polygon(const struct nurbs *s, double tolerance, struct uvs *loop)
-{
-    size_t kept = 0;
-    struct uv near = {0, 0};
-    for (size_t i = 0; i <= loop->n; i++) {
-        bool end = i == loop->n; /* the first corner once more */
-        struct uv at = loop->item[end ? 0 : i];
-        if (!end) {
-            near = uv_reach(s, at, BORDER * tolerance);
-            at.u = on_border(&s->u, at.u, near.u);
-            at.v = on_border(&s->v, at.v, near.v);
-            near = (struct uv){near.u * CORNER / BORDER, near.v * CORNER / BORDER};
-        }
-        struct uv last = kept > 0 ? loop->item[kept - 1] : at;
-        bool same = kept > 0 && is_within(at, last, near);
-        if (end)
-            kept -= same && kept > 3;
-        else if (!same)
-            loop->item[kept++] = at;
-    }
-    loop->n = kept;
-    drop_spurs(s, tolerance, loop);
-}
-
 /* Does a loop run along a seam, forth and, a turn further on, back?  What it bounds is on both
  * sides of the seam, and so between: OpenCASCADE writes some such loops of tori the wrong way
  * round. */
@@ -744,6 +565,69 @@ static bool are_holes(const struct patch *patch, const struct pullback *on,
     return most < 0;
 }
 
+/* Does a loop run along seams and back again, so that it bounds nothing? */
+static bool is_slit(const struct pullback *on, const struct uvs *loop, double tolerance)
+{
+    struct uv_polygon first = {.n = 1}, outer;
+    struct uvs copy = *loop;
+    const struct nurbs *s = on->surface;
+    double area = 0;
+    if (loop_rounds(on, loop, true) != 0 || loop_rounds(on, loop, false) != 0)
+        return false;
+    first.item = &copy;
+    trim_seam(on, &first, &outer);
+    for (size_t i = 0; i < outer.n; i++) {
+        trim_tidy(s, tolerance, &outer.item[i]);
+        area += outer.item[i].n < 3 ? 0 : fabs(uv_loop_area(&outer.item[i]));
+    }
+    uv_polygon_free(&outer);
+    return loop->n > 0 && area <= ROUNDING * width(&s->u) * width(&s->v);
+}
+
+/* Does the outer loop of a surface without borders go round the others on its other side, or is it
+ * a slit along its seam?  None of
+ * them is on its inside in the range then, and on that side of it they bound what counts. */
+static bool is_turned_out(const struct patch *patch, const struct pullback *on,
+                          const struct uv_polygon *raw, double tolerance)
+{
+    struct uv_polygon first = {.n = 1, .item = raw->item}, outer;
+    const struct nurbs_axis *u = &on->surface->u, *v = &on->surface->v;
+    size_t inside = 0, asked = 0;
+    if (!patch->outer || patch->told.n == patch->loop.n || raw->n < 1)
+        return false;
+    if (is_slit(on, &raw->item[0], tolerance))
+        return true;
+    for (size_t i = 0; i < raw->n; i++)
+        if (raw->item[i].n < 3 || patch->loop.item[i].directed ||
+            loop_rounds(on, &raw->item[i], true) != 0 || loop_rounds(on, &raw->item[i], false) != 0)
+            return false;
+    trim_seam(on, &first, &outer);
+    for (size_t i = 1; i < raw->n; i++)
+        for (size_t k = 0; k < ASKED; k++, asked++) {
+            struct uv at = raw->item[i].item[k * raw->item[i].n / ASKED];
+            at.u -= on->closed_u ? width(u) * floor((at.u - u->from) / width(u)) : 0;
+            at.v -= on->closed_v ? width(v) * floor((at.v - v->from) / width(v)) : 0;
+            inside += uv_polygon_inside(&outer, false, at);
+        }
+    uv_polygon_free(&outer);
+    return raw->n > 1 && 2 * inside < asked;
+}
+
+/* Does a slit that the only loop of a surface without borders has to a pole lie on the other side of
+ * it?  It is drawn through what counts. */
+static bool is_slit_outside(const struct patch *patch, const struct follower *f,
+                            const struct uv_polygon *loops)
+{
+    const struct nurbs_axis *u = &f->on.surface->u, *v = &f->on.surface->v;
+    struct uv at = f->slit_at;
+    if (!f->slit || patch->loop.n != 1 || patch->loop.item[0].directed ||
+        patch->told.n == patch->loop.n)
+        return false;
+    at.u -= f->on.closed_u ? width(u) * floor((at.u - u->from) / width(u)) : 0;
+    at.v -= f->on.closed_v ? width(v) * floor((at.v - v->from) / width(v)) : 0;
+    return !uv_polygon_inside(loops, loops->open, at);
+}
+
 static void find_loops(const struct patch *patch, double tolerance, bool bent,
                        struct uv_polygon *loops)
 {
@@ -752,18 +636,21 @@ static void find_loops(const struct patch *patch, double tolerance, bool bent,
         .on = pullback_new(&patch->surface), .tolerance = tolerance, .bent = bent, .seeks = SEEKS};
     for (size_t i = 0; i < patch->loop.n; i++) {
         struct uvs loop = {0};
-        follow_loop(patch, &patch->loop.item[i], &f, &loop);
+        follow_any(patch, &patch->loop.item[i], &f, &loop);
         *array_push(&raw) = loop;
     }
     trim_seam(&f.on, &raw, loops);
     for (size_t i = 0; i < loops->n; i++) {
-        tidy_polygon(&patch->surface, tolerance, &loops->item[i]);
+        trim_tidy(&patch->surface, tolerance, &loops->item[i]);
         for (int k = 0;
              k < PARTS_MAX && trim_crossings_drop(&patch->surface, tolerance, &loops->item[i]);)
             k++;
     }
     loops->off = f.off;
-    loops->open = is_borderless(&f.on) && are_holes(patch, &f.on, &raw, loops);
+    loops->open = is_borderless(&f.on) && (are_holes(patch, &f.on, &raw, loops) ||
+                                           is_turned_out(patch, &f.on, &raw, tolerance));
+    if (is_borderless(&f.on) && is_slit_outside(patch, &f, loops))
+        loops->open = !loops->open;
     /* On what closes a slit to a border may be lost as a spur, and with it what is outside. */
     if (!loops->open && (f.on.closed_u || f.on.closed_v))
         loops->open = trim_told_outside(patch, loops);

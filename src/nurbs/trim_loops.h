@@ -10,16 +10,7 @@
 #define CLOUDMILL_TRIM_LOOPS_H
 
 #include "nurbs/patch.h"
-
-/* Closed polygons in the plane of the parameters: the last point of each joins the first, which is
- * not repeated. */
-struct uv_polygon {
-    size_t n, cap;
-    struct uvs *item;
-    double off;  /* how far curves in space lie off the surface at most, mm */
-    size_t lost; /* loops that do not close on the surface: left out */
-    bool open;   /* directed loops on a surface without borders that are all holes in it */
-};
+#include "uv_polygon.h"
 
 /*
  * The loops of a patch as polygons whose sides, on the surface, stay within `tolerance` mm of the
@@ -35,37 +26,5 @@ void trim_loops(const struct patch *patch, double tolerance, struct uv_polygon *
 /* The same for what the loops bound: four sides for each, with corners a little beyond the curve,
  * so that the areas in the parameters agree to higher order. */
 void trim_loops_bent(const struct patch *patch, double tolerance, struct uv_polygon *loops);
-
-/* True when an odd number of loops go round the place, or an even number where `open`. */
-bool uv_polygon_inside(const struct uv_polygon *loops, bool open, struct uv at);
-
-/* The sides of all loops by rows of v, for asking about many places. */
-struct uv_rows {
-    double from, height; /* of the first row, and of each */
-    size_t n;
-    size_t *first;        /* [n + 1] in `side` */
-    struct uv (*side)[2]; /* from, to */
-};
-
-void uv_rows_make(const struct uv_polygon *loops, struct uv_rows *rows);
-
-/* As uv_polygon_inside, and the same answer. */
-bool uv_rows_inside(const struct uv_rows *rows, bool open, struct uv at);
-
-void uv_rows_free(struct uv_rows *rows);
-
-/* Of a loop, in the parameters: positive where it runs counter-clockwise. */
-double uv_loop_area(const struct uvs *loop);
-
-/* True when the inside, by the same rule, lies to the right of a loop. */
-bool uv_polygon_backwards(const struct uv_polygon *loops, size_t index, bool open);
-
-/* How often a loop crosses itself and so bounds two areas; one of less than a thousandth of the
- * other is the end of a curve that reaches a little too far, and so is one that is narrower than
- * the tolerance, mm, on the surface.  Ways that meet in a corner and part again do not cross. */
-size_t uv_polygon_crossings(const struct uv_polygon *loops, const struct nurbs *surface,
-                            double tolerance);
-
-void uv_polygon_free(struct uv_polygon *loops);
 
 #endif

@@ -11,6 +11,9 @@
 
 enum { SPLINE_MAX = 100000 }; /* segments of a parametric spline in one direction */
 
+/* Radians: some writers have a whole turn from angles of few digits. */
+static const double TURN_ROUNDING = 1e-4;
+
 /* What a reader of one kind of surface works on. */
 struct source {
     const struct iges *iges;
@@ -80,8 +83,9 @@ static int revolution_120(const struct source *s, struct error *error)
 {
     struct nurbs_curve axis = {{0}, NULL}, c = {{0}, NULL};
     double from = value_at(s, 3), to = s->values->n > 4 ? value_at(s, 4) : 2 * PI;
-    if (!(to > from) || !(to - from < 2 * PI + 1e-6))
+    if (!(to > from) || !(to - from < 2 * PI + TURN_ROUNDING))
         return refuse(s, "angles that do not rise by up to one turn, expected such", error);
+    to = fmin(to, from + 2 * PI);
     int got = curve_at(s, 1, &axis, error);
     if (got == 0)
         got = curve_at(s, 2, &c, error);
@@ -90,7 +94,7 @@ static int revolution_120(const struct source *s, struct error *error)
         struct vec3 d = vec_sub(nurbs_curve_point(&axis, axis.t.to), a);
         got = vec_length(d) > 0 ? 0 : refuse(s, "an axis without length, expected a line", error);
         if (got == 0) {
-            *s->surface = construct_revolution(&c, a, vec_unit(d), from, fmin(to, from + 2 * PI));
+            *s->surface = construct_revolution(&c, a, vec_unit(d), from, to);
             construct_move(s->place, s->surface->pole, s->surface->u.poles * s->surface->v.poles);
         }
     }

@@ -226,6 +226,7 @@ static int read_loops(const struct source *s, const struct iges_entity *e,
     if (iges_whole(s->iges, v, count, 0, COUNT_MAX, "count of loops", &inner, error) < 0)
         return -1;
     patch->open = is_144 && outer == 0;
+    patch->outer = is_144 && outer == 1;
     if (is_144 && outer == 1 && add_loops(s, v, 4, 1, trimming, patch, error) < 0)
         return -1;
     if (patch->ignored > 0)
