@@ -9,7 +9,9 @@
  * `sink` the ball is let down from there until it touches.  So where it fits it touches, and where
  * it does not it runs on the envelope of the balls that do.  That has a corner at each point that
  * takes over from another; so centres are lifted a little more, no more than `smooth`, to where
- * they run most smoothly.
+ * they run most smoothly.  And the normals of single contacts, and lifts along them, put centres to
+ * and fro across the row, though a ball touches as well a little beside: so they are moved along
+ * the surface first, no more than `aside`, and lifted anew there.
  */
 #ifndef CLOUDMILL_GOUGE_LIFT_H
 #define CLOUDMILL_GOUGE_LIFT_H
@@ -29,6 +31,7 @@ struct gouge_lift_options {
     double tolerance; /* of straight lines against the curve and the part, mm */
     double step;      /* no points nearer than this are put between, mm */
     double smooth;    /* centres may be lifted by so much more, mm, so that they run smoothly */
+    double aside;     /* and moved sideways, along the surface, by so much, mm, for the same */
     double uncut;     /* what may stay uncut under a ball that was lifted, mm */
     struct tool_axis_options axis;
     struct tool_axis_feed feed;

@@ -10,6 +10,7 @@
 
 #include "gouge/gouge.h"
 
+#include "smooth_aside.h"
 #include "smooth_up.h"
 
 enum { HALVINGS = 20 }; /* of a jump of the lift, at most */
@@ -393,6 +394,70 @@ struct smooth_piece {
     size_t n;
 };
 
+/* Points that have moved, and from which or to which the way is not clear, are as they were. */
+static void put_back(struct smooth_piece piece, const struct lifted_point *was,
+                     const struct gouge_lift_options *rule)
+{
+    struct lifted_point *l = piece.item;
+
+    /* From the end, so that what is put back is looked at again with the one before it. */
+    for (bool back = true; back;) {
+        back = false;
+        for (size_t i = piece.n - 1; i > 0; i--) {
+            bool moved = vec_distance(l[i].p.ball, was[i].p.ball) > 0 ||
+                         vec_distance(l[i - 1].p.ball, was[i - 1].p.ball) > 0;
+            if (!moved || is_line_clear(&l[i - 1].p, &l[i].p, rule))
+                continue;
+            l[i] = was[i];
+            l[i - 1] = was[i - 1];
+            back = true;
+        }
+    }
+}
+
+/* Across the way of the balls and the surface's normal at each point: a ball that touches is moved
+ * there along what it touches. */
+static struct vec3 *sides_of(struct smooth_piece piece)
+{
+    struct vec3 *side = mem_alloc(piece.n, sizeof *side);
+
+    for (size_t i = 1; i + 1 < piece.n; i++)
+        side[i] = vec_unit(vec_cross(piece.item[i].p.normal,
+                                     vec_sub(piece.item[i + 1].p.ball, piece.item[i - 1].p.ball)));
+    return side;
+}
+
+/* Moves them sideways to where they run more smoothly, and lifts them anew there. */
+static void straighten_piece(struct smooth_piece piece, const struct gouge_lift_options *rule,
+                             double radius)
+{
+    size_t n = piece.n;
+    struct vec3 *point = mem_alloc(n, sizeof *point), *side = sides_of(piece);
+    double *move = mem_alloc(n, sizeof *move);
+    struct lifted_point *was = mem_alloc(n, sizeof *was);
+
+    for (size_t i = 0; i < n; i++) {
+        was[i] = piece.item[i];
+        point[i] = was[i].p.ball;
+    }
+    smooth_aside(point, side, rule->offset / 2, rule->aside, n, move);
+    for (size_t i = 0; i < n; i++) {
+        struct run_point p = was[i].p;
+        if (fabs(move[i]) < 1e-6)
+            continue;
+        p.contact = vec_along(was[i].touching, -rule->offset, p.normal);
+        p.contact = vec_along(p.contact, move[i], side[i]);
+        struct lifted_point l = lift_point(&p, &was[i].touch, rule, radius);
+        if (!l.unreachable && vec_distance(l.p.ball, point[i]) < 2 * rule->aside)
+            piece.item[i] = l;
+    }
+    put_back(piece, was, rule);
+    free(was);
+    free(move);
+    free(side);
+    free(point);
+}
+
 /* Lifts them to where they run more smoothly; where the ball is not clear there, or not on the
  * straight line from the point before, both stay. */
 static void smooth_piece(struct smooth_piece piece, const struct gouge_lift_options *rule,
@@ -402,7 +467,7 @@ static void smooth_piece(struct smooth_piece piece, const struct gouge_lift_opti
     size_t n = piece.n;
     struct vec3 *point = mem_alloc(n, sizeof *point), *up = mem_alloc(n, sizeof *up);
     double *most = mem_alloc(n, sizeof *most), *rise = mem_alloc(n, sizeof *rise);
-    struct run_point *as_it_was = mem_alloc(n, sizeof *as_it_was);
+    struct lifted_point *was = mem_alloc(n, sizeof *was);
 
     for (size_t i = 0; i < n; i++) {
         point[i] = l[i].p.ball;
@@ -411,28 +476,16 @@ static void smooth_piece(struct smooth_piece piece, const struct gouge_lift_opti
     }
     smooth_up(point, up, most, n, rise);
     for (size_t i = 0; i < n; i++) {
-        as_it_was[i] = l[i].p;
+        was[i] = l[i];
         if (rise[i] == 0)
             continue;
         double lift = vec_dot(vec_sub(point[i], l[i].touching), up[i]) + rise[i];
         place_lifted(&l[i].p, l[i].touching, lift, rule, radius);
         if (!gouge_clear_along(rule->guard, l[i].p.ball, l[i].p.ball, rule->offset, 2e-6))
-            l[i].p = as_it_was[i];
+            l[i] = was[i];
     }
-    /* From the end, so that what is put back is looked at again with the one before it. */
-    for (bool back = true; back;) {
-        back = false;
-        for (size_t i = n - 1; i > 0; i--) {
-            bool moved = vec_distance(l[i].p.ball, point[i]) > 0 ||
-                         vec_distance(l[i - 1].p.ball, point[i - 1]) > 0;
-            if (!moved || is_line_clear(&l[i - 1].p, &l[i].p, rule))
-                continue;
-            l[i].p = as_it_was[i];
-            l[i - 1].p = as_it_was[i - 1];
-            back = true;
-        }
-    }
-    free(as_it_was);
+    put_back(piece, was, rule);
+    free(was);
     free(rise);
     free(most);
     free(up);
@@ -453,7 +506,10 @@ static void smooth_points(struct lifted_points *points, const struct gouge_lift_
         for (to = from + 1;
              to < points->n && follows(&points->item[to - 1], &points->item[to], rule);)
             to++;
-        smooth_piece((struct smooth_piece){points->item + from, to - from}, rule, radius);
+        struct smooth_piece piece = {points->item + from, to - from};
+        if (rule->aside > 0)
+            straighten_piece(piece, rule, radius);
+        smooth_piece(piece, rule, radius);
     }
 }
 

@@ -10,6 +10,7 @@
 #include "machine/machine_options.h"
 #include "math/box.h"
 #include "mesh/mesh_distance.h"
+#include "toolpath/scallop.h"
 
 /* How deep the ball may sink between the guard points of a mesh, mm, and how many of them there may
  * be: about 100 bytes each. */
@@ -18,6 +19,9 @@ static const double SINK = 0.002, MOST_GUARD_POINTS = 8e6;
 
 /* It is no guard where the ball may sink deeper than this, mm. */
 static const double DEEP = 0.05;
+
+/* Of the distance between rows on a plane: so far a row may be moved sideways to run smoothly. */
+static const double ASIDE = 0.05;
 
 struct path_options path_options = {.tilt = 15,
                                     .depth = 0.3,
@@ -395,6 +399,8 @@ int path_options_rules(const struct mesh *mesh, const struct gouge_check *guard,
     t->lift.sink = guard ? sink_of(mesh, t->threads) : 0;
     t->lift.step = 0.05;
     t->lift.smooth = c->smooth >= 0 ? c->smooth : t->lift.tolerance / 10;
+    t->lift.aside =
+        t->lift.smooth > 0 && c->scallop > 0 ? ASIDE * scallop_step(c->scallop, c->radius, 0) : 0;
     t->lift.uncut = 3 * t->lift.tolerance + 2 * fmax(c->noise, 0);
     return clearance_plane(mesh, guard, &t->rule.clearance, error);
 }

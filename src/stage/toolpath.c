@@ -23,7 +23,7 @@ void toolpath_strip(struct toolpath *t, size_t pass, const struct contact *conta
 
     strip.lift.feed.along = along;
     if (t->rest) /* cuts what others left, to the last of it */
-        strip.lift.smooth = 0;
+        strip.lift.smooth = strip.lift.aside = 0;
     array_reserve(&strip.contact, n);
     for (size_t i = 0; i < n; i++)
         *array_push(&strip.contact) = contact[i];

@@ -407,12 +407,50 @@ START_TEST(where_the_ball_does_not_fit_it_runs_on_the_envelope)
 }
 END_TEST
 
+/* Contacts in a row on a plane, their normals off to and fro across it: the balls stand as much
+ * aside; they may be moved back, and touch there. */
+START_TEST(a_row_is_straight_though_its_normals_are_not)
+{
+    struct vec3s plane = {0};
+    double aside[2] = {0};
+
+    for (double x = -12; x < 12; x += 0.1)
+        for (double y = -1; y < 1; y += 0.1)
+            *array_push(&plane) = vec(x, y, 0);
+    struct gouge_check *guard = gouge_new(plane, 1);
+    for (int k = 0; k < 2; k++) {
+        struct gouge_lift_options rule = make_rule(guard, true);
+        struct run run = {.radius = R};
+        struct lifted_strip lifted = {.run = {.radius = R}};
+        rule.smooth = 0.001;
+        rule.aside = k * 0.08;
+        for (int i = -8; i <= 8; i++)
+            gouge_lift_contact(&run, &rule, vec(i, 0, 0),
+                               vec_unit(vec(0, i % 2 == 0 ? -0.01 : 0.01, 1)));
+        gouge_lift_run(&run, &rule, &lifted);
+        for (size_t i = 0; i < lifted.run.n; i++) {
+            const struct run_point *p = &lifted.run.item[i];
+            if (fabs(p->ball.x) < 6)
+                aside[k] = fmax(aside[k], fabs(p->ball.y));
+            ck_assert_double_lt(fabs(p->ball.z - R), 0.003);
+            ck_assert_double_lt(gouge_depth(guard, p->ball, R), 2e-6);
+        }
+        lifted_strip_free(&lifted);
+        array_free(&run);
+    }
+    ck_assert_double_gt(aside[0], 0.045);
+    ck_assert_double_lt(aside[1], 0.008);
+    gouge_free(guard);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("gouge_lift");
     TCase *tests = tcase_create("gouge_lift");
     tcase_add_test(tests, a_point_stands_as_the_offset_says);
     tcase_add_test(tests, smooth_over_single_points);
+    tcase_add_test(tests, a_row_is_straight_though_its_normals_are_not);
     tcase_add_test(tests, without_a_guard_nothing_is_lifted);
     tcase_add_test(tests, a_ball_rolls_over_a_pin);
     tcase_add_test(tests, only_nodes_without_between);
