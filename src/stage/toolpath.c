@@ -191,6 +191,15 @@ static void turn_over_part(struct toolpath *t, struct vec3 axis)
         add_point(t, (struct pose){now.p, way}, true);
 }
 
+/* A path ends over its clearance plane, also where its last axis may turn lower than another one:
+ * there what the program had set goes off. */
+static void end_over_plane(struct toolpath *t)
+{
+    struct pose last = t->path->item.item[t->path->item.n - 1].to;
+    if (last.p.z < t->plane - 1e-6)
+        add_point(t, (struct pose){vec(last.p.x, last.p.y, t->plane), last.a}, true);
+}
+
 /* From over the part down to where its way in begins, and along it to its start. */
 static void approach(struct toolpath *t, const struct toolpath_part *part)
 {
@@ -584,8 +593,10 @@ void toolpath_end(struct toolpath *t)
         if (i % at_once == at_once - 1)
             write_items(t);
     }
-    if (t->down)
+    if (t->down) {
         retract(t, vec(0, 0, 1));
+        end_over_plane(t);
+    }
     write_items(t);
     if (!t->out)
         path_check_items(&t->check, t->path, 0, t->path->item.n);

@@ -76,6 +76,14 @@ run sh "$SRC/tests/safety/jobs.sh" ${SAFETY_JOBS:-1 9}
 sed 's/^/# /' "$TMP/out"
 sums=$(tail -n 1 "$TMP/out")
 result "$got" "jobs run: $sums"
+# found by such jobs: a polynomial with factors of ten digits; a path that ended under its clearance
+# plane, beside an axis that leans more than the last
+for job in ${SAFETY_FOUND-980007 980273}; do
+	run sh "$SRC/tests/safety/jobs.sh" $job $job
+	tail -n 1 "$TMP/out" | awk '{ exit !($4 > 0 && $8 == $4 && $10 == $4) }'
+	result $? "job $job: $(tail -n 1 "$TMP/out")"
+done
+
 # jobs N programs N refused-by-a-stage N accepted N safe N
 echo "$sums" | awk '{ exit !($4 >= $2 && $8 == $4) }'
 result $? "ncverify accepts all of them"
