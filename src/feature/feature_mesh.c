@@ -74,6 +74,15 @@ static bool faces_up(const struct feature *f)
     return up;
 }
 
+/* Where there is none and none was, nothing is written, so that no memory is used. */
+static void put_feature(struct feature *f, const struct feature *found)
+{
+    if (found->kind != FEATURE_NONE)
+        *f = *found;
+    else if (f->kind != FEATURE_NONE)
+        f->kind = FEATURE_NONE;
+}
+
 static void classify_edges(void *context, size_t from, size_t to)
 {
     const struct search *s = context;
@@ -86,15 +95,15 @@ static void classify_edges(void *context, size_t from, size_t to)
         struct vec3 a = m->vertex.item[v], b = m->vertex.item[w];
         if (edge->facet[0] < 0 || (!s->active[v] && !s->active[w]))
             continue;
-        if (f->kind != FEATURE_NONE) /* where nothing is written no memory is used */
-            f->kind = FEATURE_NONE;
+        struct feature found = {.kind = FEATURE_NONE};
         if (feature_steep(&s->cloud, a, b))
-            *f = feature_wall(&s->cloud, a, b);
+            found = feature_wall(&s->cloud, a, b);
         bool rough = s->rough[v] || s->rough[w];
-        if (f->kind == FEATURE_NONE && !s->walls_only && rough && surface_turns(m, edge->v))
-            *f = feature_crease(&s->cloud, a, b, m->normal.item[v], m->normal.item[w]);
-        if (f->kind != FEATURE_NONE && !faces_up(f))
-            f->kind = FEATURE_NONE;
+        if (found.kind == FEATURE_NONE && !s->walls_only && rough && surface_turns(m, edge->v))
+            found = feature_crease(&s->cloud, a, b, m->normal.item[v], m->normal.item[w]);
+        if (found.kind != FEATURE_NONE && !faces_up(&found))
+            found.kind = FEATURE_NONE;
+        put_feature(f, &found);
     }
 }
 
@@ -270,8 +279,10 @@ static void find_walls(void *context, size_t from, size_t to)
 
     for (size_t e = from; e < to; e++) {
         const int *v = s->edges->edge[e].v;
-        if (s->edges->edge[e].facet[0] >= 0 && feature_steep(&s->cloud, at[v[0]], at[v[1]]))
-            s->feature[e] = feature_wall(&s->cloud, at[v[0]], at[v[1]]);
+        if (s->edges->edge[e].facet[0] < 0 || !feature_steep(&s->cloud, at[v[0]], at[v[1]]))
+            continue;
+        struct feature found = feature_wall(&s->cloud, at[v[0]], at[v[1]]);
+        put_feature(&s->feature[e], &found);
     }
 }
 

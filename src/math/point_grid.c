@@ -260,7 +260,7 @@ void point_grid_within(const struct point_grid *b, struct vec3 q, double radius,
 
 /* Points looked at at once, and wanted of them; parts of their distance; so many in one part are
  * not distinguished. */
-enum { AT_ONCE = 2048, WANTED = 1024, BINS = 64, CROWD = 48, RINGS = 9 };
+enum { AT_ONCE = 2048, WANTED = 1024, BINS = 128, CROWD = 48, RINGS = 9 };
 
 static const double ROUNDING = 1e-9; /* of a cell */
 
@@ -351,15 +351,16 @@ static void insert(struct sorted *s, size_t at)
 static bool sort_out(const struct some *some, double within2, size_t k, uint32_t *index,
                      double *distance2)
 {
-    size_t begin[BINS + 1] = {0}, last = 0;
+    uint32_t begin[BINS + 1] = {0}, last = 0;
     unsigned char bin[AT_ONCE];
     struct sorted sorted;
-    for (size_t i = 0; i < some->n; i++) {
-        size_t at = (size_t)(some->distance2[i] * (BINS / within2));
+    double scale = BINS / within2;
+    for (size_t i = 0; i < some->n; i++) { /* an int is had of a double at once, a size_t is not */
+        int at = (int)(some->distance2[i] * scale);
         bin[i] = (unsigned char)(at < BINS ? at : BINS - 1);
         begin[bin[i] + 1]++;
     }
-    for (size_t from = 0; from < k; last++) {
+    for (uint32_t from = 0; from < k; last++) {
         if (begin[last + 1] > CROWD)
             return false;
         from = begin[last + 1] += from;
