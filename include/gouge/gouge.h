@@ -34,8 +34,8 @@
 
 struct gouge_check;
 
-/* Of the tolerance: what a path of ours lets the ball go deep.  The rest is for the control's straight
- * pieces (--chord of ncpost, 0.002 mm), which lie on the part's side of a hump. */
+/* Of the tolerance: what a path of ours lets the ball go deep.  The rest is for the control's
+ * straight pieces (--chord of ncpost, 0.002 mm), which lie on the part's side of a hump. */
 #define GOUGE_SAFE 0.75
 
 /* Of these guard points, which are freed as soon as they are in it; by several threads (as in

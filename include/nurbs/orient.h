@@ -23,8 +23,8 @@ struct orient_count {
  * spanning tree over the lengths of the common edges (Kruskal).  Then each body as a whole is
  * turned so that the sum of its area vectors looks along `up`; a closed body, whose area vectors
  * cancel out within ORIENT_CLOSED of its area, so that its volume is positive, or negative where
- * `patches` (NULL: not known) say that it bounds a void.  Where they know of no shells, a closed body
- * that lies within an odd number of others bounds a void, too.
+ * `patches` (NULL: not known) say that it bounds a void.  Where they know of no shells, a closed
+ * body that lies within an odd number of others bounds a void, too.
  */
 struct orient_count orient_outward(struct patch_mesh *patch_mesh, const struct patches *patches,
                                    struct vec3 up);

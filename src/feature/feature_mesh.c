@@ -172,8 +172,8 @@ static void mark_turns(struct search *s)
         }
 }
 
-/* Does a side of a facet turn beside a rough vertex?  Elsewhere there is nothing to look for, and no
- * list of edges need be made. */
+/* Does a side of a facet turn beside a rough vertex?  Elsewhere there is nothing to look for, and
+ * no list of edges need be made. */
 static bool is_doubtful(const struct search *s)
 {
     const struct faces *face = &s->mesh->face;

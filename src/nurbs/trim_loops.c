@@ -613,8 +613,8 @@ static bool is_turned_out(const struct patch *patch, const struct pullback *on,
     return raw->n > 1 && 2 * inside < asked;
 }
 
-/* Does a slit that the only loop of a surface without borders has to a pole lie on the other side of
- * it?  It is drawn through what counts. */
+/* Does a slit that the only loop of a surface without borders has to a pole lie on the other side
+ * of it?  It is drawn through what counts. */
 static bool is_slit_outside(const struct patch *patch, const struct follower *f,
                             const struct uv_polygon *loops)
 {

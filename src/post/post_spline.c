@@ -64,7 +64,8 @@ static struct nc_span span_words(const struct bspline *b, size_t i, int digits)
 static bool is_readable(const struct nc_span *s)
 {
     for (int i = 0; i < FACTORS; i++)
-        if (!(vec_length(s->factor[i]) < factor_most && vec_length(s->head_factor[i]) < factor_most))
+        if (!(vec_length(s->factor[i]) < factor_most &&
+              vec_length(s->head_factor[i]) < factor_most))
             return false;
     return s->h > 0;
 }

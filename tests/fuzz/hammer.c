@@ -2,8 +2,8 @@
  * hammer RUNS SEED SECONDS FOLDER COMMAND... -- FILE... - runs a tool on files with something wrong
  * in them, made from good ones, and keeps in FOLDER those that it does not take as it should.
  *
- * RUNS: how many, or with an s behind it for how many seconds.  COMMAND has {} where the file's name
- * goes.  Each file is one of FILE... with one to four changes:
+ * RUNS: how many, or with an s behind it for how many seconds.  COMMAND has {} where the file's
+ * name goes.  Each file is one of FILE... with one to four changes:
  * a number replaced by a hostile one (0, huge, tiny, nan, negative, another of the file), a line
  * doubled, left out or exchanged, bytes changed, the end cut off.
  *

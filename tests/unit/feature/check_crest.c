@@ -109,7 +109,8 @@ START_TEST(nothing_there)
     }
     scan = sorted(&ball, 0.12);
     cloud = (struct feature_cloud){.scan = &scan, .spacing = 0.12};
-    ck_assert_int_eq(crest_find(&cloud, vec(-0.3, 0, 4.991), vec(0.3, 0, 4.991), vec(0, 0, 1)).n, 0);
+    ck_assert_int_eq(crest_find(&cloud, vec(-0.3, 0, 4.991), vec(0.3, 0, 4.991), vec(0, 0, 1)).n,
+                     0);
     point_grid_free(&scan);
     array_free(&p);
     array_free(&ball);

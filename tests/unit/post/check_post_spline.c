@@ -316,8 +316,8 @@ START_TEST(faults_are_seen)
 }
 END_TEST
 
-/* A cubic whose span is shorter and shorter: its factors grow with the cube of that, and none is said
- * with more than nine digits before its point. */
+/* A cubic whose span is shorter and shorter: its factors grow with the cube of that, and none is
+ * said with more than nine digits before its point. */
 START_TEST(short_spans)
 {
     size_t refused = 0, said = 0;

@@ -157,8 +157,8 @@ START_TEST(splines)
 }
 END_TEST
 
-/* 104: each conic, turned by 30 degrees and moved, runs from its start to its end on its equation: an
- * ellipse counter-clockwise, the others the way there. */
+/* 104: each conic, turned by 30 degrees and moved, runs from its start to its end on its equation:
+ * an ellipse counter-clockwise, the others the way there. */
 START_TEST(conics)
 {
     for (int kind = 0; kind < 6; kind++) { /* ellipse, hyperbola, parabola; there and back */
