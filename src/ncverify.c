@@ -13,6 +13,7 @@
 #include "base/cli.h"
 #include "io/cloud/cloud.h"
 #include "gouge/holder_text.h"
+#include "stage/tool_options.h"
 #include "machine/machine_options.h"
 #include "ncread/ncread.h"
 #include "stage/cloud_options.h"
@@ -27,6 +28,7 @@ struct settings {
     const char *map, *path, *page, *holder, *stock;
     struct cli_list part;
     double radius, tolerance, left, left_share, scallop, band, noise, flute, cell;
+    struct tool_options files; /* --tool-file */
     struct tool_shape tool;
     struct stock_options block;
 };
@@ -38,6 +40,15 @@ static void read_stock(struct settings *s)
         die_usage("option --stock: %s", error.text);
 }
 
+/* The files of --tool-file, and the ball that they say. */
+static void read_tool_files(struct settings *s)
+{
+    struct error error;
+    if (tool_options_files(&s->files, &s->radius, &error) < 0)
+        die_given(&error);
+    s->radius_given = s->radius_given || s->radius > 0;
+}
+
 /* ---- what options say, or else the program's head */
 
 static void add_cone(struct settings *s, double low, struct holder_part part)
@@ -46,13 +57,42 @@ static void add_cone(struct settings *s, double low, struct holder_part part)
         die_usage("option --holder: found an outline of more than %d parts", TOOL_SPANS);
 }
 
+static void add_above(struct settings *s, const struct holder *above)
+{
+    double height = 0;
+    for (int i = 0; i < above->n; i++) {
+        add_cone(s, height, above->part[i]);
+        height += above->part[i].length;
+    }
+}
+
+/* The tool that --tool-file says, with what other options say of it. */
+static void find_tool_of_files(struct settings *s)
+{
+    struct tool_options how = s->files;
+    struct tool_body body;
+    struct error error;
+    how.flute = s->flute;
+    how.flute_given = s->flute_given;
+    how.holder = s->holder;
+    if (tool_options_read(&how, s->radius, &body, &error) < 0)
+        die_usage("%s", error.text);
+    if (body.flute > 0)
+        add_cone(s, 0, (struct holder_part){s->radius, s->radius, body.flute});
+    add_above(s, &body.above);
+    tool_options_say(&body, s->radius);
+}
+
 /* The tool above its ball. */
 static void find_tool(struct settings *s, const struct ncread_head *head)
 {
+    if (s->files.files.n > 0) {
+        find_tool_of_files(s);
+        return;
+    }
     const char *text = s->holder ? s->holder : *head->holder ? head->holder : NULL;
     bool said = head->flute_given && !s->flute_given;
     double flute = s->flute_given ? s->flute : said ? head->flute : TOOL_FLUTE * s->radius;
-    double height = 0;
     struct holder above = {0};
     struct error error;
     if (text && !s->ball_only && holder_text_read(text, &above, &error) < 0)
@@ -60,10 +100,7 @@ static void find_tool(struct settings *s, const struct ncread_head *head)
                   error.text);
     if (!s->ball_only && flute > 0)
         add_cone(s, 0, (struct holder_part){s->radius, s->radius, flute});
-    for (int i = 0; i < above.n; i++) {
-        add_cone(s, height, above.part[i]);
-        height += above.part[i].length;
-    }
+    add_above(s, &above);
     if (s->ball_only)
         say("tool: the ball alone, R %g", s->radius);
     else
@@ -138,6 +175,10 @@ static void read_options(struct settings *s, struct cli *cli, int argc, char **a
          "shank and holder from the ball's centre upward, as cylinders R:L and\n"
          "cones R0:R1:L joined by +, besides the shaft",
          CLI_TEXT, &s->holder, 0, 0, 0, NULL},
+        {0, "tool-file", "NAME",
+         "cutter or holder: NAME.txt in this folder, in $CLOUDMILL_TOOLS or\n"
+         "among the installed ones, or a file; may be given for each of them",
+         CLI_LIST, &s->files.files, 0, 0, 0, NULL},
         {0, "ball-only", NULL, "check the ball alone, without shaft and holder", CLI_FLAG,
          &s->ball_only, 0, 0, 0, NULL},
         {0, "stock", "SPEC",
@@ -169,9 +210,10 @@ static void read_options(struct settings *s, struct cli *cli, int argc, char **a
         die_usage("found %d programs, expected one", cli->files);
     if (s->left_given && s->scallop_given)
         die_usage("found --left and --scallop, expected one of them");
-    if (s->ball_only && (s->holder || s->flute_given))
-        die_usage("found --ball-only with --flute or --holder, expected one of them");
+    if (s->ball_only && (s->holder || s->flute_given || s->files.files.n > 0))
+        die_usage("found --ball-only with --flute, --holder or --tool-file, expected one of them");
     read_stock(s);
+    read_tool_files(s);
 }
 
 /* The ball, and how far below it the region cut reaches. */

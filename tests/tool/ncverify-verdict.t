@@ -417,6 +417,16 @@ for control in fanuc siemens heidenhain linuxcnc; do
 	has "$control: is named with its depth" \
 		'^ncverify: .*N120[234]0? .*: the holder goes [0-9.]+ mm deep into the part at' err
 done
+# The same tool as files: its ball, its flute, and a holder where --holder has one.
+printf 'radius = 6\nflute = 8\nshank = 6\nlength = 60\nstickout = 8\n' >cutter.txt
+echo 'holder = 20:30' >collar.txt
+sed '/^N12030 /s/A[0-9.]*/A50./' dome.fanuc >lean.nc
+status 3 "a tool of files" ncverify -g dome.xyz -e 0.005 --tool-file cutter.txt --tool-file collar.txt lean.nc
+has "its holder is judged" 'N120[234]0? .*: the holder goes [0-9.]+ mm deep into the part at' err
+status 0 "the cutter alone is clear" ncverify -q -g dome.xyz -e 0.005 --tool-file cutter.txt dome.fanuc
+status 2 "a cutter of another ball" ncverify -q -g dome.xyz -r 5 --tool-file cutter.txt dome.fanuc
+status 1 "a tool that is not there" ncverify -q -g dome.xyz -r 6 --tool-file nowhere dome.fanuc
+status 2 "a tool and the ball alone" ncverify -q -g dome.xyz --ball-only --tool-file cutter.txt dome.fanuc
 sed '/^N12470 /s/Z.*/Z30. A85./' dome.fanuc >lean.nc
 status 3 "a holder in a rapid move" ncverify -g dome.xyz -r 6 -e 0.005 --holder 3:10+25:30 lean.nc
 has "is named" 'N124[78]0 .*the holder goes .*in a rapid move' err
