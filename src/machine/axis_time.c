@@ -12,6 +12,17 @@ struct rates {
     double change[AXIS_TIME_AXES], over; /* of the slope, over so much of the way */
 };
 
+/* fmax and fmin for what is a number: one instruction. */
+static inline double larger(double a, double b)
+{
+    return a > b ? a : b;
+}
+
+static inline double smaller(double a, double b)
+{
+    return a < b ? a : b;
+}
+
 static double bend_of(const struct rates *r, int k)
 {
     return r->change[k] / r->over;
@@ -40,10 +51,10 @@ static inline struct rates rates_between(const struct axis_time_limits *limits,
                                          const struct axis_time_place *at, struct slopes before,
                                          struct slopes after)
 {
-    struct rates r = {.over = fmax((at[1].way - at[-1].way) / 2, limits->smoothing)};
+    struct rates r = {.over = larger((at[1].way - at[-1].way) / 2, limits->smoothing)};
 
     for (int k = 0; k < AXIS_TIME_AXES; k++) {
-        r.slope[k] = fmax(fabs(before.axis[k]), fabs(after.axis[k]));
+        r.slope[k] = larger(fabs(before.axis[k]), fabs(after.axis[k]));
         r.change[k] = fabs(after.axis[k] - before.axis[k]);
     }
     return r;
@@ -132,7 +143,7 @@ static void speeds_forth(const struct axis_time_limits *limits,
     for (size_t i = 1; i + 1 < n; i++) {
         struct slopes after = slopes_to(&place[i + 1]);
         struct rates r = rates_between(limits, &place[i], before, after);
-        v[i] = speed_at(limits, &r, fmin(place[i].feed, place[i + 1].feed));
+        v[i] = speed_at(limits, &r, smaller(place[i].feed, place[i + 1].feed));
         if (v[i] > v[i - 1])
             v[i] = speed_after(limits, &last, v[i - 1], place[i].way - place[i - 1].way, v[i]);
         before = after;

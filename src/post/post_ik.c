@@ -92,7 +92,8 @@ static double printed_angle(const struct nc_planner *planner, int i, double q, b
     const struct machine *m = planner->machine;
     int letter = m->letter[i], digits = planner->plan->ability.digits.angle;
     double at = num_round(DEGREES(q), digits);
-    double end = fmin(fmax(at, m->min[letter]), m->max[letter]);
+    double end = at < m->min[letter] ? m->min[letter] : at;
+    end = end > m->max[letter] ? m->max[letter] : end;
     if (i >= m->chain.n || end == at || fabs(DEGREES(q) - end) > POST_IK_AT_END)
         return at;
     *at_end = true;

@@ -117,16 +117,22 @@ static void add_place(struct timing *t, const double axis[], double way, double 
         *array_push(&t->move) = move;
 }
 
+/* fmax for what is a number, in one instruction. */
+static inline double larger(double a, double b)
+{
+    return a > b ? a : b;
+}
+
 /* The places of a move at feed: one at its end, and on the way to it where it bends or turns. */
 static void add_move(struct timing *t, size_t index, const struct block_pose *from,
                      const struct block_pose *to)
 {
     const struct nc_move *move = &t->plan->move.item[index];
-    double turn = DEGREES(fmax(fabs(to->q[0] - from->q[0]), fabs(to->q[1] - from->q[1])));
+    double turn = DEGREES(larger(fabs(to->q[0] - from->q[0]), fabs(to->q[1] - from->q[1])));
     double unit = t->plan->ability.unit, straight = vec_distance(from->p, to->p), length = straight;
     if (move->kind == NC_ARC)
         length = nc_arc_length(&t->plan->arc.item[move->index], from, to);
-    double way = fmax(length, PER_DEGREE / unit * turn), axis[AXIS_TIME_AXES];
+    double way = larger(length, PER_DEGREE / unit * turn), axis[AXIS_TIME_AXES];
     double seconds = block_seconds(t, move, length, straight, from->q, to->q);
     bool even = move->kind == NC_LINE && turn == 0;
     int n = even ? 1 : (int)fmin(LOOKS_MOST, fmax(1, ceil(way * unit / STEP)));
