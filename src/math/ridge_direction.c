@@ -204,7 +204,7 @@ static bool find_among(const struct vec3 *point, size_t n, struct vec3 at, struc
 {
     struct finding f; /* large: only what is needed is set */
     struct quadric frame = quadric_frame(at, up);
-    int best = 0;
+    int best = tries % 2 ? -1 : 0; /* so that where none is found the middle has been tried */
 
     f.some = some;
     f.at = at;

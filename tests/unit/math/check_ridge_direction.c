@@ -20,6 +20,20 @@ struct looks {
     double n, sum, squares, off, rms;
 };
 
+/* From a way 5 degrees beside the one that was found, to either side, one as good is found. */
+static void followed(const struct vec3 *near, size_t n, struct vec3 at,
+                     const struct ridge_direction *found)
+{
+    const struct vec3 up = {0, 0, 1}, side = vec_cross(up, found->way);
+    for (int i = -1; i <= 1; i++) {
+        double turn = i * PI / 36;
+        struct vec3 way = vec_along(vec_scale(cos(turn), found->way), sin(turn), side);
+        struct ridge_direction rib;
+        ck_assert(ridge_direction_follow(near, n, at, up, way, SOME, &rib));
+        ck_assert_double_le(rib.rms, found->rms * (1 + 1e-6));
+    }
+}
+
 /* At nine places along the crest, from guesses 15 degrees to either side of its way. */
 static void look_along(double noise, struct looks *looks)
 {
@@ -37,6 +51,7 @@ static void look_along(double noise, struct looks *looks)
         for (size_t k = 0; k < n; k++)
             near[k] = p.item[index[k]];
         ck_assert(ridge_direction_find(near, n, at, vec(0, 0, 1), guess, SOME, &rib));
+        followed(near, n, at, &rib);
         double degrees = degrees_from(along, rib.way);
         looks->n++;
         looks->sum += degrees;
