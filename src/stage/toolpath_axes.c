@@ -179,7 +179,7 @@ static double chord_of(const struct run *run, size_t from, size_t to)
 
 double toolpath_inward(const struct toolpath *t)
 {
-    const double most = RADIANS(4.5);
+    const double most = RADIANS(10);
 
     return t->lift.axis.lead != 0 ? 0 : most;
 }

@@ -52,7 +52,7 @@ status 0 "with a play of 10 degrees" meshnorm -q -r 8 --rows mesh --no-guard --a
 below "rotary axes turn less than half as much" "$(rotary "$TMP/play.cl")" \
 	"$(rotary "$TMP/panel.cl" | awk '{ print 0.5 * $1 }')"
 # the rule with a play: the axes of panel.cl, averaged along the pass over 5 radii to both
-# sides, and that twice; up to 4.5 degrees off the mean that goes no further than to the nearer end, but
+# sides, and that twice; up to 10 degrees off the mean that goes no further than to the nearer end, but
 # 1.4 radii
 cuts "$TMP/panel.cl" >"$TMP/rule"
 cuts "$TMP/play.cl" | paste -d' ' - "$TMP/rule" | awk '
@@ -77,9 +77,9 @@ cuts "$TMP/play.cl" | paste -d' ' - "$TMP/rule" | awk '
 		for (i = 1; i <= n; i++) {
 			eu[i] = ru[i]; ev[i] = rv[i]; ew[i] = rw[i]; ru[i] = su[i]; rv[i] = sv[i]; rw[i] = sw[i] }
 		mean(40); mean(40)
-		for (i = 1; i <= n; i++) { # straight between the two, as good as round for so little
+		for (i = 1; i <= n; i++) { # straight between the two, within 0.03 degrees of round
 			c = ru[i] * eu[i] + rv[i] * ev[i] + rw[i] * ew[i]
-			a = c < 1 ? atan2(sqrt(1 - c * c), c) * 45 / atan2(1, 1) : 0; f = a > 4.5 ? 4.5 / a : 1
+			a = c < 1 ? atan2(sqrt(1 - c * c), c) * 45 / atan2(1, 1) : 0; f = a > 10 ? 10 / a : 1
 			ru[i] = eu[i] + f * (ru[i] - eu[i]); rv[i] = ev[i] + f * (rv[i] - ev[i])
 			rw[i] = ew[i] + f * (rw[i] - ew[i]); c = sqrt(ru[i] ^ 2 + rv[i] ^ 2 + rw[i] ^ 2)
 			ru[i] /= c; rv[i] /= c; rw[i] /= c }
