@@ -9,7 +9,7 @@
 /*
  * Replaces the area, and the volume of what is closed, of each body all of whose surfaces belong to
  * it alone and are clear (patch_measure.h), and sets `exact`.  A body that its triangles are more
- * than 5 % away from, as no tolerance that is of use leaves them, keeps what these say.
+ * than 20 % away from, as no tolerance that is of use leaves them, keeps what these say.
  */
 void skin_measure(struct skin *skin, const struct patch_mesh *mesh, const struct patches *patches,
                   int threads);

@@ -8,7 +8,7 @@
 #include "patch_measure.h"
 
 /* By the triangles' area: how far they may be off. */
-static const double MOST_OFF = 0.05;
+static const double MOST_OFF = 0.2;
 
 struct measuring {
     const struct patches *patches;
