@@ -192,23 +192,28 @@ static void check_rough(const struct patches *patches, double tolerance, struct 
                   roughest->entity, rough, tolerance);
 }
 
-/* Loops that could not be used, and surfaces of which their trimming leaves nothing. */
+/* Loops that could not be used, or of which the file does not tell the side, and surfaces of which
+ * their trimming leaves nothing. */
 static void check_trimming(const struct patches *patches, const struct sheet *sheet, bool partial,
                            struct unmets *unmet)
 {
-    size_t lost = 0, empty = 0, first = patches->n;
+    size_t lost = 0, empty = 0, unknown = 0, first = patches->n;
     for (size_t i = 0; i < patches->n && !partial; i++) {
         bool is_empty = sheet[i].face.n == 0 && !sheet[i].refused;
         lost += sheet[i].lost > 0;
         empty += is_empty;
-        first = first == patches->n && (is_empty || sheet[i].lost > 0) ? i : first;
+        bool is_unknown = sheet[i].side == PATCH_SIDE_UNKNOWN && sheet[i].lost == 0;
+        bool is_off = is_empty || sheet[i].lost > 0 || is_unknown;
+        unknown += is_unknown;
+        first = first == patches->n && is_off ? i : first;
     }
-    if (lost + empty > 0)
+    if (lost + empty + unknown > 0)
         unmet_say(
             unmet,
             "trimming is not as the file has it: %zu surfaces whose loops are ignored, %zu of "
-            "which nothing is left, the first is surface %d (--partial accepts it)",
-            lost, empty, patches->item[first].entity);
+            "which nothing is left, %zu with a side taken that the file does not tell, the first "
+            "is surface %d (--partial accepts it)",
+            lost, empty, unknown, patches->item[first].entity);
 }
 
 /* Of a model of closed shells alone nothing may stay open. */

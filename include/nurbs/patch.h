@@ -23,6 +23,14 @@ struct patch_loops {
     struct patch_loop *item;
 };
 
+/* Which side of its only loop a patch is on: the file tells it, or it is taken to be ... */
+enum patch_side {
+    PATCH_SIDE_TOLD,
+    PATCH_SIDE_LEFT,   /* ... on the left of a loop that goes round the surface ... */
+    PATCH_SIDE_WITHIN, /* ... within one that crosses its seam ... */
+    PATCH_SIDE_UNKNOWN /* ... or the same on a surface that closes both ways, which has no poles */
+};
+
 struct patch {
     struct nurbs surface;
     struct patch_loops loop; /* none: untrimmed */

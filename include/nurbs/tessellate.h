@@ -21,9 +21,10 @@ struct sheet {
     bool too_fine;              /* the tolerance needs more than TESSELLATE_CELLS_MAX: not made */
     double off;                 /* how far trimming curves in space lie off the surface, mm */
     size_t lost;                /* of these, loops that do not close on the surface: left out */
-    size_t unclear;             /* places in which the trimming crosses itself */
-    bool refused;               /* for one of these, and emptied (nurbs_report.h) */
-    size_t lines_u, lines_v;    /* of the grid */
+    enum patch_side side;
+    size_t unclear;          /* places in which the trimming crosses itself */
+    bool refused;            /* for one of these, and emptied (nurbs_report.h) */
+    size_t lines_u, lines_v; /* of the grid */
 };
 
 #define TESSELLATE_CELLS_MAX 4000000

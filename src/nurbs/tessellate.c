@@ -281,6 +281,7 @@ static void make_sheet(const struct patch *patch, const struct uv_polygon *loops
     sheet->unclear = mesh.unclear + uv_polygon_crossings(loops, &patch->surface, how.tolerance);
     sheet->off = loops->off;
     sheet->lost = loops->lost;
+    sheet->side = loops->side;
     sheet->lines_u = u->n;
     sheet->lines_v = v->n;
     evaluate_sheet(&patch->surface, &mesh, how, exact, sheet);

@@ -18,6 +18,9 @@ enum { ASKED = 7, DEPTH_MAX = 10, SPACE_PARTS = 8, SEEKS = 64, PARTS_MAX = 8, TU
 static const double POLE_STEP = 1e-3, POLE_SLIT = 1e-3, POLE_NEAR = 1e-6, POLE = 1e-9,
                     ROUNDING = 1e-6;
 
+/* By the width of the range: what is on a seam, and how far along it a loop runs there. */
+static const double SEAM_NEAR = 1e-4, SEAM_LONG = 0.05;
+
 /* A curve in the parameters or in space that is being followed on the surface. */
 struct follower {
     struct pullback on;
@@ -28,6 +31,7 @@ struct follower {
     double off;        /* the farthest that the curve was off the surface */
     struct uv slit_at; /* beside that pole */
     bool slit;         /* a loop that is not directed went to a pole and back the same way ... */
+    bool slit_seen;    /* some loop did */
     double pole_way;   /* ... and goes so many turns about it there instead */
     int seeks;         /* searches of the whole surface that may still fail */
     struct uvs *to;
@@ -172,7 +176,7 @@ static struct uv uv_past_pole(struct follower *f, int pole, struct uv from, stru
     } else {
         by -= turn * floor(by / turn + 0.5);
         if (fabs(by) < POLE_SLIT * turn) {
-            f->slit = true;
+            f->slit = f->slit_seen = true;
             f->slit_at = (struct uv){along_u ? from.u : pole_inside(&f->on.surface->u, to.u),
                                      along_u ? pole_inside(&f->on.surface->v, to.v) : from.v};
             by += f->pole_way * turn;
@@ -325,6 +329,19 @@ static bool is_astray(const struct follower *f, const struct uvs *loop)
     return loop_rounds(&f->on, loop, true) != 0 || loop_rounds(&f->on, loop, false) != 0;
 }
 
+/* Does a loop that comes back bound more than all of a surface that closes both ways? */
+static bool is_too_large(const struct pullback *s, const struct uvs *loop)
+{
+    double range = width(&s->surface->u) * width(&s->surface->v);
+    return s->closed_u && s->closed_v && loop_rounds(s, loop, true) == 0 &&
+           loop_rounds(s, loop, false) == 0 && fabs(uv_loop_area(loop)) > (1 + POLE_STEP) * range;
+}
+
+static bool is_wrong(const struct follower *f, const struct uvs *loop)
+{
+    return is_astray(f, loop) || is_too_large(&f->on, loop);
+}
+
 /* A loop that goes once round and has a slit to a pole as part of it, there and back: it goes round
  * the pole, too, and so comes back. */
 static void turn_at_pole(const struct patch *patch, const struct patch_loop *loop,
@@ -345,8 +362,8 @@ static void turn_at_pole(const struct patch *patch, const struct patch_loop *loo
     f->pole_way = 0;
 }
 
-/* A loop; one that is not directed and does not come back, with one of its parts turned round with
- * which it does (trim_order.h). */
+/* A loop; one that is not directed and does not come back, or bounds more than there is, with one of
+ * its parts turned round with which it does (trim_order.h). */
 static void follow_any(const struct patch *patch, const struct patch_loop *loop, struct follower *f,
                        struct uvs *to)
 {
@@ -356,13 +373,13 @@ static void follow_any(const struct patch *patch, const struct patch_loop *loop,
     follow_loop(patch, loop, f, to);
     if (f->slit && is_astray(f, to))
         turn_at_pole(patch, loop, f, to);
-    for (size_t i = 0; i < TURNED_TRIED && is_astray(f, to); i++) {
+    for (size_t i = 0; i < TURNED_TRIED && is_wrong(f, to); i++) {
         struct uvs other = {0};
         if (!trim_order_turned(patch, loop, i, &turned))
             return;
         follow_loop(patch, &turned, f, &other);
         patch_loop_free(&turned);
-        if (!is_astray(f, &other)) {
+        if (!is_wrong(f, &other)) {
             struct uvs swap = *to;
             *to = other;
             other = swap;
@@ -499,7 +516,7 @@ static void trim_seam(const struct pullback *s, const struct uv_polygon *from,
         struct uvs loop = {0};
         struct uv_polygon once = {0};
         int n[2] = {loop_rounds(s, &from->item[i], false), loop_rounds(s, &from->item[i], true)};
-        if (abs(n[0]) + abs(n[1]) > 1) {
+        if (abs(n[0]) + abs(n[1]) > 1 || is_too_large(s, &from->item[i])) {
             to->lost++;
             continue;
         }
@@ -628,6 +645,58 @@ static bool is_slit_outside(const struct patch *patch, const struct follower *f,
     return !uv_polygon_inside(loops, loops->open, at);
 }
 
+/* Does a loop cross a seam, or go round along a parameter, so that it bounds nothing in the range? */
+static bool is_across(const struct pullback *on, const struct uvs *loop, bool u)
+{
+    const struct nurbs_axis *a = axis_of(on, u);
+    double low = HUGE_VAL, high = -HUGE_VAL;
+    if (!(u ? on->closed_u : on->closed_v))
+        return false;
+    for (size_t i = 0; i < loop->n; i++) {
+        low = fmin(low, coordinate(loop->item[i], u));
+        high = fmax(high, coordinate(loop->item[i], u));
+    }
+    double first = floor((low - a->from) / width(a) + ROUNDING);
+    double last = ceil((high - a->from) / width(a) - ROUNDING) - 1;
+    return loop_rounds(on, loop, u) != 0 || last > first;
+}
+
+/* Is the seam a part of a loop? */
+static bool is_along_seam(const struct pullback *on, const struct uvs *loop, bool u)
+{
+    const struct nurbs_axis *a = axis_of(on, u);
+    double along = 0;
+    if (!(u ? on->closed_u : on->closed_v))
+        return false;
+    for (size_t i = 0; i < loop->n; i++) {
+        struct uv p = loop->item[i], q = loop->item[(i + 1) % loop->n];
+        double x = (coordinate(p, u) - a->from) / width(a);
+        double y = (coordinate(q, u) - a->from) / width(a), k = floor(x + 0.5);
+        if (fabs(x - k) <= SEAM_NEAR && fabs(y - k) <= SEAM_NEAR)
+            along += fabs(coordinate(q, !u) - coordinate(p, !u));
+    }
+    return along > SEAM_LONG * width(axis_of(on, !u));
+}
+
+/* Which side of its only loop a surface without borders is on: where the loop is in the range the
+ * part that it bounds there; where a seam or a slit is a part of it what these are drawn through. */
+static enum patch_side side_of(const struct patch *patch, const struct follower *f,
+                               const struct uv_polygon *raw)
+{
+    const struct pullback *on = &f->on;
+    if (!is_borderless(on) || patch->loop.n != 1 || patch->told.n == 1 || f->slit_seen ||
+        patch->loop.item[0].directed || !patch->loop.item[0].space)
+        return PATCH_SIDE_TOLD;
+    const struct uvs *loop = &raw->item[0];
+    bool round = loop_rounds(on, loop, true) != 0 || loop_rounds(on, loop, false) != 0;
+    if ((patch->open && !round) || (!is_across(on, loop, true) && !is_across(on, loop, false)) ||
+        is_along_seam(on, loop, true) || is_along_seam(on, loop, false))
+        return PATCH_SIDE_TOLD;
+    if (on->closed_u && on->closed_v)
+        return PATCH_SIDE_UNKNOWN;
+    return round ? PATCH_SIDE_LEFT : PATCH_SIDE_WITHIN;
+}
+
 static void find_loops(const struct patch *patch, double tolerance, bool bent,
                        struct uv_polygon *loops)
 {
@@ -647,6 +716,7 @@ static void find_loops(const struct patch *patch, double tolerance, bool bent,
             k++;
     }
     loops->off = f.off;
+    loops->side = side_of(patch, &f, &raw);
     loops->open = is_borderless(&f.on) && (are_holes(patch, &f.on, &raw, loops) ||
                                            is_turned_out(patch, &f.on, &raw, tolerance));
     if (is_borderless(&f.on) && is_slit_outside(patch, &f, loops))

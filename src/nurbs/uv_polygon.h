@@ -5,7 +5,7 @@
 #ifndef CLOUDMILL_UV_POLYGON_H
 #define CLOUDMILL_UV_POLYGON_H
 
-#include "nurbs/nurbs.h"
+#include "nurbs/patch.h"
 
 /* Closed polygons in the plane of the parameters: the last point of each joins the first, which is
  * not repeated. */
@@ -15,6 +15,7 @@ struct uv_polygon {
     double off;  /* how far curves in space lie off the surface at most, mm */
     size_t lost; /* loops that do not close on the surface: left out */
     bool open;   /* directed loops on a surface without borders that are all holes in it */
+    enum patch_side side;
 };
 
 /* True when an odd number of loops go round the place, or an even number where `open`. */

@@ -121,6 +121,11 @@ void nurbs_report_trimming(const struct patches *patches, const struct sheet *sh
         if (sheet[i].lost > 0)
             say("%s: surface %d: %zu trimming loops that go around it more than once ignored",
                 p->file, p->entity, sheet[i].lost);
+        if (sheet[i].side != PATCH_SIDE_TOLD && sheet[i].lost == 0)
+            say("%s: surface %d: the file does not tell which side of its only trimming loop it is "
+                "on: taken to be %s",
+                p->file, p->entity,
+                sheet[i].side == PATCH_SIDE_LEFT ? "on the left of the loop" : "within the loop");
         if (sheet[i].off > fine)
             note("%s: surface %d: its trimming curves in space lie up to %g mm off it and were put "
                  "onto it",

@@ -8,6 +8,9 @@
 
 enum { COUNT_MAX = 2147483647 };
 
+/* By the length of a curve: its end is the same place as that of another. */
+static const double RUN_NEAR = 1e-2;
+
 static void ignore_loop(struct patch *patch, const struct iges_entity *loop,
                         const struct iges_entity *unknown)
 {
@@ -150,6 +153,58 @@ static void place_loop(const struct iges_trimming *s, struct patch_loop *loop)
         }
 }
 
+static struct vec3 end_of(const struct nurbs_curve *c, bool last)
+{
+    return nurbs_curve_point(c, last ? c->t.to : c->t.from);
+}
+
+/* Turns the curves from `from` to before `to` round: the last of them first. */
+static void turn_run(struct patch_loop *loop, size_t from, size_t to)
+{
+    struct patch_loop run = {.n = to - from, .item = loop->item + from};
+    patch_loop_turn(&run, 0);
+}
+
+/* The first of the curves from k on, each of which begins where the one before it ends, that ends
+ * at the place, within the distance: the index after it, or k. */
+static size_t run_to(const struct patch_loop *loop, size_t k, struct vec3 at, double near)
+{
+    for (size_t m = k; m < loop->n; m++) {
+        struct vec3 last = end_of(&loop->item[m], true);
+        if (vec_distance(last, at) <= near)
+            return m + 1;
+        if (m + 1 < loop->n && vec_distance(last, end_of(&loop->item[m + 1], false)) > near)
+            return k;
+    }
+    return k;
+}
+
+/* A curve of the file that runs backwards is several here, an arc for instance, that follow each
+ * other forwards: they are turned round together. */
+static void turn_runs(struct patch_loop *loop)
+{
+    struct vec3 start, at;
+    if (loop->directed || loop->n < 3)
+        return;
+    start = end_of(&loop->item[0], false);
+    at = end_of(&loop->item[0], true);
+    for (size_t k = 1; k < loop->n; k++) {
+        struct vec3 first = end_of(&loop->item[k], false), last = end_of(&loop->item[k], true);
+        double near = RUN_NEAR * vec_distance(first, last);
+        double off = fmin(vec_distance(at, first), vec_distance(at, last));
+        double other = fmin(vec_distance(start, first), vec_distance(start, last));
+        size_t end = off > near ? run_to(loop, k, at, near) : k;
+        if (off > near && end == k && other <= near && run_to(loop, 0, at, near) == k)
+            turn_run(loop, 0, k);
+        else if (end > k)
+            turn_run(loop, k, end);
+        at = off > near && end == k && other <= near ? start : at;
+        first = end_of(&loop->item[k], false);
+        last = end_of(&loop->item[k], true);
+        at = vec_distance(at, last) < vec_distance(at, first) ? first : last;
+    }
+}
+
 int iges_trim(const struct iges_trimming *s, struct patch *patch, const struct iges_entity *e,
               struct error *error)
 {
@@ -167,6 +222,8 @@ int iges_trim(const struct iges_trimming *s, struct patch *patch, const struct i
     array_free(&v);
     if (got == 0 && loop.space)
         place_loop(s, &loop);
+    if (got == 0)
+        turn_runs(&loop);
     if (got == 0 && loop.n > 0)
         *array_push(&patch->loop) = loop;
     else
