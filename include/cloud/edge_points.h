@@ -20,8 +20,7 @@
  *      surface of all nearest points goes through there.
  *   4. Where points lie below a flank, so steeply that a wall must be between, or as far below it
  *      as it is above their own surface, nobody knows where the wall is: the flank goes on up to
- *      these points, at a corner a little beyond, at a tip (all points of the flank to one side,
- *      points below to both sides of them) by REACH, and down to them goes a wall, so that
+ *      these points, at a corner a little beyond, and down to them goes a wall, so that
  *      a ball is kept off whatever may be there.  Only flanks are continued that are certain:
  *      their points are off them by no more than noise, or than a ball may sink.
  *   5. The tip of a cone is put where its straight lines, continued, meet (cone_tip.h), and places

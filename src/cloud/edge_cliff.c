@@ -113,33 +113,6 @@ static bool may_be_off(const struct edge_work *work, size_t i)
     return false;
 }
 
-/* All points about that are on the flank are to one side, and points below to both sides of them:
- * it ends there in a corner or tip. */
-static bool is_at_tip(const struct cliff *cliff)
-{
-    const double aside = 0.26, beside = 0.5; /* cosine of 75 degrees; sine of 30 */
-    double u = 0, v = 0;
-    bool left = false, right = false;
-
-    for (size_t k = 0; k < cliff->on.n; k++) {
-        double x = cliff->on.item[k].x - cliff->from.x, y = cliff->on.item[k].y - cliff->from.y;
-        u += x / fmax(hypot(x, y), 1e-9);
-        v += y / fmax(hypot(x, y), 1e-9);
-    }
-    for (size_t k = 0; k < cliff->on.n; k++) {
-        double x = cliff->on.item[k].x - cliff->from.x, y = cliff->on.item[k].y - cliff->from.y;
-        if (u * x + v * y < aside * hypot(u, v) * hypot(x, y))
-            return false;
-    }
-    for (size_t k = 0; k < cliff->below.n; k++) {
-        double x = cliff->below.item[k].x - cliff->from.x;
-        double y = cliff->below.item[k].y - cliff->from.y, far = hypot(u, v) * hypot(x, y);
-        left = left || u * y - v * x > beside * far;
-        right = right || v * x - u * y > beside * far;
-    }
-    return left && right;
-}
-
 /* Nothing where all points about are on the flank. */
 static struct cliff find_cliff(const struct edge_work *work, size_t i)
 {
@@ -152,8 +125,6 @@ static struct cliff find_cliff(const struct edge_work *work, size_t i)
     if (may_be_off(work, i))
         for (size_t k; next_about(&about, &k);)
             sort_by_height(work, i, k, &cliff);
-    if (cliff.below.n > 0 && is_at_tip(&cliff))
-        cliff.corner = cliff.reach;
     return cliff;
 }
 

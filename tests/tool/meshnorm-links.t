@@ -6,7 +6,7 @@
 
 # A mesa 6 mm high with flanks of 70 degrees, and beside it a round hole in the scan.
 awk 'BEGIN { for (i = 0; i <= 40; i++) for (j = 0; j <= 40; j++) {
-		x = -10 + i / 2; y = -10 + j / 2; r = sqrt(x * x + y * y)
+		x = -10 + i / 2; y = -10 + j / 2; r = sqrt((x - 0.1) ^ 2 + (y - 0.06) ^ 2)
 		if ((x - 7) ^ 2 + (y - 6) ^ 2 < 4) continue
 		z = 6 - (r - 3) * 2.747; if (r < 3) z = 6; if (z < 0) z = 0
 		printf "%.4f %.4f %.4f\n", x, y, z } }' >"$TMP/mesa.xyz"

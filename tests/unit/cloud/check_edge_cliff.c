@@ -50,36 +50,6 @@ START_TEST(mesa_goes_on)
 }
 END_TEST
 
-/* Half a right angle wide in plan, along x, its tip between two rows of the grid, whose last points
- * on it are 0.9 mm away. */
-static double arrow(double x, double y)
-{
-    return fabs(y + 0.25) < tan(PI / 8) * (4.35 - x) ? HIGH : 0;
-}
-
-START_TEST(tip_goes_on)
-{
-    struct edge_trial trial;
-    struct vec3s to = {0};
-    struct vec3 tip = vec(4.35, -0.25, HIGH);
-    double least = HUGE_VAL, last = HUGE_VAL;
-
-    edge_trial_make(&trial, arrow, false, 0);
-    edge_flanks_find(&trial.work);
-    for (size_t i = 0; i < trial.grid.n; i++) {
-        edge_cliff_add(&trial.work, i, &to);
-        if (trial.grid.point[i].z > HIGH / 2)
-            last = fmin(last, vec_distance(trial.grid.point[i], tip));
-    }
-    for (size_t k = 0; k < to.n; k++)
-        least = fmin(least, vec_distance(to.item[k], tip));
-    ck_assert_double_gt(last, 1.5 * 0.5); /* further than along a wall it would go */
-    ck_assert_double_le(least, 0.65 * trial.options.along);
-    array_free(&to);
-    edge_trial_free(&trial);
-}
-END_TEST
-
 START_TEST(roof_has_none)
 {
     struct edge_trial trial;
@@ -100,7 +70,6 @@ int main(void)
     TCase *tests = tcase_create("edge_cliff");
     SRunner *runner = srunner_create(suite);
     tcase_add_test(tests, mesa_goes_on);
-    tcase_add_test(tests, tip_goes_on);
     tcase_add_loop_test(tests, roof_has_none, 0, 2);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);
