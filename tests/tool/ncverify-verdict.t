@@ -257,11 +257,13 @@ done
 
 # ---- splines: a pole too deep is named by its block; knots that fall, a curve that is torn
 meshnorm -q -r 6 --rows mesh dome.ply | bsplfit -q -e 0.01 >spline.cl
+# an axis as its rule says crosses the pole amid a pass: one curve ends there and another begins
+meshnorm -q -r 6 --rows mesh --axis-play 0 dome.ply | bsplfit -q -e 0.01 >joint.cl
 
-# pole WHICH UP: one pole of spline.$control over the middle of the part higher by UP, to bad.nc; N
+# pole OF WHICH UP: one pole of OF.$control over the middle of the part higher by UP, to bad.nc; N
 # is its block.  inner: between two poles of its curve; joint: the last where a curve goes on.
 pole() {
-	awk -v which="$1" -v up="$2" '
+	awk -v which="$2" -v up="$3" '
 	{ line[NR] = $0; pole[NR] = / K[0-9.]+ X/ || (/ ZH=/ && !/ G1 /); first[NR] = /G06\.2|BSPLINE/ }
 	function word(i, letter,   k, w, n) { n = split(line[i], w)
 		for (k = 1; k <= n; k++) if (w[k] ~ "^" letter "[-0-9]") return substr(w[k], 2) + 0
@@ -275,24 +277,25 @@ pole() {
 	END { for (i = 1; i <= NR; i++) { $0 = line[i]
 		if (!done && fits(i)) { done = 1; print $1 >"named"
 			for (k = 1; k <= NF; k++) if ($k ~ /^Z[0-9]/) $k = sprintf("Z%.3f", substr($k, 2) + up) }
-		print } }' spline.$control >bad.nc
+		print } }' $1.$control >bad.nc
 	N=$(sed 's/N//' named)
-	ok "$control: there is a pole, $1" test "$(diff spline.$control bad.nc | grep -c '^>')" -eq 1
+	ok "$control: there is a pole, $2" test "$(diff $1.$control bad.nc | grep -c '^>')" -eq 1
 }
 
 for control in fanuc siemens; do
 	ncpost -q -c $control spline.cl >spline.$control
+	ncpost -q -c $control joint.cl >joint.$control
 	status 0 "$control: a good spline" ncverify -q -g dome.xyz -r 6 -e 0.03 spline.$control
-	pole inner -0.5 # it, or the one beside it, whose span it shapes as much
+	pole spline inner -0.5 # it, or the one beside it, whose span it shapes as much
 	status 3 "$control: a pole too deep" ncverify -g dome.xyz -r 6 -e 0.03 -c $control bad.nc
 	has "$control: is named by its block" "^ncverify: bad.nc: N($N|$((N + 10))|$((N - 10))) .*deep" err
 	# 100 mm up: the passes beside leave little on its place, but the curve leaves the part
-	pole inner 100
+	pole spline inner 100
 	status 3 "$control: a pole far too high" ncverify -g dome.xyz -r 6 -e 0.03 -c $control bad.nc
 	has "$control: is named too" \
 		"^ncverify: bad.nc: N($N|$((N + 10))|$((N - 10))) .*leaves the part amid a cut" err
 	# where one curve ends and another begins: a Fanuc refuses it, its first pole is not there
-	pole joint 100
+	pole joint joint 100
 	if [ $control = fanuc ]; then
 		status 1 "$control: a joint far too high" ncverify -g dome.xyz -r 6 -e 0.03 -c $control bad.nc
 		has "$control: is no spline" 'N[0-9]+: a spline whose first pole is not where the tool is' err
