@@ -215,6 +215,7 @@ static void say_size(const char *name, const struct settings *s, size_t points, 
                                  size.y, size.z,
                                  s->unit_given ? "" : ", their unit taken as mm (-u)");
     say_unlikely_size(name, longest);
+    say_far_away(name, box);
 }
 
 static void say_distance(const struct adaptive_rows *r, bool of_surface)

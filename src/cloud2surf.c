@@ -189,6 +189,7 @@ int main(int argc, char **argv)
     struct box box = box_around(points.item, points.n);
     struct vec3 size = vec_sub(box.high, box.low);
     say_unlikely_size(name, fmax(size.x, fmax(size.y, size.z)));
+    say_far_away(name, box);
     prepare(name, &s, &points, cli.threads);
     if (cloud_surface_make(&s.fit, &points, &result, &error) < 0)
         die("%s: %s", name, error.text);

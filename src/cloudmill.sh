@@ -23,6 +23,7 @@ doctor: says what is in a scan, and which options suit it.
   -f arcs|splines|points
                  fit arcs (default), B-splines, or leave the points
   -u UNIT        unit of the scan: mm (default), cm, m, um, inch
+  -O             move the origin: smallest x and y of the scan to 0
   -k FOLDER      keep the streams between the stages there
   -n             print the commands and run nothing
   -h, -V         help, version
@@ -63,7 +64,8 @@ run() {
 	return 0
 }
 
-# The three coordinates' ranges and kmax of a mesh: lines `size X Y Z`, `ball R SHARE`.
+# The three coordinates' ranges and kmax of a mesh: lines `size X Y Z`, `ball R SHARE`, and `far` of one
+# that lies beyond what machines travel.
 describe() { # MESH
 	awk '
 	$1 == "element" && $2 == "vertex" { n = $3 }
@@ -79,6 +81,8 @@ describe() { # MESH
 	}
 	END {
 		printf "size %.4g %.4g %.4g\n", high[1] - low[1], high[2] - low[2], high[3] - low[3]
+		for (i = 1; i <= 2; i++) if (low[i] > 3000 || high[i] < -3000) far = 1
+		if (far) print "far"
 		split("0.25 0.5 1 2 3 4 5 6 8 10 12 16 20 25", ball, " ")
 		for (i = 1; (i in ball); i++) {
 			fits = 0
@@ -112,6 +116,7 @@ doctor() {
 	spacing=$(sed -n 's/^comment spacing //p' "$folder/mesh.ply")
 	SCAN=$(quoted "$scan") awk -v spacing="$spacing" -v unit="${unit:+ -u $unit}" '
 	$1 == "size" { for (i = 2; i <= 4; i++) longest = $i > longest ? $i : longest }
+	$1 == "far" { move = " -O" }
 	# Balls below 1 mm are for small parts, and none is wider than its part.
 	$1 == "ball" && ($2 >= 1 || $2 >= longest / 40) && (!n || 2 * $2 <= longest) {
 		share[++n] = $3; ball[n] = $2
@@ -138,7 +143,7 @@ doctor() {
 		if (whole >= spacing && 2 * whole >= r) r = whole
 		if (whole) print "          the largest usual ball that fits everywhere: R " whole
 		else print "          none of these fits everywhere; the others leave material there (--avoid)"
-		print "suggested cloudmill " scan unit " -r " r " -c CONTROL -o part.nc" (whole >= r ? "" : " -- --avoid")
+		print "suggested cloudmill " scan unit move " -r " r " -c CONTROL -o part.nc" (whole >= r ? "" : " -- --avoid")
 		if (r != most && r != whole) {
 			printf "          R %s fits %s %% of the surface; ", r, share[k]
 			print "what it leaves is for a smaller ball"
@@ -148,7 +153,7 @@ doctor() {
 }
 
 scan='' radius='' control='' machine='' output='' spacing='' scallop='' tolerance=0.01 fit=arcs
-unit='' keep='' dry=''
+unit='' keep='' dry='' origin=''
 [ "${1:-}" != doctor ] || { shift && doctor "$@"; }
 while [ $# -gt 0 ]; do
 	case $1 in
@@ -156,6 +161,7 @@ while [ $# -gt 0 ]; do
 	-h | --help) usage && exit 0 ;;
 	-V | --version) cloud2mesh -V | sed 's/^cloud2mesh/cloudmill/' && exit 0 ;;
 	-n) dry=yes && shift && continue ;;
+	-O) origin=--origin && shift && continue ;;
 	-[rcmotsefuk]) [ $# -ge 2 ] && [ -n "$2" ] || die 2 "option $1 has no value" ;;
 	-*) die 2 "option $1 is unknown; options of meshnorm come after --" ;;
 	*)
@@ -201,13 +207,14 @@ mesh=$folder/mesh.ply path=$folder/path.cl fitted=$folder/path.cl
 
 case $scan in
 *.[iI][gG][sS] | *.[iI][gG][eE][sS] | *.[sS][tT][pP] | *.[sS][tT][eE][pP] | *.nurbs)
+	[ -z "$origin" ] || die 2 "found -O with a model, expected it with a scan"
 	run nurbs2mesh -e "$tolerance" ${unit:+-u "$unit"} -o "$mesh" "$scan"
 	run planecut -r "$radius" -e "$tolerance" --scallop "${scallop:-0.02}" ${machine:+-m "$machine"} \
 		"$@" -o "$path" "$mesh"
 	guard=$mesh
 	;;
 *)
-	run cloud2mesh ${spacing:+-t "$spacing"} ${unit:+-u "$unit"} -o "$mesh" "$scan"
+	run cloud2mesh ${spacing:+-t "$spacing"} ${unit:+-u "$unit"} $origin -o "$mesh" "$scan"
 	run meshnorm -r "$radius" -e "$tolerance" ${scallop:+--scallop "$scallop"} \
 		${machine:+-m "$machine"} "$@" -o "$path" "$mesh"
 	guard=$scan

@@ -1,11 +1,12 @@
 /*
  * cloud_options - options that all readers of scans and models share, and whether a part has a
- * likely size in the unit that was taken.
+ * likely size in the unit that was taken and lies where a machine reaches.
  */
 #ifndef CLOUDMILL_CLOUD_OPTIONS_H
 #define CLOUDMILL_CLOUD_OPTIONS_H
 
 #include "base/cli.h"
+#include "math/box.h"
 
 /* Words of -u, and the same by their index, for cloud_unit. */
 #define UNIT_WORDS "mm|cm|m|um|inch|in"
@@ -39,5 +40,9 @@ enum outliers { OUTLIERS_DROP, OUTLIERS_KEEP };
 /* Says so if a part of that length, mm, is likely to have another unit: of less than 1 mm, or of
  * more than 3 m.  `name`: its file. */
 void say_unlikely_size(const char *name, double longest);
+
+/* Says so if a scan lies farther from the zero of its x and y than machines travel, 3 m, as one in
+ * map coordinates does, and names --origin.  `box`: about its points, mm. */
+void say_far_away(const char *name, struct box box);
 
 #endif

@@ -67,6 +67,16 @@ has "a shell reads what is suggested" "^suggested cloudmill 'a b/it'\\\\''s.xyz'
 status 0 "with its unit" cloudmill doctor metres.xyz -u m
 hasnt "is none" 'Try -u' out
 
+# Map coordinates.
+awk '{ printf "%.3f %.3f %.4f\n", $1 + 350000, $2 + 5600000, $3 }' "$scan" >map.xyz
+status 0 "doctor, of map coordinates" cloudmill doctor map.xyz
+has "no machine reaches there" 'lies 5.6e\+06 mm from the zero of its coordinates' out
+has "what moves it is suggested" '^suggested cloudmill map.xyz -O -r ' out
+status 0 "moved" cloudmill map.xyz -O -r 4 -c siemens -o map.mpf -s 0.1
+has "the program is at the zero" '^travel X +-?[0-9]{1,2}[.]' out
+hasnt "a scan at the zero is not far away" 'farther than machines travel' err
+status 2 "a model is not moved" cloudmill "$SRC/samples/saddle.nurbs" -O -r 4 -c siemens -o x.mpf
+
 status 2 "no radius" cloudmill "$scan" -c siemens -o x.mpf
 has "how to find one" 'expected -r MM' err
 status 2 "no output" cloudmill "$scan" -r 4 -c siemens
