@@ -353,24 +353,44 @@ static int nurbs_round(struct nc_spline *spline, struct nc_spline_digits digits,
     return 0;
 }
 
+/* Is an axis that is at `at` at even steps within its travel, between them too?  Its farthest place
+ * is that of a parabola through the steps about it. */
+static bool is_in_travel(const double *at, int n, const struct rotary *axis)
+{
+    const double printed = RADIANS(0.0005);
+    for (int k = 0; k < n; k++) {
+        double most = at[k], least = at[k];
+        if (k > 0 && k + 1 < n) {
+            double slope = (at[k + 1] - at[k - 1]) / 2, bend = at[k + 1] - 2 * at[k] + at[k - 1];
+            double peak =
+                fabs(slope) <= fabs(bend) && bend != 0 ? at[k] - slope * slope / bend / 2 : at[k];
+            most = fmax(most, peak);
+            least = fmin(least, peak);
+        }
+        if (least < axis->min - printed || most > axis->max + printed)
+            return false;
+    }
+    return true;
+}
+
 /* Do the rotary axes stay within their travel between the ends, too?  Beside the pole their poles
  * may be far from the curve, and that from both its ends. */
 static bool nurbs_in_travel(const struct nc_spline *spline, const struct kinematic_chain *chain)
 {
     enum { PLACES = 16 }; /* in a span */
-    const double printed = RADIANS(0.0005);
     const struct bspline *b = &spline->curve;
     for (size_t span = (size_t)b->degree; span < b->poles; span++) {
-        double u = b->knot[span], h = b->knot[span + 1] - u;
-        for (int k = 0; h > 0 && k <= PLACES; k++) {
+        double u = b->knot[span], h = b->knot[span + 1] - u, q[2][PLACES + 1];
+        for (int k = 0; k <= PLACES; k++) {
             double basis[BSPLINE_DEGREE_MAX + 1];
             bspline_basis(b->degree, b->knot, span, u + h * k / PLACES, basis);
             struct vec3 at = angles_at(b, spline->angle, span, basis);
-            const double q[ROTARY_MAX] = {at.x, at.y};
-            for (int i = 0; i < chain->n && i < ROTARY_MAX; i++)
-                if (q[i] < chain->rotary[i].min - printed || q[i] > chain->rotary[i].max + printed)
-                    return false;
+            q[0][k] = at.x;
+            q[1][k] = at.y;
         }
+        for (int i = 0; h > 0 && i < chain->n && i < 2; i++)
+            if (!is_in_travel(q[i], PLACES + 1, &chain->rotary[i]))
+                return false;
     }
     return true;
 }

@@ -120,6 +120,14 @@ START_TEST(beside_a_step_none_is_off_the_surface)
 }
 END_TEST
 
+/* Where a node does move although its points reach over the crease, both surfaces over it agree and
+ * both are bent by it alike.  A cubic through 30 points, those within 1.54 mm, is at most 0.05 of
+ * that times 1.25, the half turn of the crease, off to this side (2 times the integral of
+ * (9/8 - 15/8 x^2) (x - d) from d to 1, least at d = 0.5): 0.1.  The points are 0.14 off it, and of
+ * 30 by chance the middle of it is known to 0.024: 4 sigmas more.  Without the agreement it is 0.36
+ * on the crease. */
+static const double BESIDE_CREASE = 0.2;
+
 START_TEST(on_a_crease_vertices_stay_points_of_the_scan)
 {
     struct case_of c = run_case(roof, 0);
@@ -128,7 +136,7 @@ START_TEST(on_a_crease_vertices_stay_points_of_the_scan)
     for (size_t v = 0; v < c.mesh.vertex.n; v++) {
         struct vec3 p = c.mesh.vertex.item[v], node = node_of(&c, v);
         double off = (node.x + 0.3 * node.y - 1) / hypot(1, 0.3);
-        ck_assert_double_eq_tol(p.z, roof(p.x, p.y), 0.1);
+        ck_assert_double_eq_tol(p.z, roof(p.x, p.y), BESIDE_CREASE);
         beside += fabs(off) < 0.8 && hypot(node.x, node.y) < 10 && is_point(&c, p);
     }
     ck_assert_uint_gt(beside, 3);
