@@ -1,6 +1,8 @@
 /* excursion - see excursion.h. */
 #include "simulate/excursion.h"
 
+#include <math.h>
+
 #include "math/kdtree.h"
 
 #define RISES 0.5    /* cosine between the tool axis and the way up, at least */
@@ -165,6 +167,23 @@ static struct vec3 rise_over_line(struct vec3 from, struct vec3 to, struct vec3 
     return vec_sub(p, vec_segment_nearest(from, to, p));
 }
 
+/* How far a rise goes up the axis of its top or of one of its feet: poles thrown past the other end
+ * of the tool turn it over. */
+static double up_the_tool(const struct search *s, size_t from, size_t top, size_t to,
+                          struct vec3 rise)
+{
+    const size_t place[] = {from, top, to};
+    double up = -INFINITY;
+
+    for (int i = 0; i < 3; i++) {
+        const struct centre_segment *segment = &s->path->item[place[i]];
+        const struct nc_piece *piece = &s->motion->piece.item[segment->piece];
+        double at = (double)segment->s[place[i] != from];
+        up = fmax(up, vec_dot(nc_motion_at(s->motion, piece, at).a, rise));
+    }
+    return up;
+}
+
 /* A stretch of segments off the part, both ends among them. */
 static void look_at_stretch(struct search *s, size_t from, size_t to)
 {
@@ -188,11 +207,9 @@ static void look_at_stretch(struct search *s, size_t from, size_t to)
         look_at_end(s, to);
         return;
     }
-    const struct nc_piece *piece = &s->motion->piece.item[segment[top].piece];
-    struct vec3 axis = nc_motion_at(s->motion, piece, (double)segment[top].s[1]).a;
     double height = clearance(s, segment[top].b);
     if (most > band && height > band &&
-        vec_dot(axis, rise_over_line(a, b, segment[top].b)) >= RISES * most)
+        up_the_tool(s, from, top, to, rise_over_line(a, b, segment[top].b)) >= RISES * most)
         add_excursion(s, top, height);
 }
 

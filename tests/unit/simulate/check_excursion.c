@@ -12,12 +12,14 @@
 
 enum { PIECES = 6 };
 
+static const double level[PIECES + 1] = {0};
+
 /*
- * Blocks along x, 4 mm each, from x = -12; `high` of them at their ends; those not straight are one
- * cubic each, straight too, so that heights are those given.
+ * Blocks along x, 4 mm each, from x = -12; `high` of them at their ends, the second rotary axis at `turn` degrees;
+ * those not straight are one cubic each, straight too, so that heights are those given.
  */
-static struct excursion shaped(const double high[PIECES + 1], const double side[PIECES + 1],
-                               const unsigned char shape[PIECES])
+static struct excursion turned(const double high[PIECES + 1], const double side[PIECES + 1],
+                               const double turn[PIECES + 1], const unsigned char shape[PIECES])
 {
     struct nc_motion motion = {.kinematics = verify_kinematics_trunnion('A', 1),
                                .track = NC_MOTION_TIP};
@@ -34,7 +36,8 @@ static struct excursion shaped(const double high[PIECES + 1], const double side[
         *array_push(&motion.piece) = (struct nc_piece){.shape = shape[i],
                                                        .interpolation = AXIS_ROTARY_LINEAR,
                                                        .index = (size_t)i,
-                                                       .p = {from, to}};
+                                                       .p = {from, to},
+                                                       .q = {{0, turn[i], 0}, {0, turn[i + 1], 0}}};
         for (int k = 0; k < 40; k++)
             *array_push(&path) = (struct centre_segment){
                 vec_along(vec_mix(from, to, k / 40.0), RADIUS, vec(0, 0, 1)),
@@ -54,14 +57,18 @@ static struct excursion shaped(const double high[PIECES + 1], const double side[
     return leap;
 }
 
+static struct excursion shaped(const double high[PIECES + 1], const double side[PIECES + 1],
+                               const unsigned char shape[PIECES])
+{
+    return turned(high, side, level, shape);
+}
+
 static struct excursion over(const double high[PIECES + 1], const double side[PIECES + 1],
                              unsigned char shape)
 {
     const unsigned char all[PIECES] = {shape, shape, shape, shape, shape, shape};
     return shaped(high, side, all);
 }
-
-static const double level[PIECES + 1] = {0};
 
 START_TEST(a_curve_that_jumps)
 {
@@ -72,6 +79,18 @@ START_TEST(a_curve_that_jumps)
     ck_assert_double_eq_tol(leap.at.x, 0, 1e-6);
     ck_assert(leap.piece == 2 || leap.piece == 3);
     ck_assert_uint_eq(over(level, level, SHAPE_POLYNOMIAL).count, 0);
+}
+END_TEST
+
+/* The tip is thrown past the other point on the axis: the tool is upside down up there. */
+START_TEST(a_curve_that_turns_the_tool_over)
+{
+    const double high[PIECES + 1] = {0, 0, 3, 80, 2, 0, 0},
+                               turn[PIECES + 1] = {0, 0, 0, 180, 0, 0, 0};
+    const unsigned char p = SHAPE_POLYNOMIAL, shape[PIECES] = {p, p, p, p, p, p};
+    struct excursion leap = turned(high, level, turn, shape);
+    ck_assert_uint_eq(leap.count, 1);
+    ck_assert_double_eq_tol(leap.height, 80, 1e-6);
 }
 END_TEST
 
@@ -172,6 +191,7 @@ int main(void)
     Suite *suite = suite_create("excursion");
     TCase *tcase = tcase_create("excursion");
     tcase_add_test(tcase, a_curve_that_jumps);
+    tcase_add_test(tcase, a_curve_that_turns_the_tool_over);
     tcase_add_test(tcase, a_curve_that_ends_high);
     tcase_add_test(tcase, a_curve_that_begins_high);
     tcase_add_test(tcase, less_than_the_band_is_none);
