@@ -5,9 +5,9 @@
  * Looked at are curves (B-splines, and polynomials one after the other), which are made to follow
  * the part, and pairs of straight blocks that go up and come back at a sharp angle, amid a link,
  * too.  Up is along the tool, at the top or where the curve begins or ends, for a pole thrown past
- * the other end of the tool turns it over.  A curve also counts if it ends over the part, up the tool or up Z, and a straight block
- * comes down again, and so does the end of any block there if a curve comes down from it at a sharp
- * angle.
+ * the other end of the tool turns it over.  A curve also counts if it ends over the part, up the
+ * tool or up Z, and a straight block comes down again, and so does the end of any block there if a
+ * curve comes down from it at a sharp angle.
  * Links from pass to pass, up, across and down in blocks of their own, do not count, nor does a
  * pass that goes out beside the part.  Lengths in mm.
  */

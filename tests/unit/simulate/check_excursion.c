@@ -15,8 +15,9 @@ enum { PIECES = 6 };
 static const double level[PIECES + 1] = {0};
 
 /*
- * Blocks along x, 4 mm each, from x = -12; `high` of them at their ends, the second rotary axis at `turn` degrees;
- * those not straight are one cubic each, straight too, so that heights are those given.
+ * Blocks along x, 4 mm each, from x = -12; `high` of them at their ends, the second rotary axis at
+ * `turn` degrees; those not straight are one cubic each, straight too, so that heights are those
+ * given.
  */
 static struct excursion turned(const double high[PIECES + 1], const double side[PIECES + 1],
                                const double turn[PIECES + 1], const unsigned char shape[PIECES])
