@@ -27,7 +27,7 @@ static struct arc_window open_window(struct vec3 u, struct vec3 t)
     return w;
 }
 
-static inline bool cut_bounds(struct arc_window *w, int i, double along, double radius)
+static inline int cut_bounds(struct arc_window *w, int i, double along, double radius)
 {
     double lo = along - radius, hi = along + radius;
     w->lo[i] = lo > w->lo[i] ? lo : w->lo[i];

@@ -1,9 +1,9 @@
 #!/bin/sh
 # mutate.sh - changes a line of src/ at random, N lines (200, or N=...), one change each, and sees
-# whether a test that runs the line notices: the unit tests, the quickest first; then those once
-# more under the sanitizers; then the tool tests, quickest first, as many as TOOL_SECONDS (60)
-# hold; last the jobs of bytes.sh that run a tool whose code is another, which say that something
-# changed, not that it is wrong.
+# whether a test that runs the line notices: the unit tests, the quickest first; then the jobs of
+# bytes.sh that run a tool whose code is another, which say that something changed, not that it is
+# wrong; then the tool tests, quickest first, as many as TOOL_SECONDS (60) hold; last, for they take
+# longest, the unit tests and the quick jobs under the sanitizers.
 # FOLDERS: those to take lines from (all).  SEED (1) chooses them.  JOBS: how many at a time.
 # Which test runs which line is known from lines.sh; `make mutate` has it made for the unit tests and
 # TOOL_TESTS, and builds all of them.  A test that fails without a change is left out.
@@ -152,9 +152,12 @@ make_tools() {
 		while read -r tool; do mv "$TMP/sane/$tool" "$TMP/fenced"; done <"$TMP/affected"
 }
 
-# one of $TMP/tests fails, or a job of bytes.sh that runs an affected tool has other bytes
+# a job of bytes.sh that runs an affected tool has other bytes, or one of $TMP/tests fails
 tools_notice() {
-	make_tools || return 0
+	sort -n "$BUILD/bytes/list" | awk 'FNR == NR { affected[$1] = 1; next }
+		{ for (i = 3; i <= NF; i++) if ($i in affected) { print $1, $2; next } }' "$TMP/affected" - \
+		>"$TMP/jobs"
+	jobs_notice "$TMP/bin" && return 0
 	spent=0
 	while read -r seconds test <&3; do
 		spent=$((spent + ${seconds%.*}))
@@ -162,11 +165,11 @@ tools_notice() {
 		BIN=$TMP/bin READBACK=$BUILD/tests/readback/readback CLOUD=$BUILD/tests/accuracy/cloud \
 			timeout $((60 + 60 * ${seconds%.*})) sh "$test" >"$TMP/out" 2>&1 </dev/null || return 0
 	done 3<"$TMP/tests"
-	sort -n "$BUILD/bytes/list" | awk 'FNR == NR { affected[$1] = 1; next }
-		{ for (i = 3; i <= NF; i++) if ($i in affected) { print $1, $2; next } }' "$TMP/affected" - \
-		>"$TMP/jobs"
-	jobs_notice "$TMP/bin" && return 0
-	# where places beyond an array are looked for, a job takes thirty times as long: the quick ones
+	return 1
+}
+
+# where places beyond an array are looked for, a job takes thirty times as long: the quick ones
+fenced_notice() {
 	awk '$1 < 0.3' "$TMP/jobs" >"$TMP/quick" && mv "$TMP/quick" "$TMP/jobs"
 	jobs_notice "$TMP/fenced"
 }
@@ -218,7 +221,8 @@ one() { # FILE LINE CHANGE: the verdict
 		verdict=redundant
 	elif ! compiled "$changed"; then
 		verdict='no program'
-	elif units_notice || memory_notices || tools_notice; then
+	elif units_notice || { test='no link' && ! make_tools; } || tools_notice || memory_notices ||
+		fenced_notice; then
 		verdict=caught by=" ($test)"
 	else
 		verdict=survived
