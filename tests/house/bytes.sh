@@ -201,6 +201,131 @@ jobs() {
 		foreign-programs each 'ncverify -r 4 -g noise.xyz' data/foreign
 		bad-options bad_options
 	END
+	more_scans
+	more_surfaces
+	more_paths
+	more_programs
+}
+
+# Options and shapes that the jobs above have not.
+more_scans() {
+	cat <<-'END'
+		matrix.txt printf '0 -1 0 5\n1 0 0 0\n0 0 1 -2\n0 0 0 1\n'
+		placed.ply cloud2mesh --matrix matrix.txt -a 30 --max-gap 2 wave.xyz
+		known.ply cloud2mesh --noise 0.01 --neighbours 25 --effort 2 noise.xyz
+		clean.ply cloud2mesh --clean clean.txt stray.xyz
+		clean.all cat clean.txt clean.txt.outliers
+		effort.ply cloud2mesh --effort 0.01 -t 0.8 rib.xyz
+		facet.ply cloud2mesh --normals facet --nodes grid -t 1.2 noise.xyz
+		delaunay-all.ply cloud2mesh --method delaunay noise.xyz
+		lin-noise.ply cloud2mesh --method lin -t 1 -a 20 noise.xyz
+		scan-noise.ply cloud2mesh --nodes scan -e 0.05 noise.xyz
+	END
+	for kind in bowl saddle valley pyramid groove step plateau terraces folds islands; do
+		echo "$kind.xyz shape $kind 16 14 0.5 0 random"
+		echo "$kind-rough.xyz shape $kind 14 12 0.5 0.02 lines"
+		echo "$kind.mesh cloud2mesh $kind.xyz"
+		echo "$kind-rough.mesh cloud2mesh -e 0.05 --extend 1 $kind-rough.xyz"
+		echo "$kind.way meshnorm -r 2 --scallop 0.1 --avoid -g $kind.xyz $kind.mesh"
+	done
+}
+
+more_surfaces() {
+	cat <<-'END'
+		ferguson.nurbs cloud2surf --ferguson -t 3 wave.xyz
+		stiff.nurbs cloud2surf --bending 0.01 --knots uniform -a 30 -e 0.05 noise.xyz
+		open.nurbs cloud2surf --untrimmed --noise 0.01 --origin -e 0.1 noise.xyz
+		gap.nurbs cloud2surf --max-gap 2 --matrix matrix.txt --outliers keep -e 0.1 hole.xyz
+		inch.nurbs cloud2surf -u inch -t 60 --bezier wave.xyz
+		ferguson.ply nurbs2mesh -e 0.02 --gap 0.01 ferguson.nurbs
+		inch-unit.ply nurbs2mesh -u inch -n 8 patches.igs
+		step-fine.ply nurbs2mesh -e 0.01 "$SRC/tests/data/box.step"
+		box.cl planecut -r 3 -s 3 --faces 88,90-182 --avoid box.ply
+		step-radii nurbs2mesh -k "$SRC/tests/data/box.step"
+		saddle-one.ply nurbs2mesh -e 0.05 "$SRC/samples/saddle.nurbs"
+		paper2.ply nurbs2mesh -n 12 "$SRC/samples/paper2_s1_a.igs" "$SRC/samples/paper2_s2_a.igs"
+	END
+}
+
+more_paths() {
+	cat <<-'END'
+		machine.cl meshnorm -r 2 --scallop 0.1 -m head-ca --smooth 0 --flute 3 -e 0.02 noise.ply
+		tool.cl meshnorm -r 4 --scallop 0.1 --tool-file ball-8 --tool-file hsk-a63-er20 wave.ply
+		ball-only.cl meshnorm -r 3 --scallop 0.1 --ball-only --no-guard -a auto rib.ply
+		deep.cl meshnorm -r 3 --scallop 0.2 --depth 0.5 --layers 3 --approach 2 --clearance 40 wave.ply
+		words.path meshnorm -r 3 --scallop 0.2 --feed 900 --plunge 90 --spindle 0 --tool 7 --coolant mist --partno X wave.ply
+		left.cl meshnorm -r 4 --scallop 0.2 --left-share 20 --noise 0.02 -g noise.xyz noise.ply
+		paper.cl meshnorm -r 2 --rows mesh --paper --normals central lin.ply
+		to.cl meshnorm -r 3 --scallop 0.2 -a 40 --to-point 0,0,60 --effort 3 wave.ply
+		steep.way planecut -r 2 -s 2 --steep 0:40 --up 0,0,1 --avoid roof.ply
+		lead.cut planecut -r 2 -s 2 --lead 10 --tilt 5 --least-turn 15 --axis-rate 3 wave.ply
+		from.cut planecut -r 2 -s 2 -a 20 --from-point 0,0,-80 --one-way --layers 2 --depth 0.4 wave.ply
+		circle.cut planecut -r 2 -s 2 --circle 0,0,80,0,0,1,15 --axis-play 3 --lean-limit 30 noise.ply
+		fixed.cut planecut -r 2 -s 2 --fixed 0.2,0,1 --limit 0.5 --smooth 0.01 --machine table-bc rib.ply
+		tool.cut planecut -r 4 -s 3 --tool-file ball-8 --holder 3:10+8:40 --flute 8 --effort 2 wave.ply
+		words.cut planecut -r 4 -s 3 --feed 900 --plunge 90 --spindle 500 --coolant on --approach 1 --clearance 50 --partno Y --paper wave.ply
+		noise.cut planecut -r 3 --scallop 0.1 -g noise.xyz --noise 0.02 --left-share 5 -e 0.02 --ball-only noise.ply
+		half.cl biarcfit -e 0.02 --part 1/2 --min-length 0.5 --axis-tolerance 0.2 wave.cl
+		half.spline bsplfit -e 0.02 --part 2/2 --min-length 0.5 --axis-tolerance 0.2 wave.cl
+		ends.spline bsplfit --interpolate --ends clamped -e 0.1 fixed.cl
+		bessel.spline bsplfit --interpolate --ends bessel -e 0.1 wave.cl
+		long.arcs biarcfit --min-length 0 --effort 2 -e 0.005 noise.cl
+		noise.spline bsplfit -g noise.xyz --noise 0.02 -e 0.02 --min-length 0 noise.cl
+		holder.arcs biarcfit -e 0.02 holder.cl
+		holder.spline bsplfit -e 0.02 holder.cl
+		region.arcs biarcfit region.cl
+		torus.spline bsplfit -e 0.05 torus.cl
+	END
+	for kind in roof rib wall valley groove step folds; do
+		echo "$kind.cut planecut -r 1.5 -s 1 --avoid -g $kind.xyz $kind.$(case $kind in r* | w*) echo ply ;; *) echo mesh ;; esac)"
+		echo "$kind.arcs biarcfit -e 0.02 $kind.cut"
+		echo "$kind.spline bsplfit -e 0.02 $kind.cut"
+		echo "$kind.nc ncpost -c siemens $kind.spline"
+		echo "$kind.verdict ncverify -c siemens -r 1.5 -g $kind.xyz $kind.nc"
+	done
+}
+
+more_programs() {
+	for control in fagor grbl haas hurco mach3 mazak okuma tormach heidenhain-530; do
+		echo "shapes.$control ncpost -c $control --accept shapes.cl"
+		echo "winding.$control ncpost -c $control --accept winding.cl"
+		echo "fixed.$control ncpost -c $control -m three-axis fixed.cl"
+		echo "fixed.$control.txt ncverify -c $control -m three-axis -r 3 -g noise.xyz fixed.$control"
+	done
+	for machine in dmg-dmu50 haas-umc750 hermle-c42u linuxcnc-xyzac linuxcnc-xyzbc mazak-variaxis-i600 \
+		nutating-head-table nutating-table table-a table-bc-notcp; do
+		case $machine in nut* | table*) control=siemens ;; *) control= ;; esac
+		echo "on-$machine ncpost ${control:+-c $control} -m $machine --accept splines.cl"
+		echo "on-$machine.verdict ncverify ${control:+-c $control} -m $machine -r 2 -g wave.xyz on-$machine"
+	done
+	for control in fanuc siemens heidenhain linuxcnc; do
+		for path in holder scallop noise torus deep; do
+			echo "$path.$control.nc ncpost -c $control $path.cl"
+			echo "$path.$control.verdict judged $control --holder 1.5:6+4:20 $path.$control.nc"
+		done
+		echo "chord.$control ncpost -c $control --chord 0.02 --axis-tolerance 1 -e 0.1 --contact-feed arcs.cl"
+		echo "insert.$control ncpost -c $control --insert comment --program $([ $control = siemens ] && echo AB77 || echo 77) --feed 321 words.cl"
+		echo "part.$control ncpost -c $control --part 2/3 splines.cl"
+		echo "units.$control ncpost -c $control -u inch holes.cl"
+		echo "head.$control.txt judged $control -m head-ca head.$control"
+		echo "notcp.$control.txt judged $control --set tcp=no notcp.$control"
+		echo "vectors.$control.txt judged $control inch.$control"
+	done
+	cat <<-'END'
+		centre.nc ncpost -c fanuc --set tcp=no -m three-axis fixed.cl
+		centre.txt ncverify -c fanuc -m three-axis --centre -r 3 -g noise.xyz centre.nc
+		ball.txt judged fanuc --ball-only --noise 0.01 --left-share 30 --band 0.1 --partial splines.fanuc
+		tool.txt ncverify -c fanuc --tool-file ball-4 --tool-file hsk-a63-er16 -g wave.xyz --scallop 0.1 arcs.fanuc
+		stock-box.txt judged fanuc --stock box:-9,-7,-4,9,7,4 --cell 0.7 --map /dev/stdout arcs.fanuc
+		mesh-part.txt ncverify -c fanuc -r 2 -g wave.ply -u mm arcs.fanuc
+		box-part.txt ncverify -c fanuc -r 2 -g saddle-one.ply arcs.fanuc
+		all.svg ncplot --view all --width 500 --title T --cut arcs.cl
+		kind.svg ncplot --colour kind --joints --view plan splines.cl
+		normals.svg ncplot --show-normals --view side noise.ply
+		machine.svg ncplot --view front --axes on-dmg-dmu50
+		paths.svg ncplot --compare wave.cl arcs.cl splines.cl
+		surface.svg ncplot --view iso torus.ply rib.xyz
+	END
 }
 
 # What the tools say and write for these files of tests/data/awkward, with the commands there.
