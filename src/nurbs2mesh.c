@@ -13,6 +13,7 @@
 #include "io/mesh/ply.h"
 #include "io/nurbs/surfaces.h"
 #include "nurbs/orient.h"
+#include "nurbs/patch_weld.h"
 #include "nurbs/sew.h"
 #include "nurbs/skin.h"
 #include "nurbs/skin_close.h"
@@ -177,6 +178,7 @@ static double tessellate_and_sew(const struct cli *cli, const struct settings *s
     nurbs_report_trimming(patches, sheet, fine);
     patch_mesh_make(sheet, patches->n, fmin(NARROW * size, gap), patch_mesh);
     *sewn = sew(patch_mesh, patches, gap, fine);
+    patch_mesh_weld(patch_mesh, patches);
     return error + sewn->moved;
 }
 
@@ -216,20 +218,27 @@ static void check_trimming(const struct patches *patches, const struct sheet *sh
             lost, empty, unknown, patches->item[first].entity);
 }
 
-/* Of a model of closed shells alone nothing may stay open. */
+/* Of a model of closed shells alone nothing may stay open; of no model may a skin touch itself along
+ * an edge, or be turned both ways. */
 static void check_closed(const struct patches *patches, const struct skin *skin,
                          struct unmets *unmet)
 {
-    size_t open = skin->open + skin->unlike;
-    for (size_t i = 0; i < skin->body.n; i++)
-        open += skin->body.item[i].uneven;
+    size_t open = skin->open, closed = 0;
     for (size_t i = 0; i < patches->n; i++)
-        if (patches->item[i].body == 0)
-            return;
-    if (open > 0)
+        closed += patches->item[i].body != 0;
+    if (skin->many > 0)
         unmet_say(unmet,
-                  "%zu edges of a model of closed shells are open or turned differently, "
-                  "expected none: a smaller -e may help",
+                  "%zu edges have more than two facets, expected none: a smaller -e may help",
+                  skin->many);
+    if (skin->unlike > 0)
+        unmet_say(unmet,
+                  "%zu edges have facets that are turned differently, expected none: a smaller -e "
+                  "may help",
+                  skin->unlike);
+    if (open > 0 && closed == patches->n)
+        unmet_say(unmet,
+                  "%zu edges of a model of closed shells are open, expected none: a smaller -e may "
+                  "help",
                   open);
 }
 

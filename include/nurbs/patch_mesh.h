@@ -9,6 +9,9 @@
 /* Degrees. */
 #define PATCH_MESH_SMOOTH 1.0
 
+/* Decimals of a mm that places have when they are written (cloudmill-mesh(5)). */
+enum { PATCH_MESH_DIGITS = 6 };
+
 struct patch_mesh_vertex {
     struct vec3 point, normal; /* the normal along dS/du x dS/dv */
     double k1, k2;             /* k1 >= k2, seen from that side */

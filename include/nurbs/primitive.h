@@ -45,6 +45,10 @@ struct vec3 primitive_point(const struct primitive *p, double u, double v);
 /* Those of a point on it; angles from -pi to pi. */
 void primitive_parameters(const struct primitive *p, struct vec3 point, double *u, double *v);
 
+/* Of a torus that cuts itself the part on which the loops' curves in space lie: PRIMITIVE_WHOLE for
+ * any other, or where they do not tell. */
+enum primitive_part primitive_part_of(const struct primitive *p, const struct patch_loops *loops);
+
 /* Moves the surface along its normals; -1 when nothing is left of it. */
 int primitive_offset(struct primitive *p, double distance);
 

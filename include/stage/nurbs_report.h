@@ -36,7 +36,7 @@ void nurbs_report_trimming(const struct patches *patches, const struct sheet *sh
 const struct patch *nurbs_report_roughest(const struct patches *patches, double *rough);
 
 /* Tells of each body whether it is closed, its genus, area and volume, and of open edges the loops
- * they form, with note(); what is no skin, with say(). */
+ * they form, with note(). */
 void nurbs_report_skin(const struct patches *patches, const struct skin *skin);
 
 #endif

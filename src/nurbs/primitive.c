@@ -10,16 +10,24 @@
 enum { SAMPLES = 8 };
 static const double MARGIN = 0.01;
 
+/* One part of a torus is the one that is meant if points are so much nearer to it. */
+static const double NEAR_PART = 1e-2;
+
+static void sample_curve(const struct nurbs_curve *c, struct vec3s *points)
+{
+    size_t n = SAMPLES * (c->t.poles - (size_t)c->t.degree);
+    for (size_t m = 0; m <= n; m++) {
+        double t = c->t.from + (c->t.to - c->t.from) * (double)m / (double)n;
+        *array_push(points) = nurbs_curve_point(c, t);
+    }
+}
+
 void primitive_points(const struct patch_loops *loops, struct vec3s *points)
 {
     for (size_t i = 0; i < loops->n; i++)
         for (size_t k = 0; k < loops->item[i].n && loops->item[i].space; k++) {
             const struct nurbs_curve *c = &loops->item[i].item[k];
-            size_t n = SAMPLES * (c->t.poles - (size_t)c->t.degree);
-            for (size_t m = 0; m <= n; m++) {
-                double t = c->t.from + (c->t.to - c->t.from) * (double)m / (double)n;
-                *array_push(points) = nurbs_curve_point(c, t);
-            }
+            sample_curve(c, points);
             for (size_t m = 0; m < c->t.poles; m++) /* curves may bend between samples */
                 if (c->t.degree > 1 && c->pole[m].w > 0)
                     *array_push(points) = vec_scale(
@@ -57,6 +65,36 @@ static struct extent extent_of(const struct transform *t, const struct vec3s *po
 static struct vec3 at_height(const struct transform *t, double x, double z)
 {
     return vec_along(vec_along(axis_of(t, 3), x, axis_of(t, 0)), z, axis_of(t, 2));
+}
+
+/* How far the points are from the circle that the tube's is to the side of the axis, and from that
+ * on the other side, at most. */
+static void part_distances(const struct primitive *p, const struct vec3s *points, double *outer,
+                           double *inner)
+{
+    for (size_t i = 0; i < points->n; i++) {
+        struct vec3 d = vec_sub(points->item[i], axis_of(&p->place, 3));
+        double x = vec_dot(d, axis_of(&p->place, 0)), y = vec_dot(d, axis_of(&p->place, 1));
+        double z = vec_dot(d, axis_of(&p->place, 2)), r = hypot(x, y);
+        *outer = fmax(*outer, fabs(hypot(r - p->radius, z) - p->other));
+        *inner = fmax(*inner, fabs(hypot(r + p->radius, z) - p->other));
+    }
+}
+
+enum primitive_part primitive_part_of(const struct primitive *p, const struct patch_loops *loops)
+{
+    struct vec3s points = {0};
+    double outer = 0, inner = 0;
+    if (p->kind != PRIMITIVE_TORUS || !(p->radius < p->other))
+        return PRIMITIVE_WHOLE;
+    for (size_t i = 0; i < loops->n; i++)
+        for (size_t k = 0; k < loops->item[i].n && loops->item[i].space; k++)
+            sample_curve(&loops->item[i].item[k], &points);
+    part_distances(p, &points, &outer, &inner);
+    array_free(&points);
+    if (fmin(outer, inner) > NEAR_PART * fmax(outer, inner) || !(fmax(outer, inner) > 0))
+        return PRIMITIVE_WHOLE;
+    return outer < inner ? PRIMITIVE_OUTER : PRIMITIVE_INNER;
 }
 
 /* The straight line of a cylinder or a cone, from below to above; a cone ends at its apex. */

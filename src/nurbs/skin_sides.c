@@ -81,3 +81,8 @@ size_t skin_sides_same(const struct skin_side *side, size_t n, size_t i)
         k++;
     return k;
 }
+
+bool skin_edge_sound(const struct skin_side *side, size_t k)
+{
+    return k == 2 && side[0].forward != side[1].forward;
+}

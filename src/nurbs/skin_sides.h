@@ -28,4 +28,7 @@ struct skin_side *skin_sides_find(const struct patch_mesh *mesh, size_t *n);
 /* How many sides from side i on are between the same two places. */
 size_t skin_sides_same(const struct skin_side *side, size_t n, size_t i);
 
+/* True if the k sides of one edge are two, of facets turned alike. */
+bool skin_edge_sound(const struct skin_side *side, size_t k);
+
 #endif

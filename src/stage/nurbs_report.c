@@ -199,8 +199,4 @@ void nurbs_report_skin(const struct patches *patches, const struct skin *skin)
     if (skin->body.n > 1)
         note("all %zu bodies: area %.10g mm2, volume %.10g mm3", skin->body.n, area, volume);
     tell_loops(patches, skin);
-    if (skin->many > 0)
-        say("%zu edges have more than two facets", skin->many);
-    if (skin->unlike > 0)
-        say("%zu edges have facets that are turned differently", skin->unlike);
 }

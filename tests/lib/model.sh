@@ -2,7 +2,7 @@
 #
 # shellcheck shell=sh
 
-# Area, volume and border edges by place.
+# Area, volume and, by place, the edges that have not one facet on each side.
 measure() { # FILE
 	awk '
 	BEGIN { n = 0 }
@@ -17,7 +17,7 @@ measure() { # FILE
 		area += sqrt(nx * nx + ny * ny + nz * nz) / 2
 		volume += (x[i] * nx + y[i] * ny + z[i] * nz) / 6
 		edge[at[i] " " at[j]]++; edge[at[j] " " at[k]]++; edge[at[k] " " at[i]]++ }
-	END { for (e in edge) { split(e, q, " "); if (edge[e] != edge[q[2] " " q[1]]) open++ }
+	END { for (e in edge) { split(e, q, " "); if (edge[e] != 1 || edge[q[2] " " q[1]] != 1) open++ }
 		printf "%.10g %.10g %d\n", area, volume, open }' "$1"
 }
 

@@ -65,7 +65,10 @@ has "a side half a millimetre askew stays open" '^nurbs2mesh: open: ' "$TMP/repo
 		BEGIN { for (c = 0; c < 2; c++) for (i = 0; i < 3; i++) for (far = 0; far < 20; far += 10)
 			face(++n, 10 * c + (i == 0) * far, 10 * c + (i == 1) * far, (i == 2) * far, i) }'
 } | iges cubes
+status 3 "two cubes that touch along an edge are no sound skin" \
+	nurbs2mesh -e 0.01 -o "$TMP/cubes.ply" "$TMP/cubes.igs"
 nurbs2mesh -v -e 0.01 "$TMP/cubes.igs" >/dev/null 2>"$TMP/report"
+has "it is told" '[0-9]+ edges have more than two facets, expected none' "$TMP/report"
 has "two cubes that touch along an edge are closed" \
 	"closed, touches itself along [0-9]+ edges, area 1200.* volume 2000" "$TMP/report"
 

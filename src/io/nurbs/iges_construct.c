@@ -193,6 +193,7 @@ static int add_primitive(const struct source *s, struct primitive p, struct vec3
     p.place = construct_place(transform_point(s->place, at), turned_direction(s->place, z),
                               vec_length(x) > 0 ? turned_direction(s->place, x) : x);
     primitive_points(s->loops, &points);
+    p.part = primitive_part_of(&p, s->loops);
     int status = primitive_surface(&p, &points, s->surface);
     array_free(&points);
     return status < 0 ? 1 : 0;

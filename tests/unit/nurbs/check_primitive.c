@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include "base/array.h"
+#include "nurbs/construct.h"
 #include "nurbs/primitive.h"
 
 /* Turned, and moved. */
@@ -101,6 +102,35 @@ START_TEST(offsets)
 END_TEST
 
 /* No end and no points, or no size. */
+/* Of a torus that cuts itself the curve on it tells the part: one about the outer side, or one about
+ * the spindle within. */
+START_TEST(part_of_a_torus)
+{
+    struct primitive p = {.kind = PRIMITIVE_TORUS, .place = place(), .radius = 3, .other = 5};
+    const enum primitive_part part[] = {PRIMITIVE_OUTER, PRIMITIVE_INNER};
+    for (int i = 0; i < 2; i++) {
+        struct transform at = place(), up = transform_identity();
+        double v = 0.4, r = 5 * cos(v) + (i == 0 ? 3 : -3);
+        up.m[2][3] = 5 * sin(v);
+        at = transform_product(at, up);
+        struct nurbs_curve circle = construct_ellipse(&at, r, r, 0, 6);
+        struct patch_loops loops = {0};
+        struct patch_loop *loop = array_push(&loops);
+        *loop = (struct patch_loop){.space = true};
+        *array_push(loop) = circle;
+        ck_assert_int_eq(primitive_part_of(&p, &loops), part[i]);
+        p.radius = 6;
+        ck_assert_int_eq(primitive_part_of(&p, &loops), PRIMITIVE_WHOLE);
+        p.radius = 3;
+        nurbs_curve_free(&circle);
+        array_free(loop);
+        array_free(&loops);
+    }
+    struct patch_loops none = {0};
+    ck_assert_int_eq(primitive_part_of(&p, &none), PRIMITIVE_WHOLE);
+}
+END_TEST
+
 START_TEST(no_surface)
 {
     struct primitive plane = {.kind = PRIMITIVE_PLANE, .place = place()};
@@ -119,6 +149,7 @@ int main(void)
     SRunner *runner = srunner_create(suite);
     tcase_add_test(tests, on_the_surface);
     tcase_add_test(tests, offsets);
+    tcase_add_test(tests, part_of_a_torus);
     tcase_add_test(tests, no_surface);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);
