@@ -129,11 +129,15 @@ static int pole_at(const struct follower *f, double t)
                     : -1;
 }
 
-/* The place on the side of a pole where a curve meets it, told by a place `inside` of the curve. */
-static struct uv uv_on_pole(struct follower *f, int pole, double inside, struct uv guess)
+/* The place on the side of a pole where a curve meets it at t, told by places of the curve nearer
+ * and nearer to it, up to a step from it: so near, a search may end anywhere about the pole. */
+static struct uv uv_on_pole(struct follower *f, int pole, double t, double step, struct uv guess)
 {
+    enum { FAR = 64, NEARER = 4 };
     const struct nurbs *s = f->on.surface;
-    struct uv at = pullback_seek_near(&f->on, nurbs_curve_point(f->curve, inside), guess);
+    struct uv at = pullback_seek_near(&f->on, nurbs_curve_point(f->curve, t + FAR * step), guess);
+    for (int i = FAR / NEARER; i >= 1; i /= NEARER)
+        at = pullback_foot(&f->on, nurbs_curve_point(f->curve, t + i * step), at);
     switch (pole) {
     case PULLBACK_U_LOW:
         at.u = s->u.from;
@@ -194,12 +198,12 @@ static void follow_piece(struct follower *f, double t0, double t1, struct uv *la
     size_t spans = t->poles - (size_t)t->degree;
     int first_pole = pole_at(f, t0), last_pole = pole_at(f, t1);
     bool backwards = t1 < t0;
-    double step = POLE_STEP * (t1 - t0);
+    double step = POLE_STEP * (t1 - t0), least = POLE * fabs(t1 - t0); /* knots are rounded */
     struct uv a;
     if (first_pole < 0)
         a = uv_at(f, t0, *last);
     else
-        a = uv_on_pole(f, first_pole, t0 + step, *last);
+        a = uv_on_pole(f, first_pole, t0, step, *last);
     if (first_pole >= 0 && first_pole == *pole)
         a = uv_past_pole(f, first_pole, *last, a);
     for (size_t k = 0; k < spans; k++) {
@@ -207,11 +211,11 @@ static void follow_piece(struct follower *f, double t0, double t1, struct uv *la
         double low = fmax(t->knot[i], fmin(t0, t1)), high = fmin(t->knot[i + 1], fmax(t0, t1));
         double from = backwards ? high : low, across = backwards ? low - high : high - low;
         int parts = f->space ? SPACE_PARTS : t->degree > 1 ? 2 : 1;
-        for (int p = 0; p < parts && high > low; p++) {
+        for (int p = 0; p < parts && high - low > least; p++) {
             double s0 = from + across * p / parts, s1 = from + across * (p + 1) / parts;
-            bool end = p + 1 == parts && (backwards ? low <= t1 : high >= t1);
+            bool end = p + 1 == parts && (backwards ? low - least <= t1 : high + least >= t1);
             struct uv b =
-                end && last_pole >= 0 ? uv_on_pole(f, last_pole, t1 - step, a) : uv_at(f, s1, a);
+                end && last_pole >= 0 ? uv_on_pole(f, last_pole, t1, -step, a) : uv_at(f, s1, a);
             follow_span(f, s0, a, s1, b, 0);
             a = b;
         }
