@@ -210,8 +210,9 @@ jobs() {
 # Options and shapes that the jobs above have not.
 more_scans() {
 	cat <<-'END'
+		few.xyz shape wave 6 5 1
 		matrix.txt printf '0 -1 0 5\n1 0 0 0\n0 0 1 -2\n0 0 0 1\n'
-		placed.ply cloud2mesh --matrix matrix.txt -a 30 --max-gap 2 wave.xyz
+		moved.ply cloud2mesh --matrix matrix.txt -a 30 --max-gap 2 wave.xyz
 		known.ply cloud2mesh --noise 0.01 --neighbours 25 --effort 2 noise.xyz
 		clean.ply cloud2mesh --clean clean.txt stray.xyz
 		clean.all cat clean.txt clean.txt.outliers
@@ -319,6 +320,16 @@ more_programs() {
 		stock-box.txt judged fanuc --stock box:-9,-7,-4,9,7,4 --cell 0.7 --map /dev/stdout arcs.fanuc
 		mesh-part.txt ncverify -c fanuc -r 2 -g wave.ply -u mm arcs.fanuc
 		box-part.txt ncverify -c fanuc -r 2 -g saddle-one.ply arcs.fanuc
+		broken-fanuc broken own.fanuc ncverify -q -c fanuc -r 4 -g few.xyz
+		broken-siemens broken own.siemens ncverify -q -c siemens -r 4 -g few.xyz
+		broken-heidenhain broken own.heidenhain ncverify -q -c heidenhain -r 4 -g few.xyz
+		broken-linuxcnc broken own.linuxcnc ncverify -q -c linuxcnc -r 4 -g few.xyz
+		broken-path broken words.cl ncpost -q -c siemens
+		broken-tools broken tools.cl ncpost -q -c fanuc
+		broken-holes broken holes.cl ncpost -q -c heidenhain
+		broken-shapes broken shapes.cl ncpost -q -c linuxcnc
+		broken-iges broken bounded.igs nurbs2mesh -q -n 3
+		broken-cylinder broken cylinder.igs nurbs2mesh -q -n 3 --partial
 		all.svg ncplot --view all --width 500 --title T --cut arcs.cl
 		kind.svg ncplot --colour kind --joints --view plan splines.cl
 		normals.svg ncplot --show-normals --view side noise.ply
@@ -349,6 +360,24 @@ each() { # COMMAND FOLDER...
 			$command "$file" 2>&1
 		done
 	done
+}
+
+# What a tool makes of a file of which one line is gone, is there twice, or has another number.
+broken() { # FILE COMMAND...: the file is its last word
+	file=$1 n=0 lines=$(wc -l <"$1")
+	shift
+	# shellcheck disable=SC2068 # words
+	while [ $n -lt "$lines" ]; do
+		n=$((n + 1))
+		for change in "${n}d" "${n}p" "${n}s/[0-9]/8&/" "${n}s/[0-9.]*\$//" "${n}s/\([A-Z]\)\([0-9.-]\)/\1-\2/"; do
+			sed "$change" "$file" >broken.$$
+			cmp -s "$file" broken.$$ || {
+				echo "$change"
+				$@ broken.$$ 2>&1 </dev/null | sed "s/broken\.$$/broken/g"
+			}
+		done
+	done
+	rm broken.$$
 }
 
 # Options that are help, wrong or lack something.
@@ -397,6 +426,7 @@ seconds() {
 case ${1:-} in
 --make)
 	mkdir -p "$2" && cd "$2" || exit 1
+	jobs | cut -d ' ' -f 1 | sort | uniq -d | sed 's/^/two jobs called /' >&2
 	jobs | while read -r name command; do
 		(
 			(eval "$command") >"$name" 2>"$name.err" </dev/null
