@@ -12,8 +12,9 @@ SRC=$(cd "$(dirname "$0")/../.." && pwd)
 PATH=${BIN:-$SRC/build/bin}:$PATH
 CLOUDMILL_MACHINES=$SRC/machines
 CLOUDMILL_CONTROLS=$SRC/controls
+CLOUDMILL_TOOLS=$SRC/tools
 LC_ALL=C
-export SRC PATH CLOUDMILL_MACHINES CLOUDMILL_CONTROLS LC_ALL
+export SRC PATH CLOUDMILL_MACHINES CLOUDMILL_CONTROLS CLOUDMILL_TOOLS LC_ALL
 # shellcheck source=tests/house/inputs.sh
 . "$SRC/tests/house/inputs.sh"
 
