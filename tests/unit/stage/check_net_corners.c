@@ -96,6 +96,31 @@ START_TEST(beyond)
 }
 END_TEST
 
+/* Rows at -4 (unknown), 2 and 8, columns at 2 and 8: at the first row and at both ends of it all
+ * neighbours that are known count, those straight beside it too. */
+START_TEST(beyond_other_sides)
+{
+    struct net_corners c = net_corners_new(points.item, points.n, 1, 0);
+    struct net_patches net = net_patches_new(2, 3);
+    net.x = 2, net.y = -4, net.dx = 6, net.dy = 6;
+    net_corners_find(&c, &net, 1);
+    for (size_t k = 0; k < 2; k++) {
+        double z = 0, zx = 0, zy = 0, x = 2 + 6 * (double)k;
+        for (int i = 0; i < 2; i++) {
+            double at = 2 + 6 * i;
+            z += on(at, 2).z + (x - at) * slope_x(at, 2) - 6 * slope_y(at, 2);
+            zx += slope_x(at, 2);
+            zy += slope_y(at, 2);
+        }
+        ck_assert_double_eq_tol(net.z[k], z / 2, 1e-6);
+        ck_assert_double_eq_tol(net.zx[k], zx / 2, 1e-6);
+        ck_assert_double_eq_tol(net.zy[k], zy / 2, 1e-6);
+    }
+    net_patches_free(&net);
+    net_corners_free(&c);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("net_corners");
@@ -103,6 +128,7 @@ int main(void)
     tcase_add_checked_fixture(tests, setup, teardown);
     tcase_add_test(tests, on_a_cubic);
     tcase_add_test(tests, beyond);
+    tcase_add_test(tests, beyond_other_sides);
     suite_add_tcase(suite, tests);
     SRunner *runner = srunner_create(suite);
     srunner_run_all(runner, CK_ENV);
