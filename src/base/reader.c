@@ -61,6 +61,7 @@ void reader_close(struct reader *r)
 static int fill_once(struct reader *r, struct error *error)
 {
     r->buf = mem_grow(r->buf, &r->cap, r->to + CHUNK + BEHIND, 1);
+    r->buf = mem_grow(r->buf, &r->cap, r->cap, 1); /* all the room that there is */
     ssize_t n;
     do
         n = read(r->fd, r->buf + r->to, r->cap - r->to - BEHIND);

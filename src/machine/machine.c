@@ -393,6 +393,7 @@ struct machine_file {
     struct keys keys;
     const char *name; /* for messages */
     size_t line;
+    size_t said;                  /* lines that say something */
     int depth;                    /* of files within files */
     enum control_section section; /* whose lines these are, CONTROL_SECTIONS: keys */
     bool begun[CONTROL_SECTIONS]; /* in this file */
@@ -471,6 +472,7 @@ static int read_line(struct machine_file *f, char *line, size_t n, struct error 
     char *text = keys_trim(line);
     if (!*text)
         return 0;
+    f->said++;
     if (*text == '[')
         return begin_section(f, text, error);
     if (section) {
@@ -545,6 +547,8 @@ static int read_file(struct machine *m, const char *file, int depth, struct erro
         f.line = r.line;
         result = got < 0 ? -1 : read_line(&f, line, n, error);
     }
+    if (result == 0 && f.said == 0)
+        result = error_at(error, f.name, 0, "found no key, expected lines key = value");
     if (result == 0 && depth == 0)
         result = check_together(m, &f.keys, f.name, error);
     array_free(&f.keys);

@@ -147,6 +147,8 @@ static int read_tools(struct machine *m, const char *value, const char *beside, 
     int got, result = 0;
     while (result == 0 && (got = reader_line(&r, &line, &n, error)) != 0)
         result = got < 0 ? -1 : read_tool_line(m, line, r.name, r.line, error);
+    if (result == 0 && m->tools == 0)
+        result = error_at(error, r.name, 0, "found no tool, expected lines of number and length");
     reader_close(&r);
     return result;
 }

@@ -35,7 +35,7 @@ int tool_file_read(struct tool_file *tool, const char *name, struct error *error
 {
     char file[LIBRARY_FILE], *line;
     struct reader r;
-    size_t n;
+    size_t n, said = 0;
     int got, result = 0;
     if (library_file_find(&tools, name, NULL, file, error) != 0 ||
         reader_open(&r, file, error) != 0)
@@ -43,8 +43,11 @@ int tool_file_read(struct tool_file *tool, const char *name, struct error *error
     struct keys keys = tool_keys(tool);
     while (result == 0 && (got = reader_line(&r, &line, &n, error)) != 0) {
         char *text = got > 0 ? keys_trim(line) : NULL;
+        said += text && *text;
         result = got < 0 ? -1 : *text ? keys_set(&keys, text, r.name, r.line, error) : 0;
     }
+    if (result == 0 && said == 0)
+        result = error_at(error, r.name, 0, "found no key, expected lines key = value");
     array_free(&keys);
     reader_close(&r);
     return result;

@@ -384,7 +384,7 @@ broken() { # FILE COMMAND...: the file is its last word
 # Options that are help, wrong or lack something.
 bad_options() {
 	for tool in $all_tools; do
-		$tool --help all && $tool -V
+		$tool --help && $tool --help all && $tool -V
 		for option in -o -r --frob '-r six' '-e -1' '--fixed 0,1' '--coolant much' nowhere; do
 			# shellcheck disable=SC2086 # words
 			$tool $option 2>&1

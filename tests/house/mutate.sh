@@ -168,19 +168,33 @@ tools_notice() {
 	return 1
 }
 
-# where places beyond an array are looked for, a job takes thirty times as long: the quick ones
+# Where places beyond an array are looked for, a job takes thirty times as long: the quick ones, and
+# not those that fail there with the module as it was.
+# shellcheck disable=SC2086
 fenced_notice() {
-	awk '$1 < 0.3' "$TMP/jobs" >"$TMP/quick" && mv "$TMP/quick" "$TMP/jobs"
-	jobs_notice "$TMP/fenced"
+	awk '$1 < 0.3' "$TMP/jobs" >"$TMP/quick"
+	while read -r seconds test <&3; do
+		job_passes "$TMP/fenced" && continue
+		if [ ! -d "$TMP/clean" ]; then
+			cp -R "$TMP/fenced" "$TMP/clean"
+			compiled "$file" $SANITIZE && link_tools "$TMP/sane" $SANITIZE "$fenced" || return 1
+			while read -r tool; do mv "$TMP/sane/$tool" "$TMP/clean"; done <"$TMP/affected"
+		fi
+		job_passes "$TMP/clean" && { test="bytes, fenced/$test" && return 0; }
+	done 3<"$TMP/quick"
+	return 1
 }
 
 # of processor time, for others run here too
+job_passes() { # FOLDER of the tools
+	# shellcheck disable=SC3045 # every shell here has it
+	(ulimit -t $((60 + 60 * ${seconds%.*})) &&
+		BIN=$1 exec sh tests/house/bytes.sh "$BUILD/bytes" "$test")
+}
+
 jobs_notice() { # FOLDER of the tools
 	while read -r seconds test <&3; do
-		# shellcheck disable=SC3045 # every shell here has it
-		(ulimit -t $((60 + 60 * ${seconds%.*})) &&
-			BIN=$1 exec sh tests/house/bytes.sh "$BUILD/bytes" "$test") ||
-			{ test=bytes/$test && return 0; }
+		job_passes "$1" || { test=bytes/$test && return 0; }
 	done 3<"$TMP/jobs"
 	return 1
 }

@@ -128,6 +128,20 @@ START_TEST(refused_with_its_line)
 }
 END_TEST
 
+/* An empty file is no machine: what was cut short to nothing must not pass for the default. */
+START_TEST(nothing_said)
+{
+    struct machine m = machine_default();
+    struct error e;
+    write_file("one.txt", "\n# a remark\n");
+    ck_assert_int_eq(machine_read(&m, "one.txt", &e), -1);
+    ck_assert_msg(strstr(e.text, "one.txt: found no key, expected lines key = value"), "%s",
+                  e.text);
+    write_file("one.txt", "# a remark\nname = one");
+    ck_assert_int_eq(machine_read(&m, "one.txt", &e), 0);
+}
+END_TEST
+
 static const struct {
     const char *setting, *says;
 } impossible[] = {
@@ -292,6 +306,7 @@ int main(void)
     tcase_add_test(tests, orders_of_the_chain);
     tcase_add_loop_test(tests, refused_with_its_line, 0, (int)(sizeof bad / sizeof *bad));
     tcase_add_loop_test(tests, refused_together, 0, (int)(sizeof impossible / sizeof *impossible));
+    tcase_add_test(tests, nothing_said);
     tcase_add_test(tests, not_found);
     suite_add_tcase(suite, tests);
     TCase *all = tcase_create("shipped");

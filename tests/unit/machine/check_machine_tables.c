@@ -204,6 +204,16 @@ START_TEST(refused_tables)
 }
 END_TEST
 
+START_TEST(table_of_none)
+{
+    struct machine m = machine_default();
+    struct error error = {.text = ""};
+    ck_assert_int_eq(set_table(&m, "; none yet\n", &error), -1);
+    ck_assert_msg(strstr(error.text, ": found no tool, expected lines of number and length"), "%s",
+                  error.text);
+}
+END_TEST
+
 START_TEST(table_with_too_many)
 {
     struct machine m = machine_default();
@@ -228,6 +238,7 @@ int main(void)
     tcase_add_test(tests, full);
     tcase_add_test(tests, tables);
     tcase_add_loop_test(tests, refused_tables, 0, (int)(sizeof bad_table / sizeof *bad_table));
+    tcase_add_test(tests, table_of_none);
     tcase_add_test(tests, table_with_too_many);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);

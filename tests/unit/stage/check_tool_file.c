@@ -104,6 +104,8 @@ START_TEST(files)
         ck_assert_msg(strncmp(error.text, name, strlen(name)) == 0, "%s", error.text);
     }
     ck_assert_int_eq(tool_file_read(&tool, "no/such/tool", &error), -1);
+    ck_assert_int_eq(tool_file_read(&tool, scratch_text("# nothing\n\n"), &error), -1);
+    ck_assert_ptr_nonnull(strstr(error.text, ": found no key, expected lines key = value"));
 }
 END_TEST
 
