@@ -172,7 +172,7 @@ tools_notice() {
 # and not those that fail there with the module as it was.
 # shellcheck disable=SC2086
 fenced_notice() {
-	awk '(sum += $1) < 3' "$TMP/jobs" >"$TMP/quick"
+	awk '(sum += $1) < 1' "$TMP/jobs" >"$TMP/quick"
 	while read -r seconds test <&3; do
 		job_passes "$TMP/fenced" && continue
 		if [ ! -d "$TMP/clean" ]; then
