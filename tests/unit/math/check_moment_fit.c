@@ -115,7 +115,9 @@ START_TEST(as_fits_to_the_same_points)
 }
 END_TEST
 
-/* At places that share few points; where noise alone speaks for a cubic it is taken rarely. */
+/* At places that share few points; where noise alone speaks for a cubic it is taken rarely: where
+ * the sum of two squares is four times its mean, exp(-4) = 0.018 of the places.  More than five of 25
+ * are by chance in 6 of a million. */
 START_TEST(noise_is_no_cubic)
 {
     struct point_grid grid = make_cloud(places[0], 0.05, 0.05, 0, 0.02);
@@ -132,7 +134,7 @@ START_TEST(noise_is_no_cubic)
         ck_assert_double_eq_tol(fit.cubic_spread, 0.02, 0.02 * sure);
     }
     drop_cloud(&grid);
-    ck_assert_int_ge(quadrics, 22);
+    ck_assert_int_ge(quadrics, 20);
 }
 END_TEST
 
