@@ -286,6 +286,77 @@ START_TEST(no_curves)
 }
 END_TEST
 
+/* 130: a line of 10 mm along x moved to the side of normal x tangent, +y: by a distance, by one that
+ * goes from 1 to 3 by parameter or by length, and by a coordinate of a curve; part of it alone. */
+START_TEST(offsets)
+{
+    static const struct {
+        const char *text; /* behind the base curve */
+        double from, to;  /* parts of the line */
+        double y[2];      /* at both ends */
+    } row[] = {{"1,0,0,0,2.,0.,0.,0.,0.,0.,1.,0.,1.", 0, 1, {2, 2}},
+               {"1,0,0,0,2.,0.,0.,0.,0.,0.,-1.,0.,1.", 0, 1, {-2, -2}},
+               {"1,0,0,0,2.,0.,0.,0.,0.,0.,1.,0.25,0.75", 0.25, 0.75, {2, 2}},
+               {"2,0,0,2,1.,0.,3.,1.,0.,0.,1.,0.,1.", 0, 1, {1, 3}},
+               {"2,0,0,0,1.,0.,3.,1.,0.,0.,1.,0.,1.", 0, 1, {1, 3}},
+               {"2,0,0,1,1.,0.,3.,10.,0.,0.,1.,0.,1.", 0, 1, {1, 3}},
+               {"2,0,0,1,1.,0.,3.,10.,0.,0.,1.,0.5,1.", 0.5, 1, {2, 3}},
+               {"2,0,0,2,1.,0.5,3.,0.5,0.,0.,1.,0.,1.", 0, 1, {1, 1}},
+               {"3,3,2,2,0.,0.,0.,0.,0.,0.,1.,0.,1.", 0, 1, {4, 6}},
+               {"3,3,1,2,0.,0.,0.,0.,0.,0.,1.,0.,0.5", 0, 0.5, {7, 7.5}}};
+    for (size_t k = 0; k < sizeof row / sizeof *row; k++) {
+        char text[200];
+        iges_file_begin();
+        iges_file_add(110, 0, 0, false, "110,0.,0.,5.,10.,0.,5.;");
+        iges_file_add(110, 0, 0, false, "110,7.,4.,0.,8.,6.,0.;");
+        snprintf(text, sizeof text, "130,1,%s;", row[k].text);
+        ck_assert_int_eq(curve(iges_file_add(130, 0, 0, false, text)), 0);
+        ck_assert_uint_eq(loop.n, 1);
+        for (int end = 0; end < 2; end++) {
+            struct vec3 p = at(0, end), wanted = vec(10 * (end ? row[k].to : row[k].from), 0, 5);
+            wanted.y = row[k].y[end];
+            ck_assert_msg(vec_distance(p, wanted) < 1e-5, "%zu: %.9g %.9g %.9g", k, p.x, p.y, p.z);
+        }
+        teardown();
+        memset(&iges, 0, sizeof iges);
+    }
+    /* a flag, a measure and a coordinate that are none; too few numbers */
+    static const char *const bad[] = {
+        "4,0,0,0,2.,0.,0.,0.,0.,0.,1.,0.,1.", "0,0,0,0,2.,0.,0.,0.,0.,0.,1.,0.,1.",
+        "2,0,0,3,1.,0.,3.,1.,0.,0.,1.,0.,1.", "3,3,4,2,0.,0.,0.,0.,0.,0.,1.,0.,1.",
+        "1,0,0,0,2.,0.,0.,0.,0.,0."};
+    for (size_t k = 0; k < sizeof bad / sizeof *bad; k++) {
+        char text[200];
+        iges_file_begin();
+        iges_file_add(110, 0, 0, false, "110,0.,0.,5.,10.,0.,5.;");
+        iges_file_add(110, 0, 0, false, "110,7.,4.,0.,8.,6.,0.;");
+        snprintf(text, sizeof text, "130,1,%s;", bad[k]);
+        ck_assert_msg(curve(iges_file_add(130, 0, 0, false, text)) == -1, "%zu", k);
+        teardown();
+        memset(&iges, 0, sizeof iges);
+    }
+    setup();
+}
+END_TEST
+
+/* Over a quarter of a circle the length that counts is its own: halfway round 2 of 1 to 3. */
+START_TEST(offset_of_an_arc)
+{
+    iges_file_begin();
+    iges_file_add(100, 0, 0, false, "100,0.,0.,0.,10.,0.,0.,10.;");
+    ck_assert_int_eq(curve(iges_file_add(130, 0, 0, false,
+                                         "130,1,2,0,0,1,1.,0.,3.,15.707963267948966,0.,0.,1.,0.,"
+                                         "1.5707963267948966;")),
+                     0);
+    ck_assert_uint_eq(loop.n, 1);
+    for (int i = 0; i <= 8; i++) {
+        struct vec3 p = at(0, i / 8.0);
+        double turn = atan2(p.y, p.x), radius = 10 - 1 - 2 * turn / (PI / 2);
+        ck_assert_double_eq_tol(hypot(p.x, p.y), radius, 1e-5);
+    }
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("iges_curve");
@@ -295,6 +366,8 @@ int main(void)
     tcase_add_test(tests, arcs);
     tcase_add_test(tests, polylines);
     tcase_add_test(tests, splines);
+    tcase_add_test(tests, offsets);
+    tcase_add_test(tests, offset_of_an_arc);
     tcase_add_test(tests, conics);
     tcase_add_test(tests, transformations);
     tcase_add_test(tests, composites);
