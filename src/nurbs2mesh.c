@@ -204,7 +204,7 @@ static void check_trimming(const struct patches *patches, const struct sheet *sh
         bool is_empty = sheet[i].face.n == 0 && !sheet[i].refused;
         lost += sheet[i].lost > 0;
         empty += is_empty;
-        bool is_unknown = sheet[i].side == PATCH_SIDE_UNKNOWN && sheet[i].lost == 0;
+        bool is_unknown = sheet[i].side != PATCH_SIDE_TOLD && sheet[i].lost == 0;
         bool is_off = is_empty || sheet[i].lost > 0 || is_unknown;
         unknown += is_unknown;
         first = first == patches->n && is_off ? i : first;

@@ -68,6 +68,7 @@ text() { # SED WORDS DESC: the file above, edited
 }
 text '3s/S  /X  /;3s/D  /X  /;3s/G  /X  /' expected "a section letter that there is not"
 text '$d' "no surface|expected|cut short" "no T section"
+text '/^.\{72\}P[0 ]*5$/,$d' "no T section .* cut short" "the second half missing"
 text '5d' "sequence number" "a directory line missing"
 text '2s/5Hmodel/6Hmodel/' "count of characters" "a count of characters too large"
 text '2s/,2,2HMM/,2,3HMM/;3s/,2,2HMM/,2,3HMM/' "expected" "a unit's count too large"

@@ -392,7 +392,8 @@ static int read_lines(struct reader *r, struct scan *s, struct error *error)
 static int check_terminate(const struct scan *s, struct error *error)
 {
     if (s->count[4] == 0)
-        return error_at(error, s->iges->name, 0,
+        return error_at(error, s->iges->name,
+                        s->count[0] + s->count[1] + s->count[2] + s->count[3] + 1,
                         "no T section at the end, expected one: the file is cut short");
     for (size_t i = 0; i < 4; i++) {
         const char *text = s->terminate.text + 8 * i;
