@@ -218,8 +218,8 @@ static void check_trimming(const struct patches *patches, const struct sheet *sh
             lost, empty, unknown, patches->item[first].entity);
 }
 
-/* Of a model of closed shells alone nothing may stay open; of no model may a skin touch itself along
- * an edge, or be turned both ways. */
+/* Of a model of closed shells alone nothing may stay open; of no model may a skin touch itself
+ * along an edge, or be turned both ways. */
 static void check_closed(const struct patches *patches, const struct skin *skin,
                          struct unmets *unmet)
 {

@@ -146,8 +146,8 @@ struct way {
     double gap;         /* mm */
 };
 
-/* Does it; false: it does nothing.  *idle: nothing is tangled and nothing was filled, so that of the
- * ways of this width none will. */
+/* Does it; false: it does nothing.  *idle: nothing is tangled and nothing was filled, so that of
+ * the ways of this width none will. */
 static bool go(struct closing *c, const struct way *way, bool *idle)
 {
     struct patch_mesh *q = c->q;

@@ -366,8 +366,8 @@ static void turn_at_pole(const struct patch *patch, const struct patch_loop *loo
     f->pole_way = 0;
 }
 
-/* A loop; one that is not directed and does not come back, or bounds more than there is, with one of
- * its parts turned round with which it does (trim_order.h). */
+/* A loop; one that is not directed and does not come back, or bounds more than there is, with one
+ * of its parts turned round with which it does (trim_order.h). */
 static void follow_any(const struct patch *patch, const struct patch_loop *loop, struct follower *f,
                        struct uvs *to)
 {
@@ -649,7 +649,8 @@ static bool is_slit_outside(const struct patch *patch, const struct follower *f,
     return !uv_polygon_inside(loops, loops->open, at);
 }
 
-/* Does a loop cross a seam, or go round along a parameter, so that it bounds nothing in the range? */
+/* Does a loop cross a seam, or go round along a parameter, so that it bounds nothing in the
+ * range? */
 static bool is_across(const struct pullback *on, const struct uvs *loop, bool u)
 {
     const struct nurbs_axis *a = axis_of(on, u);
@@ -683,7 +684,8 @@ static bool is_along_seam(const struct pullback *on, const struct uvs *loop, boo
 }
 
 /* Which side of its only loop a surface without borders is on: where the loop is in the range the
- * part that it bounds there; where a seam or a slit is a part of it what these are drawn through. */
+ * part that it bounds there; where a seam or a slit is a part of it what these are drawn
+ * through. */
 static enum patch_side side_of(const struct patch *patch, const struct follower *f,
                                const struct uv_polygon *raw)
 {

@@ -116,8 +116,8 @@ START_TEST(as_fits_to_the_same_points)
 END_TEST
 
 /* At places that share few points; where noise alone speaks for a cubic it is taken rarely: where
- * the sum of two squares is four times its mean, exp(-4) = 0.018 of the places.  More than five of 25
- * are by chance in 6 of a million. */
+ * the sum of two squares is four times its mean, exp(-4) = 0.018 of the places.  More than five of
+ * 25 are by chance in 6 of a million. */
 START_TEST(noise_is_no_cubic)
 {
     struct point_grid grid = make_cloud(places[0], 0.05, 0.05, 0, 0.02);

@@ -102,8 +102,8 @@ START_TEST(offsets)
 END_TEST
 
 /* No end and no points, or no size. */
-/* Of a torus that cuts itself the curve on it tells the part: one about the outer side, or one about
- * the spindle within. */
+/* Of a torus that cuts itself the curve on it tells the part: one about the outer side, or one
+ * about the spindle within. */
 START_TEST(part_of_a_torus)
 {
     struct primitive p = {.kind = PRIMITIVE_TORUS, .place = place(), .radius = 3, .other = 5};

@@ -286,8 +286,9 @@ START_TEST(no_curves)
 }
 END_TEST
 
-/* 130: a line of 10 mm along x moved to the side of normal x tangent, +y: by a distance, by one that
- * goes from 1 to 3 by parameter or by length, and by a coordinate of a curve; part of it alone. */
+/* 130: a line of 10 mm along x moved to the side of normal x tangent, +y: by a distance, by one
+ * that goes from 1 to 3 by parameter or by length, and by a coordinate of a curve; part of it
+ * alone. */
 START_TEST(offsets)
 {
     static const struct {
