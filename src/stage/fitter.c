@@ -38,8 +38,9 @@ enum { TIMES = 5 }; /* a run is fitted, with other parts each time */
 
 enum { LINK_POINTS = 4 }; /* a link of fewer is as short as it may be */
 
-static const double LINK_OFF =
-    10; /* tolerances: a link's lines are no further off a smooth curve */
+static const double LINK_OFF = 10;   /* tolerances: its lines are no further off a smooth curve, */
+static const double LINK_ROUND = 30; /* or, turning gently, no further than that: it is checked */
+static const double GENTLE = 0.866;  /* cosine of the most that such a link turns at a point */
 
 static const double LESS_AXIS = 0.3;      /* of the axis tolerance, each time */
 static const double SHORTEST = 0.05;      /* mm: of the tracked point, to be fitted at all */
@@ -69,34 +70,33 @@ static bool is_in_link(const struct path_item *item)
     return item->kind == PATH_POINT && !item->rapid && !item->touches;
 }
 
-/* The axis turns, and comes so near the pole of Z that the least change of it would turn a rotary
- * axis far: what was planned for it there stays. */
-static bool turns_at_pole(const struct run *run)
+/* The lines nowhere turn by more than 30 degrees. */
+static bool turns_gently(const struct run *run)
 {
     const struct run_point *p = run->item;
-    bool turns = false, at_pole = false;
 
-    for (size_t i = 0; i < run->n; i++) {
-        turns = turns || vec_distance(p[i].axis, p[0].axis) > 0;
-        at_pole = at_pole || hypot(p[i].axis.x, p[i].axis.y) < BESIDE_POLE;
-    }
-    return turns && at_pole;
+    for (size_t i = 1; i + 1 < run->n; i++)
+        if (vec_dot(vec_unit(vec_sub(p[i].ball, p[i - 1].ball)),
+                    vec_unit(vec_sub(p[i + 1].ball, p[i].ball))) < GENTLE)
+            return false;
+    return true;
 }
 
 /* The straight lines between the points stand for a smooth curve. */
-static bool is_smooth(const struct path *in, size_t from, size_t to, double off)
+static bool is_smooth(const struct path *in, size_t from, size_t to, double tolerance)
 {
     struct run points = path_run_read(in, from, to), dense = {.radius = points.radius};
-    bool smooth = !turns_at_pole(&points) && run_densify(&points, off, &dense) <= off;
+    double off = (turns_gently(&points) ? LINK_ROUND : LINK_OFF) * tolerance;
+    bool smooth = run_densify(&points, off, &dense) <= off;
 
     array_free(&points);
     array_free(&dense);
     return smooth;
 }
 
-/* Appends the links among the items of the range that lead round smoothly, within `off`, each with
- * the point it begins at. */
-static void find_links(const struct path *in, struct range range, size_t pass, double off,
+/* Appends the links among the items of the range that lead round smoothly, each with the point it
+ * begins at. */
+static void find_links(const struct path *in, struct range range, size_t pass, double tolerance,
                        struct fitted_runs *runs)
 {
     const struct path_item *item = in->item.item;
@@ -105,7 +105,7 @@ static void find_links(const struct path *in, struct range range, size_t pass, d
         for (end = i; end < range.to && is_in_link(&item[end]);)
             end++;
         size_t begin = i > 0 && item[i - 1].kind == PATH_POINT ? i - 1 : i;
-        if (end < begin + LINK_POINTS || !is_smooth(in, begin, end, off))
+        if (end < begin + LINK_POINTS || !is_smooth(in, begin, end, tolerance))
             continue;
         struct fitted_run run = {
             .from = begin, .to = end, .pass = pass, .number = runs->n, .link = true};
@@ -113,15 +113,15 @@ static void find_links(const struct path *in, struct range range, size_t pass, d
     }
 }
 
-/* The runs, and between them the links unless `off` is 0. */
-static struct fitted_runs find_runs(const struct path *in, double off)
+/* The runs, and between them the links unless `tolerance` is 0. */
+static struct fitted_runs find_runs(const struct path *in, double tolerance)
 {
     struct fitted_runs runs = {0};
     size_t at = 0, pass = 0, done = 0;
 
     for (size_t from = 0, to; path_next_run(in, &from, &to); from = done = to) {
-        if (off > 0 && runs.n > 0)
-            find_links(in, (struct range){done, from}, pass, off, &runs);
+        if (tolerance > 0 && runs.n > 0)
+            find_links(in, (struct range){done, from}, pass, tolerance, &runs);
         for (; at < from; at++)
             if (in->item.item[at].kind == PATH_PASS)
                 pass = in->item.item[at].index;
@@ -233,6 +233,21 @@ static bool is_by_axis(const struct gouges *gouges)
     return true;
 }
 
+/* Marks the motions of a link on which the axis turns so near the pole of Z that the least change of
+ * it would turn a rotary axis far: what was planned for it there stays.  False if there are none. */
+static bool mark_pole(const struct path *in, const struct fitted_run *run, bool *stays)
+{
+    bool any = false;
+
+    for (size_t i = run->from; i + 1 < run->to; i++) {
+        struct vec3 a = in->item.item[i].to.a, b = in->item.item[i + 1].to.a;
+        bool near = vec_distance(a, b) > 0 && fmin(hypot(a.x, a.y), hypot(b.x, b.y)) < BESIDE_POLE;
+        stays[i - run->from] = stays[i - run->from] || near;
+        any = any || near;
+    }
+    return any;
+}
+
 /* Fits a run, or a part of one, and what it takes for it to be clear, into the parts of its run. */
 static void fit_part(const struct workload *w, struct fitted_run run, int time)
 {
@@ -270,7 +285,10 @@ static void fit_runs(void *context, size_t from, size_t to)
         const struct fitted_run *run = &w->runs->item[i];
         size_t n = run->to - run->from - 1;
         bool *stays = no_motions(n);
-        if (!w->fitter->options->paper && mark_standing(w->request.in, run, stays))
+        bool any = !w->fitter->options->paper && mark_standing(w->request.in, run, stays);
+        if (run->link && mark_pole(w->request.in, run, stays))
+            any = true;
+        if (any)
             fit_others(w, run, stays, n, 1);
         else
             fit_part(w, *run, 0);
@@ -301,7 +319,7 @@ static struct fitted_runs fit_all(const struct fitter *fitter, const struct path
 {
     const struct fitter_options *options = fitter->options;
     bool links = gouge->guard && !options->paper && !options->links_stay;
-    struct fitted_runs runs = find_runs(in, links ? LINK_OFF * options->tolerance : 0), all = {0};
+    struct fitted_runs runs = find_runs(in, links ? options->tolerance : 0), all = {0};
     double points = 1;
 
     for (size_t i = 0; i < runs.n; i++)

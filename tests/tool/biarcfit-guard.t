@@ -61,15 +61,19 @@ done
 # Two rows on the plane and a link between them with the tool down, 1 mm above it: round, or with
 # long sides (SHAPE).  What touches nothing is fitted too where it is smooth and there is a guard.
 linked() { # FILE SHAPE
-	awk -v shape="$2" 'function go(x, y, z) { printf "GOTO/%.6f,%.6f,%.6f,0,0,1\n", x, y, z }
+	awk -v shape="$2" 'function go(x, y, z) {
+			printf "GOTO/%.6f,%.6f,%.6f,%.9f,0,%.9f\n", x - 5 * sin(lean), y,
+				z + 5 - 5 * cos(lean), sin(lean), cos(lean) }
 		function touch(x, y) { printf "$$-> CONTCT/%.6f,%.6f,0,0,0,1\n", x, y; go(x, y, 0) }
 		BEGIN {
 			print "PARTNO/T\nUNITS/MM\nMULTAX/ON\nCUTTER/10,5,0,5,0,0,60\n$$-> CLOUDMILL/1\n$$-> PASS/1"
+			if (shape == "over") lean = 0.34
 			print "RAPID"; go(2, 0, 20); print "FEDRAT/MMPM,800"
 			for (x = 2; x <= 20; x += 0.5) touch(x, 0)
 			print "$$-> PASS/2"
-			for (i = 1; i <= 16 && shape == "round"; i++) {
+			for (i = 1; i <= 16 && shape != "bent"; i++) {
 				a = 3.14159265 * i / 16
+				if (shape == "over") lean = 0.34 - 0.0425 * i
 				go(20 + sin(a), 1 - cos(a), 0.5 * sin(a) ^ 2)
 			}
 			for (i = 0; i < 5 && shape == "bent"; i++) go(22 + i, i * (i - 1) / 2, 1)
@@ -79,6 +83,7 @@ linked() { # FILE SHAPE
 }
 linked "$TMP/round.cl" round
 linked "$TMP/bent.cl" bent
+linked "$TMP/over.cl" over # its axis leans to the other side at the end
 # motions FILE: how many of the second pass touch nothing; a curve is one
 motions() {
 	awk '/PASS\/2/ { on = 1 } /^RAPID/ { on = 0 } /CONTCT/ { touches = 1 }
@@ -91,6 +96,9 @@ for fit in biarcfit bsplfit; do
 	below "$fit: a round link is a few curves" "$(motions "$TMP/out.cl")" 6
 	$fit -q -e 0.01 "$TMP/round.cl" >"$TMP/out.cl"
 	ok "$fit: without a scan to keep clear of it stays" test "$(motions "$TMP/out.cl")" = 16
+	$fit -q -e 0.01 -g "$TMP/plane.xyz" "$TMP/over.cl" >"$TMP/out.cl"
+	below "$fit: on both sides of the pole a link is a few curves" "$(motions "$TMP/out.cl")" 11
+	ok "$fit: and goes through it" grep -q '0\.000000000,0\.000000000,1\.000000000$' "$TMP/out.cl"
 	$fit -q -e 0.01 -g "$TMP/plane.xyz" "$TMP/bent.cl" >"$TMP/out.cl"
 	ok "$fit: straight sides stay" test "$(motions "$TMP/out.cl")" = "$(motions "$TMP/bent.cl")"
 done
