@@ -240,23 +240,41 @@ bool link_low(const struct link_options *options, const struct run_point *from,
     return false;
 }
 
-void link_thin(const struct link_options *options, const struct run_point *from,
-               const struct run_point *to, double least, struct run *link)
+/* The axis passes the pole of the rotary axes here: the point stays. */
+static bool is_at_pole(const struct link_options *options, const struct run_point *p)
 {
-    struct run_point before = *from;
-    const struct run straight = {.radius = link->radius};
+    return options->frame && vec_length(vec_cross(options->frame->pole, p->axis)) < 1e-9;
+}
+
+/* The point may be left out between two others: it is no further than `off` beside the straight
+ * motion past it, on which the tool is clear. */
+static bool is_spare(const struct link_options *options, const struct run_point *before,
+                     const struct run_point *p, const struct run_point *after, double off)
+{
+    const struct run straight = {.radius = options->radius};
+
+    return !is_at_pole(options, p) &&
+           vec_segment_distance(before->ball, after->ball, p->ball) <= off &&
+           gouge_depth_along(options->lift->guard, before->ball, after->ball,
+                             options->lift->offset) <= FEED * options->lift->tolerance &&
+           is_link_free(options, before, after, &straight, 0);
+}
+
+void link_thin(const struct link_options *options, const struct run_point *from,
+               const struct run_point *to, double least, double off, struct run *link)
+{
     size_t kept = 0;
 
     for (size_t i = 0; i < link->n; i++) {
         const struct run_point p = link->item[i], *next = i + 1 < link->n ? &link->item[i + 1] : to;
-        bool near = vec_distance(p.tip, before.tip) < least ||
-                    (i + 1 == link->n && vec_distance(p.tip, to->tip) < least);
-        if (near &&
-            gouge_depth_along(options->lift->guard, before.ball, next->ball,
-                              options->lift->offset) <= FEED * options->lift->tolerance &&
-            is_link_free(options, &before, next, &straight, 0))
+        const struct run_point *before = kept > 0 ? &link->item[kept - 1] : from;
+        bool near = vec_distance(p.tip, before->tip) < least;
+        bool ends = i + 1 == link->n && vec_distance(p.tip, to->tip) < least;
+        if ((near || ends) && is_spare(options, before, &p, next, off))
             continue;
-        link->item[kept++] = before = p;
+        if (near && kept > 0 && is_spare(options, kept > 1 ? before - 1 : from, before, &p, off))
+            kept--;
+        link->item[kept++] = p;
     }
     link->n = kept;
 }

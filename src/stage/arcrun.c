@@ -240,27 +240,49 @@ static void refine(struct fit *f, const struct deviation *within, const struct d
     array_free(&some);
 }
 
-/* Fits within less and less of the tolerance until the printed digits keep all of it.  `before`:
- * the part as it was, or NULL. */
+/* A piece is shorter than a control can read the next in. */
+static bool has_short(const struct fit *f)
+{
+    return nearest_ends(&f->pieces) < fmin(f->options->least, ARC_SHORTEST);
+}
+
+/*
+ * Fits within less and less of the tolerance until the printed digits keep all of it, and up to
+ * twice more where a piece is so short that no control likes it: with a little less there may be
+ * none.  `before`: the part as it was, or NULL.
+ */
 static void fit_within(struct fit *f, double tolerance, const struct arcrun_part *before,
                        const struct run *now)
 {
     struct deviation within = {tolerance, tolerance, f->options->axis};
     double part = 1 - ARC_PRINTED / tolerance;
     struct deviation less = part_of(within, part);
+    struct pieces kept = {0}; /* the first that keep the tolerance, some of them short */
 
     if (before && fit_moved(f, before, now, &less) && is_proven(f, &within)) {
         refine(f, &within, &less, &before->pieces);
-        return;
+        if (!has_short(f))
+            return;
+        copy_pieces(&f->pieces, &kept);
     }
-    for (int i = 0; i < 6; i++, part *= ARC_RETRY) {
+    for (int i = 0, spare = 2; i < 6 && spare >= 0; i++, part *= ARC_RETRY) {
         less = part_of(within, part);
-        if (fit_once(f, &within, &less)) {
-            refine(f, &within, &less, NULL);
+        if (!fit_once(f, &within, &less))
+            continue;
+        refine(f, &within, &less, NULL);
+        if (!has_short(f)) {
+            array_free(&kept);
             return;
         }
+        if (kept.n == 0)
+            copy_pieces(&f->pieces, &kept);
+        spare--;
     }
-    use_points(f);
+    if (kept.n == 0)
+        use_points(f);
+    else
+        swap_pieces(&f->pieces, &kept);
+    array_free(&kept);
     print_pieces(f);
 }
 

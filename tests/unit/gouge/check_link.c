@@ -509,7 +509,7 @@ START_TEST(thinned)
             *array_push(&link) = point_at(y, off < 4 ? 2 + sqrt(R * R - off * off) : R);
         }
         size_t before = link.n;
-        link_thin(&options, &from, &to, least, &link);
+        link_thin(&options, &from, &to, least, HUGE_VAL, &link);
         ck_assert_uint_lt(link.n, before / 8);
         struct run_point last = from;
         double longest = 0;
@@ -529,12 +529,64 @@ START_TEST(thinned)
 }
 END_TEST
 
+/* Points 0.4 mm apart, and beside one of them another, 0.01 mm off: one of the two is left out, which
+ * it is where both are on a straight line, the rounder one at a corner, and never the one at the
+ * pole. */
+START_TEST(one_of_two_in_a_place)
+{
+    struct gouge_check *guard = floor_with_wall(2);
+    struct gouge_lift_options rule = {.guard = guard, .offset = R, .tolerance = 0.01};
+    const struct holder none = {0};
+    const struct rotary_frame frame = {.pole = {0, 0, 1}, .x = {1, 0, 0}, .y = {0, 1, 0}};
+    struct link_options options = {
+        .lift = &rule, .holder = &none, .radius = R, .limit = R, .frame = &frame};
+    struct run_point from = point_at(-20, 2 * R), to = point_at(-16, 2 * R);
+    for (int k = 0; k < 4; k++) {
+        struct run link = {.radius = R};
+        struct vec3 lean = vec(0.02, 0, sqrt(1 - 0.02 * 0.02));
+        for (int i = 1; i < 10; i++) { /* up at 45 degrees from the fifth on */
+            double up = k > 0 && i > 5 ? 0.4 * (i - 5) : 0;
+            *array_push(&link) = point_at(-20 + 0.4 * i, 2 * R + up);
+            if (i == 5) /* before the corner if k is 1, behind it if 2 */
+                *array_push(&link) =
+                    point_at(-18 + (k == 1 ? -0.01 : 0.007), 2 * R + (k == 1   ? 0
+                                                                      : k >= 2 ? 0.007
+                                                                               : 0));
+        }
+        if (k == 1) { /* in order */
+            struct run_point p = link.item[4];
+            link.item[4] = link.item[5];
+            link.item[5] = p;
+        }
+        for (size_t i = 0; i < link.n; i++)
+            link.item[i].axis = lean;
+        if (k == 3)
+            link.item[5].axis = vec(0, 0, 1);
+        for (size_t i = 0; i < link.n; i++)
+            link.item[i].tip = vec_along(link.item[i].ball, -R, link.item[i].axis);
+        to.ball.z = 2 * R + (k > 0 ? 2 : 0);
+        to.tip = vec_along(to.ball, -R, to.axis);
+        struct vec3 corner = point_at(-18, 2 * R).ball;
+        ck_assert_uint_eq(link.n, 10);
+        link_thin(&options, &from, &to, 0.021, k == 3 ? 1 : 0.002, &link);
+        ck_assert_uint_eq(link.n, k == 3 ? 10 : 9);
+        bool stays = false;
+        for (size_t i = 0; i < link.n; i++)
+            stays = stays || vec_distance(link.item[i].ball, corner) < 1e-9;
+        ck_assert(stays || k == 0);
+        array_free(&link);
+    }
+    gouge_free(guard);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("link");
     TCase *tests = tcase_create("link");
     tcase_add_test(tests, over_a_floor_it_is_an_arch);
     tcase_add_test(tests, thinned);
+    tcase_add_test(tests, one_of_two_in_a_place);
     tcase_add_test(tests, over_a_low_wall_it_is_lifted);
     tcase_add_test(tests, no_low_link_over_a_high_wall);
     tcase_add_test(tests, from_row_to_row_it_turns_with_a_radius);
