@@ -129,8 +129,8 @@ link_tools() { # FOLDER [OPTION...]: the tools with $TMP/changed.o in place of t
 	done
 }
 
-# Tools that the change makes no other are those of the build; names of the others go to
-# $TMP/affected.
+# Tools that the change makes no other are those of the build, beside the others, so that all look
+# for their files in the same places; names of the others go to $TMP/affected.
 # shellcheck disable=SC2086
 make_tools() {
 	compiled "$file" -ffunction-sections && link_tools "$TMP/same" || return 1
@@ -141,7 +141,7 @@ make_tools() {
 		if [ -f "$TMP/bin/$tool" ] && ! cmp -s "$TMP/bin/$tool" "$TMP/same/$tool"; then
 			echo "$tool" >>"$TMP/affected"
 		else
-			ln -sf "$BUILD/bin/$tool" "$TMP/bin/$tool"
+			ln -f "$BUILD/bin/$tool" "$TMP/bin" 2>/dev/null || cp "$BUILD/bin/$tool" "$TMP/bin"
 		fi
 	done
 	ln -s "$BUILD/bin/cloudmill" "$TMP/bin"
