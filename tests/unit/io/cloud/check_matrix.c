@@ -57,6 +57,14 @@ START_TEST(refuses)
     refused("1 0 0 0\n0 nan 0 0\n", ":2:");
     refused("1 0 0 0\n0 1 0 0\n0 0 1 0\n5 6 7 1\n", "last row");
     refused("1 0 0 0\n0 1 0 0\n1 1 0 0\n0 0 0 1\n", "flattens");
+    refused("1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 2\n", "last row");
+    /* a determinant of less than 1e-9 of the lengths of the rows, whatever these are */
+    refused("1 0 0 0\n0 1 0 0\n1 0 0.9e-9 0\n0 0 0 1\n", "flattens");
+    refused("1e6 0 0 0\n0 1e6 0 0\n1e6 0 0.9e-3 0\n0 0 0 1\n", "flattens");
+    struct transform t;
+    struct error error;
+    ck_assert_int_eq(read_text("1 0 0 0\n0 1 0 0\n1 0 1.1e-9 0\n0 0 0 1\n", &t, &error), 0);
+    ck_assert_int_eq(read_text("-1e6 0 0 0\n0 1e6 0 0\n1e6 0 1.1e-3 0\n0 0 0 1\n", &t, &error), 0);
 }
 END_TEST
 
