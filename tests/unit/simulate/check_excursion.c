@@ -83,6 +83,16 @@ START_TEST(a_curve_that_jumps)
 }
 END_TEST
 
+/* One that comes back only at the very end, in the last segment of the path. */
+START_TEST(a_curve_that_jumps_last)
+{
+    const double high[PIECES + 1] = {0, 0, 0, 0, 0, 100, 0};
+    struct excursion leap = over(high, level, SHAPE_POLYNOMIAL);
+    ck_assert_uint_eq(leap.count, 1);
+    ck_assert_double_eq_tol(leap.height, 100, 1e-6);
+}
+END_TEST
+
 /* The tip is thrown past the other point on the axis: the tool is upside down up there. */
 START_TEST(a_curve_that_turns_the_tool_over)
 {
@@ -192,6 +202,7 @@ int main(void)
     Suite *suite = suite_create("excursion");
     TCase *tcase = tcase_create("excursion");
     tcase_add_test(tcase, a_curve_that_jumps);
+    tcase_add_test(tcase, a_curve_that_jumps_last);
     tcase_add_test(tcase, a_curve_that_turns_the_tool_over);
     tcase_add_test(tcase, a_curve_that_ends_high);
     tcase_add_test(tcase, a_curve_that_begins_high);
