@@ -133,6 +133,36 @@ START_TEST(stock_is_cut_down_to_the_plane)
 }
 END_TEST
 
+/* Of more points than a browser shows the page has the worst of every two: the only one that is cut
+ * too deep, which is 0.3 mm up, is among them. */
+START_TEST(page_shows_the_worst_points)
+{
+    struct vec3s part = {0};
+    for (int i = 0; i < 250; i++)
+        for (int k = 0; k < 250; k++)
+            *array_push(&part) = vec(0.08 * i - 10, 0.08 * k - 10, 0);
+    part.item[31001].z = 0.3;
+    struct nc_motion motion = rows(0.002, 5);
+    struct verdict v = judge(&motion, &part, NULL);
+    verdict_page(&v, scratch_name());
+    size_t n, count = 0;
+    char *page = scratch_read(&n), *at = strstr(page, "points:["),
+         *end = at ? strstr(at, "],") : NULL;
+    int deepest = 0, deviation;
+    ck_assert_ptr_nonnull(end);
+    for (; at && at < end; at = strchr(at + 1, '\n'), count++)
+        if (sscanf(at + (count ? 1 : 8), "%*d,%*d,%*d,%d,", &deviation) == 1 && deviation < deepest)
+            deepest = deviation;
+    ck_assert_uint_ge(count, 31250);
+    ck_assert_uint_le(count, 31252);
+    ck_assert_int_lt(deepest, -2500); /* of 0.0001 mm */
+    free(page);
+    verdict_free(&v);
+    nc_motion_free(&motion);
+    array_free(&part);
+}
+END_TEST
+
 static const struct {
     const char *text;
     bool good;
@@ -211,6 +241,7 @@ int main(void)
     TCase *tcase = tcase_create("verify");
     tcase_add_loop_test(tcase, faults_of_the_surface, 0, (int)(sizeof cases / sizeof *cases));
     tcase_add_test(tcase, stock_is_cut_down_to_the_plane);
+    tcase_add_test(tcase, page_shows_the_worst_points);
     tcase_add_loop_test(tcase, stock_of_an_option, 0, (int)(sizeof stocks / sizeof *stocks));
     tcase_add_loop_test(tcase, points_on_a_face, 0, (int)(sizeof faces / sizeof *faces));
     suite_add_tcase(suite, tcase);
