@@ -42,10 +42,11 @@ bool link_low(const struct link_options *options, const struct run_point *from,
               const struct run_point *to, struct run *link);
 
 /*
- * Leaves out points of a link, or of what is cut between two points, as it is now: of two whose tips
- * are no further than `least` mm apart the one or the other, where it is no further than `off` mm
- * beside the straight motion past it, on which the whole tool is clear: what was looked at finely
- * need not be so many blocks.  Where the axis passes the pole of options->frame the point stays.
+ * Leaves out points of a link, or of what is cut between two points, as it is now: of two whose
+ * tips are no further than `least` mm apart the one or the other, where it is no further than `off`
+ * mm beside the straight motion past it, on which the whole tool is clear: what was looked at
+ * finely need not be so many blocks.  Where the axis passes the pole of options->frame the point
+ * stays.
  */
 void link_thin(const struct link_options *options, const struct run_point *from,
                const struct run_point *to, double least, double off, struct run *link);

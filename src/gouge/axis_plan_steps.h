@@ -1,9 +1,9 @@
 /*
- * axis_plan_steps - how the axes of a run are planned (gouge/axis_plan.h), step by step: nodes along
- * the run and what is open there (axis_nodes.c), which direction each gets (axis_choose.c), their
- * angles made smooth (axis_settle.c), and the points of the run with these axes (axis_points.c).
- * Lengths in mm, angles in radians; a step changes nothing but the nodes, or the points, that it is
- * given.
+ * axis_plan_steps - how the axes of a run are planned (gouge/axis_plan.h), step by step: nodes
+ * along the run and what is open there (axis_nodes.c), which direction each gets (axis_choose.c),
+ * their angles made smooth (axis_settle.c), and the points of the run with these axes
+ * (axis_points.c). Lengths in mm, angles in radians; a step changes nothing but the nodes, or the
+ * points, that it is given.
  */
 #ifndef CLOUDMILL_AXIS_PLAN_STEPS_H
 #define CLOUDMILL_AXIS_PLAN_STEPS_H

@@ -111,8 +111,9 @@ static void average_angles(const struct work *w, size_t from, size_t to, double 
     free(sum);
 }
 
-/* The turn of a node between its neighbours', as far as that moves the axis by no more than AXIS_SPARE:
- * beside the pole that is far, and no axis is any nearer to its rule for a turn there. */
+/* The turn of a node between its neighbours', as far as that moves the axis by no more than
+ * AXIS_SPARE: beside the pole that is far, and no axis is any nearer to its rule for a turn
+ * there. */
 static void relax_turn(const struct axis_planner *p, struct node *node, double turn0)
 {
     double before = node->along - node[-1].along, after = node[1].along - node->along;

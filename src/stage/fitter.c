@@ -233,8 +233,9 @@ static bool is_by_axis(const struct gouges *gouges)
     return true;
 }
 
-/* Marks the motions of a link on which the axis turns so near the pole of Z that the least change of
- * it would turn a rotary axis far: what was planned for it there stays.  False if there are none. */
+/* Marks the motions of a link on which the axis turns so near the pole of Z that the least change
+ * of it would turn a rotary axis far: what was planned for it there stays.  False if there are
+ * none. */
 static bool mark_pole(const struct path *in, const struct fitted_run *run, bool *stays)
 {
     bool any = false;

@@ -1,5 +1,5 @@
-/* axis_nodes - nodes evenly along a pass, once in each place, with what is open there; and one where
- * the axis goes through the pole. */
+/* axis_nodes - nodes evenly along a pass, once in each place, with what is open there; and one
+ * where the axis goes through the pole. */
 #include <check.h>
 #include <stdlib.h>
 

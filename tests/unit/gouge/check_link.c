@@ -529,9 +529,9 @@ START_TEST(thinned)
 }
 END_TEST
 
-/* Points 0.4 mm apart, and beside one of them another, 0.01 mm off: one of the two is left out, which
- * it is where both are on a straight line, the rounder one at a corner, and never the one at the
- * pole. */
+/* Points 0.4 mm apart, and beside one of them another, 0.01 mm off: one of the two is left out,
+ * which it is where both are on a straight line, the rounder one at a corner, and never the one at
+ * the pole. */
 START_TEST(one_of_two_in_a_place)
 {
     struct gouge_check *guard = floor_with_wall(2);
