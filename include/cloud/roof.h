@@ -33,4 +33,8 @@ size_t roof_find(const struct point_grid *point_grid, double reach, int threads,
 void roof_curtain(const struct point_grid *point_grid, const unsigned char *roof, double gap,
                   double bottom, int threads, struct vec3s *to);
 
+/* The same down to the lowest point, for who asks what a tool could reach: below the roof as those
+ * find it who keep a tool off, two spacings apart and more. */
+void roof_curtain_asked(const struct point_grid *point_grid, int threads, struct vec3s *to);
+
 #endif

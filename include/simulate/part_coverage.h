@@ -16,6 +16,8 @@
 #ifndef CLOUDMILL_PART_COVERAGE_H
 #define CLOUDMILL_PART_COVERAGE_H
 
+#include <stdbool.h>
+
 #include "base/array.h"
 #include "simulate/tool_shape.h"
 #include "simulate/verify_kinematics.h"
@@ -34,7 +36,9 @@ struct part_coverage_options {
     const struct vec3s *axis;    /* unit vectors up the tool that the machine has */
     const struct vec3s *curtain; /* points in the way of ball and tool, and not of the part; NULL:
                                     none */
-    int threads;                 /* as of parallel_for */
+    bool left_only; /* asked is which are left: of a cell each point is looked at, even where two
+                       are out of reach, and one that is kept off counts as out of reach */
+    int threads;    /* as of parallel_for */
 };
 
 /* What is of one class. */

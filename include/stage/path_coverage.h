@@ -17,6 +17,10 @@ struct path_coverage {
                                  a ball that could cut more (NULL: the guard is) */
     double
         scallop; /* of the rows, mm; 0: none was asked for, and nothing that is left is a fault */
+    bool scan;   /* the points are a scan */
+    const struct toolpath_options *rule;
+    double tolerance;      /* of the path, mm */
+    double allowed;        /* what may be left, with what the mesh is off the scan, mm */
     size_t rounds, strips; /* of rest passes */
 };
 
@@ -32,8 +36,9 @@ void path_coverage_rest(struct path_coverage *c, struct vec3 planes, struct tool
 void path_coverage_measure(struct path_coverage *c, const struct toolpath *t);
 
 /* Tells what is out of reach, what the surface between points keeps the ball off, and what is left.
- * EXIT_UNMET where the last and half of that are more than path_options.left_share of the points,
- * and rows of a scallop should have cut them. */
+ * EXIT_UNMET where the last, and what of the others who judges by the points takes for it
+ * (coverage_judge.h), are more than path_options.left_share of the points, and rows of a scallop
+ * should have cut them. */
 int path_coverage_conclude(const struct path_coverage *c, struct unmets *unmet);
 
 void path_coverage_free(struct path_coverage *c);

@@ -3,8 +3,8 @@
  * reach.
  *
  * A point is cut where the ball on the straight lines between the centres of the path comes within
- * the radius and a limit of it.  Of the others those are left that a ball touches (up to half the
- * limit) that is clear of the part, and on some axis the rest of its tool too; the rest is out of
+ * the radius and a limit of it.  Of the others those are left that a ball comes near to (`near`)
+ * that is clear of the part, and on some axis the rest of its tool too; the rest is out of
  * reach.  A scan is points: a ball may be clear of them that is not clear of the surface between.
  * What that alone keeps the ball off is told apart.
  *
@@ -30,6 +30,7 @@ struct coverage_options {
     struct vec3 axis;                  /* unit */
     double radius;                     /* of the ball, mm */
     double limit;                      /* what may stay on a point that is cut, mm */
+    double near;                       /* so near comes a ball that could cut a point, mm */
     double tolerance;                  /* how deep a ball that touches may be in, mm */
     const struct kdtree *vertex;       /* of a mesh of the points: ... */
     const struct vec3 *normal;         /* ... its normals, which tell the upper side */
@@ -72,15 +73,6 @@ void coverage_cut(struct coverage *coverage, const struct coverage_options *opti
 
 /* Forgets what has been cut, for another path over the same points; what can be reached is kept. */
 void coverage_restart(struct coverage *coverage);
-
-/*
- * How many of the points that are KEPT who judges a program by the points alone takes for left: a
- * ball that is clear of these touches one, and does not stand in the material below, which it does
- * where points that face up go on over it.  Of these only with more than the limit, which may be
- * another than that of coverage_cut.  Counts to `enough` and no further.
- */
-size_t coverage_seen_left(const struct coverage *coverage, const struct coverage_options *options,
-                          size_t enough);
 
 const struct coverage_point *coverage_points(const struct coverage *coverage, size_t *n);
 struct coverage_report coverage_report(const struct coverage *coverage);

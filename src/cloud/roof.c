@@ -6,11 +6,14 @@
 #include <string.h>
 
 #include "base/parallel.h"
+#include "math/box.h"
 
 /* Steep: 68 degrees. */
 static const double STEEP = 2.5;
 /* In mean spacings: neighbours so near tell whether the roof ends. */
 static const double RIM = 2.5;
+/* Of the width of the scan: points of the curtain of who asks are no nearer to one another. */
+static const double ASKED = 0.005;
 /* A sheet has so many points within reach, at least. */
 enum { FEWEST = 3, EIGHTHS = 8 };
 
@@ -160,4 +163,16 @@ void roof_curtain(const struct point_grid *point_grid, const unsigned char *roof
     hang(point_grid, rim, at_rim, gap, bottom, to);
     free(rim);
     free(work.rim);
+}
+
+void roof_curtain_asked(const struct point_grid *point_grid, int threads, struct vec3s *to)
+{
+    struct box box = box_around(point_grid->point, point_grid->n);
+    double wide = fmax(box.high.x - box.low.x, box.high.y - box.low.y);
+    double gap = fmax(2 * point_grid_spacing(point_grid), ASKED * wide);
+    unsigned char *roof = mem_alloc(point_grid->n, 1);
+
+    if (roof_find(point_grid, ROOF_GUARD, threads, roof) > 0 && gap > 0)
+        roof_curtain(point_grid, roof, gap, box.low.z, threads, to);
+    free(roof);
 }

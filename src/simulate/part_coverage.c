@@ -358,6 +358,8 @@ static enum part_class class_of(struct look *l, size_t i, struct access *access)
         access->known = !surely_leans(near, n, normal);
         return access->known ? COVERAGE_LEFT : COVERAGE_KEPT_OFF;
     }
+    if (r->options->left_only)
+        return COVERAGE_OUT_OF_REACH;
     return find_access(l, i, normal, true, access) ? COVERAGE_KEPT_OFF : COVERAGE_OUT_OF_REACH;
 }
 
@@ -374,7 +376,7 @@ static void look_at_cells(void *context, size_t from, size_t to)
             size_t i = r->order.item[k];
             bool under = r->under && r->under[i];
             enum part_class class = COVERAGE_OUT_OF_REACH;
-            if (!under && failures < FAILURES)
+            if (!under && (failures < FAILURES || r->options->left_only))
                 class = class_of(&l, i, &access);
             failures += !under && class == COVERAGE_OUT_OF_REACH && !access.known;
             r->of[i] = (unsigned char)class;

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "base/cli.h"
+#include "coverage_judge.h"
 #include "gouge/guard_points.h"
 #include "math/kdtree.h"
 #include "stage/path_options.h"
@@ -20,6 +21,11 @@ static const double USUAL = 0.02;
 
 /* Noises by which the surface that the points stand for may be off them. */
 static const double SIGMAS = 1.5;
+
+/* Of the limit as all stages leave it, those to come each with a tolerance of its own: a ball that
+ * comes so near to a point could cut it.  So much of the limit of this one rest passes can. */
+static const double SURE = 0.5, SOME = 0.8;
+enum { STAGES = 2 };
 
 /* Points on a mesh that are looked at, at most. */
 static const double MOST = 300000;
@@ -63,23 +69,29 @@ struct path_coverage path_coverage_new(const struct mesh *mesh, const struct too
 
     if (!t->lift.guard)
         return c;
-    if (add_points(mesh, scallop_step(h, o->radius, 0) / 2, &points))
+    c.rule = &t->rule;
+    c.tolerance = t->lift.tolerance;
+    c.scan = add_points(mesh, scallop_step(h, o->radius, 0) / 2, &points);
+    if (c.scan)
         c.bare = bare_guard(&points, t->threads);
     c.coverage = coverage_new(points.item, points.n, t->threads);
     c.vertex = kdtree_new_by(mesh->vertex.item, mesh->vertex.n, t->threads);
     array_free(&points);
-    c.options =
-        (struct coverage_options){.guard = c.bare ? c.bare : t->lift.guard,
-                                  .assumed = c.bare ? t->lift.guard : NULL,
-                                  .holder = &t->rule.holder,
-                                  .upright = o->body.ball_only && t->lift.axis.kind == AXIS_FIXED,
-                                  .axis = t->lift.axis.direction,
-                                  .radius = o->radius,
-                                  .limit = h + t->lift.tolerance + SIGMAS * noise,
-                                  .tolerance = t->lift.tolerance + noise / 2,
-                                  .vertex = c.vertex,
-                                  .normal = mesh->normal.item,
-                                  .threads = t->threads};
+    double limit = h + t->lift.tolerance + SIGMAS * noise;
+    c.allowed = limit + (isfinite(mesh->origin.ledger) ? mesh->origin.ledger : 0);
+    c.options = (struct coverage_options){
+        .guard = c.bare ? c.bare : t->lift.guard,
+        .assumed = c.bare ? t->lift.guard : NULL,
+        .holder = &t->rule.holder,
+        .upright = o->body.ball_only && t->lift.axis.kind == AXIS_FIXED,
+        .axis = t->lift.axis.direction,
+        .radius = o->radius,
+        .limit = limit,
+        .near = fmin(SURE * (c.allowed + STAGES * c.tolerance), SOME * limit),
+        .tolerance = t->lift.tolerance + noise / 2,
+        .vertex = c.vertex,
+        .normal = mesh->normal.item,
+        .threads = t->threads};
     return c;
 }
 
@@ -155,45 +167,98 @@ void path_coverage_measure(struct path_coverage *c, const struct toolpath *t)
     coverage_cut(c->coverage, &c->options, &t->ball, &t->ball_end);
 }
 
+/* How many of the points that are out of reach or kept off who judges a program by the points takes
+ * for left. */
+static size_t judged_left(const struct path_coverage *c, struct coverage_point *worst)
+{
+    const struct coverage_judge_options options = {.radius = c->options.radius,
+                                                   .limit = c->allowed + STAGES * c->tolerance,
+                                                   .holder = c->options.holder,
+                                                   .chain = &c->rule->chain,
+                                                   .scan = c->scan,
+                                                   .threads = c->options.threads};
+    size_t n, at;
+    const struct coverage_point *point = coverage_points(c->coverage, &n);
+    struct vec3 *place = mem_alloc(n + 1, sizeof *place);
+    double *height = mem_alloc(n + 1, sizeof *height);
+
+    for (size_t i = 0; i < n; i++) {
+        bool asked = point[i].state == COVERAGE_KEPT || point[i].state == COVERAGE_OUT;
+        place[i] = point[i].p;
+        height[i] = asked && point[i].height > c->allowed ? point[i].height : 0;
+    }
+    size_t found = coverage_judge_left(place, height, n, &options, &at);
+    if (found > 0)
+        *worst = point[at];
+    free(place);
+    free(height);
+    return found;
+}
+
+static void say_out(const struct coverage_report *r)
+{
+    struct vec3 at = r->out.at;
+
+    if (r->out.n > 0)
+        say("out of reach of ball and tool: %zu of %zu points, %.1f mm2, where up to %.3f mm "
+            "stays, "
+            "worst at %.3f %.3f %.3f",
+            r->out.n, r->points, r->out.area, r->out.highest, at.x, at.y, at.z);
+}
+
+static void say_kept(const struct coverage_report *r, struct unmets *unmet)
+{
+    struct vec3 at = r->kept.at;
+
+    if (r->kept.n > 0)
+        unmet_say(
+            unmet,
+            "kept off by the surface between the points of the scan, which alone would let it "
+            "by: %zu of %zu points (%.2f %%), %.1f mm2, up to %.3f mm, worst at %.3f %.3f %.3f",
+            r->kept.n, r->points, 100 * (double)r->kept.n / (double)r->points, r->kept.area,
+            r->kept.highest, at.x, at.y, at.z);
+}
+
+static void say_left(const struct coverage_report *r, double limit, struct unmets *unmet)
+{
+    struct vec3 at = r->left.at;
+
+    if (r->left.n > 0)
+        unmet_say(
+            unmet,
+            "left though within reach: %zu of %zu points (%.2f %%, at most %g), %.1f mm2, more "
+            "than "
+            "%.3f mm and up to %.3f mm, worst at %.3f %.3f %.3f",
+            r->left.n, r->points, 100 * (double)r->left.n / (double)r->points,
+            path_options.left_share, r->left.area, limit, r->left.highest, at.x, at.y, at.z);
+}
+
+static void say_judged(size_t judged, const struct coverage_report *r,
+                       const struct coverage_point *worst, struct unmets *unmet)
+{
+    if (judged > 0)
+        unmet_say(unmet,
+                  "who judges by the points of the scan alone takes %zu of these for left though "
+                  "within reach, beside %zu that are: up to %.3f mm, worst at %.3f %.3f %.3f",
+                  judged, r->left.n, worst->height, worst->p.x, worst->p.y, worst->p.z);
+}
+
 int path_coverage_conclude(const struct path_coverage *c, struct unmets *unmet)
 {
     if (!c->coverage)
         return EXIT_DONE;
     struct coverage_report r = coverage_report(c->coverage);
-    struct vec3 at = r.out.at;
-    double percent = 100.0 / (double)(r.points > 0 ? r.points : 1);
-    double most = path_options.left_share, left = percent * (double)r.left.n;
-    double kept = percent * (double)r.kept.n;
-    size_t spare = (size_t)fmax(0, (most - left) / percent) + 1;
+    struct coverage_point worst;
+    size_t judged = c->scallop > 0 ? judged_left(c, &worst) : 0;
+    double left = 100 * (double)(r.left.n + judged), points = (double)r.points;
+    bool unmet_left = c->scallop > 0 && left > path_options.left_share * points;
 
-    if (r.out.n > 0)
-        say("out of reach of ball and tool: %zu of %zu points, %.1f mm2, where up to %.3f mm "
-            "stays, "
-            "worst at %.3f %.3f %.3f",
-            r.out.n, r.points, r.out.area, r.out.highest, at.x, at.y, at.z);
-    struct coverage_options judge = c->options;
-    judge.limit += judge.tolerance; /* the stages to come add theirs */
-    /* A ball that is clear of the points alone may be in the part between them; but who judges by
-     * the points takes for left what such a ball could cut, unless they tell of the part over
-     * it. */
-    size_t seen = coverage_seen_left(c->coverage, &judge, spare);
-    bool unmet_left = left + percent * (double)seen > most && c->scallop > 0;
-    at = r.kept.at;
-    if (r.kept.n > 0)
-        unmet_say(
-            unmet_left ? unmet : NULL,
-            "kept off by the surface between the points of the scan, which alone would let it "
-            "by: %zu of %zu points (%.2f %%), %.1f mm2, up to %.3f mm, worst at %.3f %.3f %.3f",
-            r.kept.n, r.points, kept, r.kept.area, r.kept.highest, at.x, at.y, at.z);
-    at = r.left.at;
-    if (r.left.n > 0)
-        unmet_say(
-            unmet_left ? unmet : NULL,
-            "left though within reach: %zu of %zu points (%.2f %%, at most %g), %.1f mm2, more "
-            "than "
-            "%.3f mm and up to %.3f mm, worst at %.3f %.3f %.3f",
-            r.left.n, r.points, left, most, r.left.area, c->options.limit, r.left.highest, at.x,
-            at.y, at.z);
+    unmet = unmet_left ? unmet : NULL;
+    say_out(&r);
+    say_kept(&r, unmet);
+    say_left(&r, c->options.limit, unmet);
+    if (unmet_left)
+        say_judged(judged, &r, &worst, unmet);
     if (r.left.n == 0)
         note("all of %zu points within reach are cut to %.3f mm; %zu rest passes in %zu rounds",
              r.points, c->options.limit, c->strips, c->rounds);

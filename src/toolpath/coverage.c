@@ -12,9 +12,6 @@ enum { ABOUT = 12, WIDE = 30, TURNS = 60, AXES = 120 }; /* AXES: over the upper 
 /* By how much the centre may be nearer between two samples of the path than at them, mm. */
 static const double SAGITTA = 0.001;
 
-/* Of the limit: a ball that comes so near to a point cuts it. */
-static const double TOUCHED = 0.5;
-
 /* Of the radius: guard points that are nearer to the point itself say nothing of a direction. */
 static const double NEAREST = 1e-6;
 
@@ -155,8 +152,8 @@ static double find_touch(const struct coverage_options *o, struct vec3 p, struct
     }
     if (best <= o->tolerance)
         return 0;
-    double lift = gouge_least_lift(o->guard, vec_along(p, o->radius, *d), *d, o->radius,
-                                   TOUCHED * o->limit, NULL);
+    double lift =
+        gouge_least_lift(o->guard, vec_along(p, o->radius, *d), *d, o->radius, o->near, NULL);
     return lift < 0 ? HUGE_VAL : lift;
 }
 
@@ -284,8 +281,8 @@ static double find_open_along(const struct covering *w, size_t i, struct vec3 d)
 {
     const struct coverage_options *o = w->options;
     struct vec3 p = w->coverage->point[i].p, c = vec_along(p, o->radius, d);
-    double lift = gouge_least_lift(o->guard, c, d, o->radius, TOUCHED * o->limit, NULL);
-    double smaller = TOUCHED * o->limit + BESIDE * sqrt(area_of(w->coverage, p));
+    double lift = gouge_least_lift(o->guard, c, d, o->radius, o->near, NULL);
+    double smaller = o->near + BESIDE * sqrt(area_of(w->coverage, p));
 
     if (lift < 0)
         return HUGE_VAL;
@@ -326,14 +323,14 @@ static void look_at_point(const struct covering *w, size_t i)
     point->normal = normal;
     w->coverage->kept[i] = false;
     w->coverage->reach[i] = find_reach(o, point->p, begin, &point->normal);
-    if (o->guard && w->coverage->reach[i] > TOUCHED * o->limit)
+    if (o->guard && w->coverage->reach[i] > o->near)
         w->coverage->reach[i] = find_open(w, i, normal, &point->normal);
-    if (!o->assumed || w->coverage->reach[i] > TOUCHED * o->limit)
+    if (!o->assumed || w->coverage->reach[i] > o->near)
         return;
     struct coverage_options assumed = *o;
     assumed.guard = o->assumed;
     struct vec3 again[3] = {point->normal, normal, up};
-    w->coverage->kept[i] = find_reach(&assumed, point->p, again, &direction) > TOUCHED * o->limit;
+    w->coverage->kept[i] = find_reach(&assumed, point->p, again, &direction) > o->near;
     if (!w->coverage->kept[i])
         point->normal = direction;
 }
@@ -342,7 +339,7 @@ static enum coverage_state state_of(const struct covering *w, size_t i)
 {
     double limit = w->options->limit;
 
-    if (!(w->coverage->point[i].height > limit && w->coverage->reach[i] <= TOUCHED * limit))
+    if (!(w->coverage->point[i].height > limit && w->coverage->reach[i] <= w->options->near))
         return COVERAGE_OUT;
     return w->coverage->kept[i] ? COVERAGE_KEPT : COVERAGE_LEFT;
 }
@@ -412,33 +409,6 @@ void coverage_cut(struct coverage *coverage, const struct coverage_options *opti
     coverage->done = centre->n;
     kdtree_free(path);
     free(work.unsure);
-}
-
-static bool is_open_somehow(const struct covering *w, size_t i)
-{
-    struct vec3 normal = guess_normal(w, w->coverage->point[i].p), direction;
-    double near = find_open(w, i, normal, &direction);
-
-    if (w->unsure[i]) {
-        find_roof(w);
-        w->unsure[i] = false;
-        near = find_open(w, i, normal, &direction);
-    }
-    return near < HUGE_VAL;
-}
-
-size_t coverage_seen_left(const struct coverage *coverage, const struct coverage_options *options,
-                          size_t enough)
-{
-    struct covering work = {(struct coverage *)coverage, options, NULL,
-                            mem_alloc(coverage->n + 1, sizeof *work.unsure)};
-    size_t n = 0;
-
-    for (size_t i = 0; i < coverage->n && n < enough; i++)
-        n += coverage->point[i].state == COVERAGE_KEPT &&
-             coverage->point[i].height > options->limit && is_open_somehow(&work, i);
-    free(work.unsure);
-    return n;
 }
 
 /* ---- the report */

@@ -9,12 +9,9 @@
 #include "cloud/plan_extent.h"
 #include "cloud/roof.h"
 #include "cloud/settle.h"
-#include "math/box.h"
 #include "math/elementary.h"
 #include "math/point_grid.h"
 #include "verify/verify.h"
-
-#define GAP 0.005 /* of the width of the part: points of the curtain are no nearer to one another */
 
 struct settle {
     const struct point_grid *grid;
@@ -61,18 +58,6 @@ static void find_roof(const struct point_grid *grid, int threads, struct vec3s *
     free(mark);
 }
 
-/* As the tools that guard a path hang it, for who asks what they could reach. */
-static void find_curtain(const struct point_grid *grid, int threads, struct vec3s *curtain)
-{
-    struct box box = box_around(grid->point, grid->n);
-    double wide = fmax(box.high.x - box.low.x, box.high.y - box.low.y);
-    double gap = fmax(2 * point_grid_spacing(grid), GAP * wide);
-    unsigned char *mark = mem_alloc(grid->n, 1);
-    if (roof_find(grid, ROOF_GUARD, threads, mark) > 0 && gap > 0)
-        roof_curtain(grid, mark, gap, box.low.z, threads, curtain);
-    free(mark);
-}
-
 int verify_surface_find(struct vec3s *point, double noise, int threads,
                         struct verify_surface *surface, struct error *error)
 {
@@ -98,7 +83,7 @@ int verify_surface_find(struct vec3s *point, double noise, int threads,
     outliers_under_roof(&grid, threads, surface->under);
     surface->spacing = point_grid_spacing(&grid);
     find_roof(&grid, threads, &surface->roof);
-    find_curtain(&grid, threads, &surface->curtain);
+    roof_curtain_asked(&grid, threads, &surface->curtain);
     if (surface->noise > 0)
         settle_all(&grid, surface->noise, threads);
     point_grid_free(&grid);

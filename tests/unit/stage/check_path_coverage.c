@@ -223,6 +223,45 @@ START_TEST(out_of_reach)
 }
 END_TEST
 
+/* A ridge that the guard assumes and the scan does not have keeps the ball off the floor beside it:
+ * who judges by the scan takes that for left, and so it is no success. */
+START_TEST(kept_off_is_left)
+{
+    make(false);
+    struct vec3s assumed = {0};
+    for (size_t i = 0; i < scan.n; i++)
+        *array_push(&assumed) = scan.item[i];
+    for (int k = -40; _i == 1 && k <= 40; k++)
+        *array_push(&assumed) = vec(0, 0.25 * k, 1);
+    gouge_free(guard);
+    guard = gouge_from_points(assumed.item, assumed.n);
+    array_free(&assumed);
+    t.lift.guard = guard;
+    t.rule.chain = (struct kinematic_chain){.n = 0, .tool = {0, 0, 1}};
+    struct path_coverage c = path_coverage_new(&mesh, &t);
+    ck_assert_double_eq_tol(c.allowed, 0.06, 1e-15);
+    ck_assert_double_eq_tol(c.options.near, (0.05 + 0.01 + 2 * 0.01) / 2, 1e-15);
+    close_rows();
+    toolpath_end(&t);
+    path_coverage_measure(&c, &t);
+    struct coverage_report r = coverage_report(c.coverage);
+    struct unmets unmet = {0};
+    const char *text;
+    ck_assert_int_eq(concluded(&c, &unmet, &text), _i == 1 ? EXIT_UNMET : EXIT_DONE);
+    ck_assert_ptr_eq(strstr(text, "who judges") ? text : NULL, _i == 1 ? text : NULL);
+    if (_i == 1) { /* a ball of 4 beside a ridge 1 high is 2.65 off it */
+        double side = sqrt(2 * R * 1 - 1);
+        ck_assert_double_ge((double)(r.kept.n + r.left.n), 0.8 * 2 * side / 20 * (double)scan.n);
+        ck_assert_uint_eq(r.out.n, 0);
+        size_t judged = 0;
+        sscanf(strstr(text, "alone takes"), "alone takes %zu", &judged);
+        ck_assert_uint_eq(judged, r.kept.n);
+    }
+    unmets_free(&unmet);
+    path_coverage_free(&c);
+}
+END_TEST
+
 /* Without a scan the mesh is sampled half a row apart; without a guard nothing is measured. */
 START_TEST(of_the_mesh)
 {
@@ -276,6 +315,7 @@ int main(void)
     tcase_add_test(tests, rest_passes_cut_it);
     tcase_add_test(tests, nothing_is_left);
     tcase_add_test(tests, out_of_reach);
+    tcase_add_loop_test(tests, kept_off_is_left, 0, 2);
     tcase_add_test(tests, of_the_mesh);
     tcase_add_test(tests, noise);
     suite_add_tcase(suite, tests);

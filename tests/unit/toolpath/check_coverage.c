@@ -19,7 +19,7 @@ static void add_row(struct vec3s *centre, struct sizes *end, struct vec3 from, s
 static struct coverage_options options_of(const struct gouge_check *guard)
 {
     return (struct coverage_options){
-        .guard = guard, .radius = R, .limit = 0.02, .tolerance = 0.01, .threads = 1};
+        .guard = guard, .radius = R, .limit = 0.02, .near = 0.01, .tolerance = 0.01, .threads = 1};
 }
 
 /* Points every 0.25 mm on z(x, y) over a square of half width w. */
@@ -54,6 +54,7 @@ START_TEST(rows_over_a_plane_leave_their_cusps)
         double cusp = sqrt(R * R + 1) - R;
         struct coverage *c = coverage_new(points.item, points.n, 1);
         options.limit = wide ? cusp + 0.002 : cusp - 0.002;
+        options.near = options.limit / 2;
         coverage_cut(c, &options, &centre, &end);
         struct coverage_report r = coverage_report(c);
         ck_assert_uint_eq(r.points, points.n);

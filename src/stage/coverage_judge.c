@@ -1,0 +1,175 @@
+/* coverage_judge - see coverage_judge.h. */
+#include "coverage_judge.h"
+
+#include <stdlib.h>
+
+#include "cloud/outliers.h"
+#include "cloud/plan_extent.h"
+#include "cloud/roof.h"
+#include "math/kdtree.h"
+#include "math/point_grid.h"
+#include "math/sphere_grid.h"
+#include "simulate/part_coverage.h"
+
+enum { AXES = 500 }; /* over the whole sphere */
+
+static const double TURN = 5;     /* degrees between directions of a single rotary axis */
+static const double SLACK = 1e-9; /* radians, of a travel */
+
+/* ---- the directions of the machine */
+
+static bool reaches(const struct kinematic_chain *chain, struct vec3 axis)
+{
+    struct chain_solutions s = chain_angles(chain, axis);
+    bool any = false;
+
+    for (int k = 0; k < s.n; k++) {
+        bool within = true;
+        for (int i = 0; i < chain->n; i++) {
+            double middle = (chain->rotary[i].min + chain->rotary[i].max) / 2;
+            double q = angle_nearest(s.q[k][i], middle);
+            bool any_angle = s.free && i == 0;
+            within = within && (any_angle || (q >= chain->rotary[i].min - SLACK &&
+                                              q <= chain->rotary[i].max + SLACK));
+        }
+        any = any || within;
+    }
+    return any;
+}
+
+struct vec3s coverage_judge_axes(const struct kinematic_chain *chain)
+{
+    struct vec3s axes = {0};
+
+    *array_push(&axes) = chain->tool;
+    for (double turn = -180; chain->n == 1 && turn < 180; turn += TURN) {
+        const double q[ROTARY_MAX] = {RADIANS(turn)};
+        struct vec3 axis = chain_axis(chain, q);
+        if (q[0] >= chain->rotary[0].min && q[0] <= chain->rotary[0].max && axis.z >= 0)
+            *array_push(&axes) = axis;
+    }
+    for (int k = 0; chain->n == 2 && k < AXES / 2; k++) {
+        struct vec3 axis = sphere_spiral(k, 1 - (2 * k + 1.0) / AXES);
+        if (reaches(chain, axis))
+            *array_push(&axes) = axis;
+    }
+    return axes;
+}
+
+/* ---- the question */
+
+/* What a ball may not be in besides the points, and which of them lie under a roof. */
+static void find_solid(const struct vec3s *place, int threads, struct vec3s *curtain,
+                       unsigned char *under)
+{
+    struct plan_extent extent = plan_extent_of(place->item, place->n, 0);
+    double spacing = plan_extent_spacing(&extent, place->item, place->n);
+    struct point_grid grid;
+    struct error error;
+
+    if (point_grid_make(place->item, place->n, spacing > 0 ? spacing : 1, threads, &grid, &error) <
+        0)
+        return;
+    outliers_under_roof(&grid, threads, under);
+    roof_curtain_asked(&grid, threads, curtain);
+    point_grid_free(&grid);
+}
+
+/* The tool as a judge has it. */
+static struct tool_shape shape_of(const struct holder *holder)
+{
+    struct tool_shape shape = {.n = 0};
+    double height = 0;
+
+    for (int i = 0; i < holder->n; i++) {
+        const struct holder_part *part = &holder->part[i];
+        tool_shape_add(&shape,
+                       (struct tool_span){height, height + part->length, part->low, part->high});
+        height += part->length;
+    }
+    return shape;
+}
+
+/* Of each place what is asked of it: of those that are, more than the limit is left. */
+static double *left_of(const struct vec3 *point, const double *height, const struct vec3s *place,
+                       const struct coverage_judge_options *options, size_t *of)
+{
+    double *left = mem_alloc(place->n, sizeof *left);
+    struct kdtree *tree = kdtree_new_by(place->item, place->n, options->threads);
+
+    for (size_t i = 0; i < place->n; i++)
+        left[i] = 0;
+    for (size_t i = 0; i < place->n; i++) {
+        size_t at;
+        if (!(height[i] > 0) || kdtree_nearest(tree, point[i], 1, &at, NULL) == 0)
+            continue;
+        left[at] = options->limit + height[i];
+        of[at] = i;
+    }
+    kdtree_free(tree);
+    return left;
+}
+
+static size_t count_left(const double *height, size_t n, const size_t *of, const double *left,
+                         const struct part_coverage *judged, size_t *worst)
+{
+    size_t found = 0;
+
+    for (size_t i = 0; i < n; i++) {
+        if (left[i] == 0 || judged->of[i] != COVERAGE_LEFT)
+            continue;
+        found++;
+        if (*worst == n || height[of[i]] > height[*worst])
+            *worst = of[i];
+    }
+    return found;
+}
+
+/* What lies in the way, which is asked of the points in an order of their own. */
+static size_t ask(const struct vec3 *point, const double *height, struct vec3s *place,
+                  const struct coverage_judge_options *options, size_t *worst)
+{
+    size_t n = place->n, *of = mem_alloc(n, sizeof *of);
+    struct vec3s curtain = {0}, axes = coverage_judge_axes(options->chain);
+    unsigned char *under = mem_alloc(n, 1);
+
+    for (size_t i = 0; i < n; i++)
+        under[i] = 0;
+    if (options->scan)
+        find_solid(place, options->threads, &curtain, under);
+    double *left = left_of(point, height, place, options, of);
+    struct tool_shape tool = shape_of(options->holder);
+    const struct part_coverage_options how = {.radius = options->radius,
+                                              .limit = options->limit,
+                                              .tool = &tool,
+                                              .axis = &axes,
+                                              .curtain = &curtain,
+                                              .left_only = true,
+                                              .threads = options->threads};
+    struct part_coverage judged;
+    part_coverage_run(place->item, left, under, n, &how, &judged);
+    size_t found = count_left(height, n, of, left, &judged, worst);
+    part_coverage_free(&judged);
+    array_free(&curtain);
+    array_free(&axes);
+    free(under);
+    free(of);
+    free(left);
+    return found;
+}
+
+size_t coverage_judge_left(const struct vec3 *point, const double *height, size_t n,
+                           const struct coverage_judge_options *options, size_t *worst)
+{
+    struct vec3s place = {0};
+    size_t asked = 0;
+
+    *worst = n;
+    for (size_t i = 0; i < n; i++) {
+        *array_push(&place) = point[i];
+        asked += height[i] > 0;
+    }
+    asked = asked > 0 ? ask(point, height, &place, options, worst) : 0;
+    array_free(&place);
+    return asked;
+}

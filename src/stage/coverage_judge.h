@@ -1,0 +1,34 @@
+/*
+ * coverage_judge - who judges a program by the points of the scan asks of each that is not cut
+ * whether the tool could have cut it (simulate/part_coverage.h): the same question, asked by who
+ * makes the path, so that nothing that a path calls out of reach is found to be left.
+ *
+ * It is asked as the stages to come leave it: they widen what may be left, and a ball that comes
+ * within half of that is one that could cut.
+ */
+#ifndef CLOUDMILL_COVERAGE_JUDGE_H
+#define CLOUDMILL_COVERAGE_JUDGE_H
+
+#include "base/array.h"
+#include "gouge/holder.h"
+#include "machine/kinematics.h"
+
+struct coverage_judge_options {
+    double radius;                       /* of the ball, mm */
+    double limit;                        /* what a program may leave, mm */
+    const struct holder *holder;         /* what is above the ball */
+    const struct kinematic_chain *chain; /* of the machine: what directions it has */
+    bool scan;                           /* the points are a scan: material hangs below its rims */
+    int threads;                         /* as of parallel_for */
+};
+
+/* Of n points those with something left on them (height, mm; 0: not asked) that are judged to be
+ * within reach: how many, and the one with most on it (n: there is none). */
+size_t coverage_judge_left(const struct vec3 *point, const double *height, size_t n,
+                           const struct coverage_judge_options *options, size_t *worst);
+
+/* Unit vectors up the tool, evenly over the upper half of the sphere, that the machine's rotary
+ * axes reach within their travel; the one at zero is the first. */
+struct vec3s coverage_judge_axes(const struct kinematic_chain *chain);
+
+#endif
