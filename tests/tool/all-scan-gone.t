@@ -1,0 +1,42 @@
+#!/bin/sh
+# all-scan-gone.t - a scan that a mesh or path names by a relative name, and that is gone or has other
+# points, is told in one line by each tool that would guard by it, with what it does instead.
+. "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
+cd "$TMP" || exit 1
+
+awk 'BEGIN { for (y = -6; y <= 6; y += 0.5) for (x = -6; x <= 6; x += 0.5)
+	printf "%.4f %.4f %.4f\n", x, y, 10 + sin(x / 3) * cos(y / 3) }' >scan.xyz
+cloud2mesh -q -t 2 scan.xyz -o mesh.ply
+meshnorm -q -r 3 --scallop 0.1 mesh.ply -o path.cl
+mkdir other && cd other || exit 1
+
+told() { # WHAT TOOL: its standard error is in err
+	grep -c '^'"$2"': the scan that the [a-z]* names does not guard: scan\.xyz: '"$1" "$TMP/err" |
+		grep -qx 1
+	result $? "$2 tells it in one line: $1"
+}
+for why in 'cannot open' 'found other points' 'found 624 points'; do
+	case $why in
+	*other*) sed '3s/ 9/ 8/;3s/ 10/ 11/' ../scan.xyz >scan.xyz ;;
+	*624*) sed 1d ../scan.xyz >scan.xyz ;;
+	esac
+	for tool in meshnorm planecut; do
+		run $tool -r 3 --scallop 0.1 ../mesh.ply
+		told "$why" $tool
+		grep -q 'guarded by the mesh alone' "$TMP/err"
+		result $? "$tool guards by the mesh"
+	done
+	for tool in biarcfit bsplfit; do
+		run $tool -e 0.01 ../path.cl
+		told "$why" $tool
+		grep -q 'what is fitted is not checked' "$TMP/err"
+		result $? "$tool checks nothing, and says so"
+	done
+done
+cp ../scan.xyz . || exit 1
+for tool in meshnorm planecut; do
+	run $tool -r 3 --scallop 0.1 ../mesh.ply
+	grep 'does not guard' "$TMP/err" >"$TMP/found"
+	empty "$tool: there again, it guards" "$TMP/found"
+done
+done_testing
