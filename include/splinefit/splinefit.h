@@ -88,6 +88,9 @@ struct splinefit_options {
     double angle;     /* of the axis, radians */
     double least;     /* mm: no knot span shorter, as long as the tolerance allows it; 0: any */
     double work;      /* share of the work that free knots may take on uneven data; 0: all of it */
+    const struct doubles *moved; /* for splinefit_again: where the data is other than that of
+                                    `before`, as pairs of places, parts of its length; NULL:
+                                    anywhere */
 };
 
 enum splinefit_kind {

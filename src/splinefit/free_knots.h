@@ -14,11 +14,12 @@
 
 struct free_knots_options {
     int degree;
-    double tolerance; /* mm */
-    double angle;     /* of the axis, radians */
-    size_t known;     /* poles with which the tolerance is known to be kept; 0: none */
-    double work;      /* share of the work that uneven data may take; 0: all of it */
-    double least;     /* mm: no knot span shorter; 0: any */
+    double tolerance;            /* mm */
+    double angle;                /* of the axis, radians */
+    size_t known;                /* poles with which the tolerance is known to be kept; 0: none */
+    double work;                 /* share of the work that uneven data may take; 0: all of it */
+    double least;                /* mm: no knot span shorter; 0: any */
+    const struct doubles *moved; /* as in splinefit_options; for grown_knots.h alone */
 };
 
 struct free_knots_result {

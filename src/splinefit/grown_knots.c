@@ -14,8 +14,10 @@ enum {
     ROUNDS = 32,          /* of divisions, at most */
     PASSES = 40,          /* of knots taken out, at most */
     PROOFS = 4,
-    PLACES = 3,  /* for a point, where the points alone do not do */
+    PLACES = 4,  /* for a point, where the points alone do not do, ... */
+    MORE = 6,    /* ... and where these do not either */
     APART = 4,   /* knots between two that are taken out at once */
+    BESIDE = 8,  /* knots from where the data has moved to those that it has nothing to do with */
     SETTLE = 3,  /* times that some of those are put back */
     QUARTER = 4, /* parts that a span far off is divided into */
 };
@@ -30,6 +32,7 @@ static const double FLOOR = 0.02;    /* mm: no span is made shorter, if there is
 struct inner_knot {
     double u;
     bool stays, out; /* it was missed when it was taken out; it is out now */
+    bool kept;       /* it was missed in the curve before, and nothing has moved near it */
 };
 
 struct inner_knots {
@@ -46,6 +49,7 @@ struct growth {
     struct bspline curve; /* through the points by least squares, with those that are not out */
     double *worst;        /* by span of the curve: how far off, in parts of the tolerance */
     double goal;          /* for it */
+    bool between;         /* it is measured between its places, too */
 };
 
 /* ---- a curve for given knots, and how far off it is */
@@ -132,6 +136,7 @@ static double off_of(const struct growth *g, const struct off2 *most)
 static double fit_curve(struct growth *g)
 {
     const struct reference *t = g->reference;
+    const int each = g->between ? 2 : 1;
     size_t degree = (size_t)g->options->degree, span = degree;
     struct off2 most = {0};
     double worst = 0;
@@ -142,7 +147,7 @@ static double fit_curve(struct growth *g)
     for (size_t i = 0; i < g->curve.poles; i++)
         g->worst[i] = 0;
     for (size_t k = 0; k + 1 < t->n; k++)
-        for (int between = 0; between < 2; between++) {
+        for (int between = 0; between < each; between++) {
             double u = between ? (t->length[k] + t->length[k + 1]) / 2 : t->length[k];
             for (; span + 1 < g->curve.poles && g->curve.knot[span + 1] <= u; span++) {
                 g->worst[span - degree] = off_of(g, &most);
@@ -195,8 +200,10 @@ static bool divide_spans(struct growth *g)
             if (u > from)
                 add_knot(&more, u);
         }
-        if (s + 1 < spans)
-            add_knot(&more, to);
+        if (s + 1 < spans) {
+            bool kept = g->inner.item[s].kept;
+            *array_push(&more) = (struct inner_knot){.u = to, .stays = kept, .kept = kept};
+        }
     }
     bool done = more.n > g->inner.n;
     array_free(&g->inner);
@@ -217,12 +224,16 @@ static void spread_worst(struct growth *g)
     }
 }
 
+/* A curve with so many inner knots has fewer poles than there are points. */
+static bool has_room(const struct growth *g, size_t inner)
+{
+    return inner + (size_t)g->options->degree + 1 < g->whole->n;
+}
+
 /* Until the curve is near enough everywhere. */
 static bool grow(struct growth *g)
 {
-    size_t degree = (size_t)g->options->degree;
-
-    for (int i = 0; i < ROUNDS && g->inner.n + degree + 1 < g->whole->n; i++) {
+    for (int i = 0; i < ROUNDS && has_room(g, g->inner.n); i++) {
         double worst = fit_curve(g);
         if (worst <= g->goal)
             return true;
@@ -346,24 +357,67 @@ static double prove(const struct growth *g, struct free_knots_result *found)
     return fmax(fmax(p->point, p->other) / tolerance, p->axis / o->angle);
 }
 
-/* Knots to begin with: those of the curve before, or evenly among the points. */
-static void begin(struct growth *g, const struct bspline *before)
+/* Keeps the knots of the curve before but for those near to what has moved. */
+static void keep_knots(struct growth *g, const struct doubles *moved)
+{
+    size_t n = g->inner.n, done = 0;
+    double length = g->reference->length[g->reference->n - 1];
+
+    for (size_t i = 0; i < n; i++)
+        g->inner.item[i].stays = g->inner.item[i].kept = true;
+    for (size_t k = 0; k + 1 < moved->n; k += 2) {
+        double from = moved->item[k] * length, to = moved->item[k + 1] * length;
+        while (done < n && g->inner.item[done].u < from)
+            done++;
+        size_t first = done > BESIDE ? done - BESIDE : 0, last = done;
+        while (last < n && g->inner.item[last].u <= to)
+            last++;
+        for (size_t i = first; i < n && i < last + BESIDE; i++)
+            g->inner.item[i].stays = g->inner.item[i].kept = false;
+    }
+}
+
+/* Begins with the knots of the curve before. */
+static void begin_again(struct growth *g, const struct bspline *before)
 {
     const struct reference *t = g->reference;
     double length = t->length[t->n - 1], last = 0;
 
-    for (size_t j = before ? (size_t)before->degree + 1 : 0; before && j < before->poles; j++) {
+    for (size_t j = (size_t)before->degree + 1; j < before->poles; j++) {
         double u = before->knot[j] * length / before->knot[before->poles];
         if (u > last && u < length)
             add_knot(&g->inner, u);
         last = u;
     }
-    for (size_t k = POINTS_PER_SPAN; !before && k + POINTS_PER_SPAN / 2 < t->n;
-         k += POINTS_PER_SPAN)
+    if (g->options->moved)
+        keep_knots(g, g->options->moved);
+}
+
+/* Begins with knots evenly among the points. */
+static void begin_evenly(struct growth *g)
+{
+    const struct reference *t = g->reference;
+    double last = 0;
+
+    for (size_t k = POINTS_PER_SPAN; k + POINTS_PER_SPAN / 2 < t->n; k += POINTS_PER_SPAN)
         if ((t->length[k] + t->length[k - 1]) / 2 >= SHORTEST * g->options->least + last) {
             last = (t->length[k] + t->length[k - 1]) / 2;
             add_knot(&g->inner, last);
         }
+}
+
+/* Begins with those of a growth that came no further, where these leave room for more. */
+static void begin_where_stuck(struct growth *g, const struct inner_knots *stuck)
+{
+    if (!has_room(g, stuck->n)) {
+        begin_evenly(g);
+        return;
+    }
+    double length = g->reference->length[g->reference->n - 1];
+    double scale = length / g->whole->length[g->whole->n - 1];
+
+    for (size_t i = 0; i < stuck->n; i++)
+        add_knot(&g->inner, scale * stuck->item[i].u);
 }
 
 static struct growth growth_new(const struct reference *whole, const struct reference *places,
@@ -387,39 +441,80 @@ static void growth_free(struct growth *g)
     array_free(&g->inner);
 }
 
-static struct free_knots_result fit_to_places(const struct reference *whole,
-                                              const struct reference *places,
-                                              const struct free_knots_options *options,
-                                              const struct bspline *before)
+/* The curve of a growth that has begun; without one *found is empty. */
+static void grow_and_prove(struct growth *g, struct free_knots_result *found)
 {
-    struct free_knots_result found = {.cut = true};
+    *found = (struct free_knots_result){.cut = true};
+    for (int i = 0; i < PROOFS && grow(g); i++) {
+        thin_out(g);
+        double taken = prove(g, found);
+        if (taken <= 1)
+            return;
+        bspline_free(&found->curve);
+        if (!(taken < HOPELESS))
+            return;
+        g->goal *= CLOSER / taken;
+    }
+}
+
+/* The points themselves; *stuck: the knots that it came to where it finds nothing. */
+static bool fit_points(const struct reference *whole, const struct free_knots_options *options,
+                       const struct bspline *before, struct inner_knots *stuck,
+                       struct free_knots_result *found)
+{
+    struct growth g = growth_new(whole, whole, options);
+
+    g.between = true;
+    if (before)
+        begin_again(&g, before);
+    else
+        begin_evenly(&g);
+    grow_and_prove(&g, found);
+    *stuck = g.inner;
+    g.inner = (struct inner_knots){0};
+    growth_free(&g);
+    return found->curve.poles > 0;
+}
+
+/* Places between them, from the curve before or from the knots that the points came to.  So close
+ * to each other nobody need look between them, as a rule: the proof does. */
+static bool fit_places(const struct reference *whole, const struct reference *places,
+                       const struct free_knots_options *options, const struct bspline *before,
+                       const struct inner_knots *stuck, bool between,
+                       struct free_knots_result *found)
+{
     struct growth g = growth_new(whole, places, options);
 
-    begin(&g, before);
-    for (int i = 0; i < PROOFS && grow(&g); i++) {
-        thin_out(&g);
-        double taken = prove(&g, &found);
-        if (taken <= 1)
-            break;
-        bspline_free(&found.curve);
-        if (!(taken < HOPELESS))
-            break;
-        g.goal *= CLOSER / taken;
-    }
+    g.between = between;
+    if (before)
+        begin_again(&g, before);
+    else
+        begin_where_stuck(&g, stuck);
+    grow_and_prove(&g, found);
     growth_free(&g);
-    return found;
+    return found->curve.poles > 0;
 }
 
 struct free_knots_result grown_knots_fit(const struct reference *reference,
                                          const struct free_knots_options *options,
                                          const struct bspline *before)
 {
-    struct free_knots_result found = fit_to_places(reference, reference, options, before);
+    struct inner_knots stuck = {0};
+    struct free_knots_result found;
 
-    if (found.curve.poles == 0) { /* more places than points: knots may be closer */
+    if (!fit_points(reference, options, before, &stuck, &found)) {
+        /* more places than points: knots may be closer */
         struct reference places = reference_sample(reference, PLACES * reference->n);
-        found = fit_to_places(reference, &places, options, NULL);
+        bool done =
+            before && fit_places(reference, &places, options, before, &stuck, false, &found);
+        done = done || fit_places(reference, &places, options, NULL, &stuck, false, &found);
         reference_free(&places);
+        if (!done) {
+            places = reference_sample(reference, MORE * reference->n);
+            fit_places(reference, &places, options, NULL, &stuck, true, &found);
+            reference_free(&places);
+        }
     }
+    array_free(&stuck);
     return found;
 }

@@ -173,17 +173,56 @@ static bool has_moved(const struct run *run, const struct spline_run *pieces,
     return false;
 }
 
+/* The length of the piece up to point i of the run, which may be off its end. */
+static double length_to(const double *length, const struct spline_run_piece *piece, size_t i)
+{
+    return length[(i < piece->from ? piece->from : i > piece->to ? piece->to : i) - piece->from];
+}
+
+/* Where points have moved, and as far beside them as that bends the way between the others: pairs
+ * of places, parts of the piece's length. */
+static void find_moved(const struct run *run, const struct spline_run *pieces,
+                       const struct spline_run_piece *piece, bool centre, struct doubles *moved)
+{
+    const size_t beside = 2; /* points */
+    size_t n = piece->to - piece->from;
+    double *length = mem_alloc(n + 1, sizeof *length);
+
+    length[0] = 0;
+    for (size_t i = 1; i <= n; i++) {
+        const struct run_point *p = &run->item[piece->from + i];
+        length[i] = length[i - 1] +
+                    (centre ? vec_distance(p[-1].ball, p->ball) : vec_distance(p[-1].tip, p->tip));
+    }
+    for (size_t i = piece->from; i <= piece->to; i++) {
+        if (same_place(&run->item[i], &pieces->fitted.item[i]))
+            continue;
+        double whole = length[n] > 0 ? length[n] : 1;
+        size_t before = i > beside ? i - beside : 0;
+        *array_push(moved) = length_to(length, piece, before) / whole;
+        *array_push(moved) = length_to(length, piece, i + beside) / whole;
+    }
+    free(length);
+}
+
 void spline_run_refit(const struct run *run, const struct spline_run_options *options,
                       struct spline_run *pieces)
 {
+    struct spline_run_options again = *options;
+    struct doubles moved = {0};
+
+    again.fit.moved = &moved;
     for (size_t k = 0; k < pieces->n; k++) {
         struct spline_run_piece *piece = &pieces->item[k], before = *piece;
         if (!has_moved(run, pieces, piece))
             continue;
+        moved.n = 0;
+        find_moved(run, pieces, piece, options->centre, &moved);
         *piece = (struct spline_run_piece){.from = before.from, .to = before.to};
-        fit_piece(run, options, before.still ? NULL : &before.fit, piece);
+        fit_piece(run, &again, before.still ? NULL : &before.fit, piece);
         piece_free(&before);
     }
+    array_free(&moved);
     keep_points(run, pieces);
 }
 

@@ -226,8 +226,8 @@ static bool fit_free_knots(const struct search *s, size_t known, const struct bs
                            struct splinefit *fit)
 {
     const struct splinefit_options *o = s->options;
-    struct free_knots_options options = {o->degree, o->tolerance, o->angle,
-                                         known,     o->work,      o->least};
+    struct free_knots_options options = {o->degree, o->tolerance, o->angle, known,
+                                         o->work,   o->least,     NULL};
 
     *fit = (struct splinefit){.kind = SPLINEFIT_FREE, .within = true};
     if (o->params >= 0 || o->knots >= 0 || (before && before->degree != o->degree))
@@ -249,7 +249,8 @@ static void fit_grown_knots(const struct search *s, const struct bspline *before
                             struct splinefit *fit)
 {
     const struct splinefit_options *o = s->options;
-    struct free_knots_options options = {o->degree, o->tolerance, o->angle, 0, o->work, o->least};
+    struct free_knots_options options = {o->degree, o->tolerance, o->angle, 0,
+                                         o->work,   o->least,     o->moved};
     bool alike = before && before->degree == o->degree && before->poles < s->reference->n;
 
     *fit = (struct splinefit){.kind = SPLINEFIT_GROWN, .within = true};

@@ -151,6 +151,73 @@ START_TEST(again_from_the_curve_before)
 }
 END_TEST
 
+/* A knot of the curve stands at this part of its length, but for the printed digits. */
+static bool has_knot(const struct bspline *curve, double part)
+{
+    for (size_t j = 4; j < curve->poles; j++)
+        if (fabs(curve->knot[j] / curve->knot[curve->poles] - part) < 1e-6)
+            return true;
+    return false;
+}
+
+/* With three times the tolerance there would be knots to spare: they stay, but near to what has
+ * moved. */
+START_TEST(only_near_what_moved)
+{
+    struct reference data = uneven(0, true);
+    struct free_knots_options o = options(0);
+    struct bspline first = grown_knots_fit(&data, &o, NULL).curve;
+    struct doubles moved = {0};
+    size_t poles[3];
+
+    o.tolerance *= 3;
+    o.angle *= 3;
+    for (int k = 0; k < 3; k++) { /* anywhere, nowhere, before the wave */
+        moved.n = 0;
+        if (k == 2) {
+            *array_push(&moved) = 0;
+            *array_push(&moved) = 0.3;
+        }
+        o.moved = k > 0 ? &moved : NULL;
+        struct bspline again = grown_knots_fit(&data, &o, &first).curve;
+        poles[k] = again.poles;
+        for (size_t j = 4; j < first.poles; j++)
+            if (k > 0 && first.knot[j] > 0.55 * first.knot[first.poles])
+                ck_assert(has_knot(&again, first.knot[j] / first.knot[first.poles]));
+        ck_assert_double_le(worst_off(&again, &data), o.tolerance + 1e-6);
+        bspline_free(&again);
+    }
+    ck_assert_uint_eq(poles[1], first.poles);
+    ck_assert_uint_lt(poles[0], poles[2]);
+    ck_assert_uint_lt(poles[2], poles[1]);
+    array_free(&moved);
+    bspline_free(&first);
+    reference_free(&data);
+}
+END_TEST
+
+/* Steps of six tolerances after every second point, so that the points alone would take as many
+ * poles: with places between them there is a curve, of fewer. */
+START_TEST(places_between_points)
+{
+    struct run run = {.radius = 5};
+    for (int k = 0; k < 120; k++) {
+        struct vec3 tip = vec(SPACING * k, 0, k % 4 < 2 ? 0 : 6 * TOLERANCE);
+        *array_push(&run) = (struct run_point){
+            .tip = tip, .ball = vec_along(tip, 5, vec(0, 0, 1)), .axis = vec(0, 0, 1)};
+    }
+    struct reference data = reference_distinct(&run, false);
+    struct free_knots_options o = options(0);
+    struct bspline curve = grown_knots_fit(&data, &o, NULL).curve;
+    ck_assert_uint_gt(curve.poles, 0);
+    ck_assert_uint_lt(4 * curve.poles, 3 * data.n);
+    ck_assert_double_le(worst_off(&curve, &data), TOLERANCE + 1e-6);
+    bspline_free(&curve);
+    array_free(&run);
+    reference_free(&data);
+}
+END_TEST
+
 int main(void)
 {
     TCase *t = tcase_create("grown_knots");
@@ -160,6 +227,8 @@ int main(void)
     tcase_add_test(t, noise_is_followed);
     tcase_add_test(t, spans_are_long_enough_unless_the_tolerance_forbids_it);
     tcase_add_test(t, again_from_the_curve_before);
+    tcase_add_test(t, only_near_what_moved);
+    tcase_add_test(t, places_between_points);
     Suite *s = suite_create("grown_knots");
     suite_add_tcase(s, t);
     SRunner *r = srunner_create(s);
