@@ -170,14 +170,14 @@ int main(int argc, char **argv)
         {0, "report", NULL, NULL, CLI_ALIAS, "table", 0, 0, 0, NULL},
         {0},
     };
-    const struct fitter fitter = {.name = "biarcfit",
-                                  .options = &s.common,
-                                  .settings = &s,
-                                  .prepare = prepare,
-                                  .fit = fit_run,
-                                  .report = report,
-                                  .spent = spent,
-                                  .result_size = sizeof(struct arcrun_report)};
+    struct fitter fitter = {.name = "biarcfit",
+                            .options = &s.common,
+                            .settings = &s,
+                            .prepare = prepare,
+                            .fit = fit_run,
+                            .report = report,
+                            .spent = spent,
+                            .result_size = sizeof(struct arcrun_report)};
     struct cli cli = {.tool = "biarcfit",
                       .usual = "tolerance guard axis-tolerance table quiet verbose",
                       .usage = "[options] [FILE]",
@@ -194,6 +194,7 @@ int main(int argc, char **argv)
         die_usage("found -g and --no-guard, expected one of them");
     if (s.common.part_text && path_part_read(s.common.part_text, &s.common.part, &error) < 0)
         die_given(&error);
+    fitter.whole = s.tilted;
     int status = fitter_run(&fitter, &cli, &error);
     if (status < 0)
         die_error(&error);

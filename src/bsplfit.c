@@ -217,15 +217,15 @@ int main(int argc, char **argv)
          0, 0, NULL},
         {0, "report", NULL, NULL, CLI_ALIAS, "table", 0, 0, 0, NULL},
         {0}};
-    const struct fitter fitter = {.name = "bsplfit",
-                                  .options = &s.common,
-                                  .settings = &s,
-                                  .prepare = prepare,
-                                  .fit = fit_run,
-                                  .report = report,
-                                  .spent = spent,
-                                  .result_size = sizeof(struct result),
-                                  .result_free = result_free};
+    struct fitter fitter = {.name = "bsplfit",
+                            .options = &s.common,
+                            .settings = &s,
+                            .prepare = prepare,
+                            .fit = fit_run,
+                            .report = report,
+                            .spent = spent,
+                            .result_size = sizeof(struct result),
+                            .result_free = result_free};
     struct cli cli = {.tool = "bsplfit",
                       .usual = "tolerance guard axis-tolerance degree table quiet verbose",
                       .usage = "[options] [FILE]",
@@ -242,6 +242,7 @@ int main(int argc, char **argv)
         die_usage("found -g and --no-guard, expected one of them");
     if (s.common.part_text && path_part_read(s.common.part_text, &s.common.part, &error) < 0)
         die_given(&error);
+    fitter.whole = s.points > 0;
     int status = fitter_run(&fitter, &cli, &error);
     if (status < 0)
         die_error(&error);

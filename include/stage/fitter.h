@@ -95,8 +95,10 @@ struct fitter {
     const char *name;                     /* of the tool: its entry in the ledger */
     const struct fitter_options *options; /* as they were parsed */
     void *settings;                       /* the fitter's own, handed to the functions below */
+    bool whole; /* `prepare` changes more than the head: not before all of the path is read */
 
-    /* Checks and changes the path that was read.  -1: an error. */
+    /* Checks and changes the path that was read; unless `whole`, its head alone may be there.  -1: an
+     * error. */
     int (*prepare)(void *settings, struct path *in, struct error *error);
 
     /*

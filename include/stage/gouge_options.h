@@ -32,4 +32,21 @@ int gouge_options_read(const struct gouge_options *options, struct path *path, b
                        double tolerance, int threads, struct gouge_refit_options *refit,
                        struct error *error);
 
+/* What is left of a scan, to be held against the path. */
+struct guard_scan;
+
+/*
+ * The same in two steps, the first for a path of which no more than the head is known: *scan, then
+ * to be given to gouge_options_check once with the whole path, which frees it: -1: the path is
+ * elsewhere.  After an error *scan is NULL.
+ */
+int gouge_options_begin(const struct gouge_options *options, struct path *path, bool paper,
+                        double tolerance, int threads, struct gouge_refit_options *refit,
+                        struct guard_scan **scan, struct error *error);
+int gouge_options_check(struct guard_scan *scan, const struct path *path, int threads,
+                        struct error *error);
+
+/* Without a look. */
+void gouge_options_drop(struct guard_scan *scan);
+
 #endif

@@ -2,19 +2,22 @@
 #include "base/aside.h"
 
 #include <pthread.h>
-#include <stdbool.h>
 #include <stddef.h>
 #include <stdlib.h>
 
 #include "base/array.h"
 #include "system.h"
 
-struct aside {
-    void (*work)(void *context); /* to be done, or in hand; NULL: none */
+struct piece {
+    void (*work)(void *context); /* NULL: none */
     void *context;
+};
+
+struct aside {
+    struct piece now, next; /* to be done, or in hand; after it */
     bool has_thread, ends;
     pthread_t thread;
-    pthread_mutex_t lock; /* on work, context and ends */
+    pthread_mutex_t lock; /* on now, next and ends */
     pthread_cond_t changed;
 };
 
@@ -22,15 +25,16 @@ static void *run_aside(void *argument)
 {
     struct aside *a = argument;
     pthread_mutex_lock(&a->lock);
-    while (a->work || !a->ends) {
-        if (!a->work) {
+    while (a->now.work || !a->ends) {
+        if (!a->now.work) {
             pthread_cond_wait(&a->changed, &a->lock);
             continue;
         }
         pthread_mutex_unlock(&a->lock);
-        a->work(a->context);
+        a->now.work(a->now.context);
         pthread_mutex_lock(&a->lock);
-        a->work = NULL;
+        a->now = a->next;
+        a->next = (struct piece){0};
         pthread_cond_signal(&a->changed);
     }
     pthread_mutex_unlock(&a->lock);
@@ -50,8 +54,40 @@ struct aside *aside_begin(int threads)
 void aside_wait(struct aside *a)
 {
     pthread_mutex_lock(&a->lock);
-    while (a->work)
+    while (a->now.work)
         pthread_cond_wait(&a->changed, &a->lock);
+    pthread_mutex_unlock(&a->lock);
+}
+
+bool aside_add(struct aside *a, void (*work)(void *context), void *context)
+{
+    struct piece piece = {work, context};
+
+    if (!a->has_thread) {
+        work(context);
+        return true;
+    }
+    pthread_mutex_lock(&a->lock);
+    bool room = !a->next.work;
+    if (room)
+        *(a->now.work ? &a->next : &a->now) = piece;
+    pthread_cond_signal(&a->changed);
+    pthread_mutex_unlock(&a->lock);
+    return room;
+}
+
+bool aside_is_full(struct aside *a)
+{
+    pthread_mutex_lock(&a->lock);
+    bool full = a->next.work != NULL;
+    pthread_mutex_unlock(&a->lock);
+    return full;
+}
+
+void aside_drop(struct aside *a)
+{
+    pthread_mutex_lock(&a->lock);
+    a->next = (struct piece){0};
     pthread_mutex_unlock(&a->lock);
 }
 
@@ -62,11 +98,7 @@ void aside_do(struct aside *a, void (*work)(void *context), void *context)
         return;
     }
     aside_wait(a);
-    pthread_mutex_lock(&a->lock);
-    a->work = work;
-    a->context = context;
-    pthread_cond_signal(&a->changed);
-    pthread_mutex_unlock(&a->lock);
+    aside_add(a, work, context);
 }
 
 void aside_end(struct aside *a)

@@ -46,9 +46,9 @@ static int find_scan(const struct gouge_options *options, struct path *path, boo
     return 0;
 }
 
-int gouge_options_read(const struct gouge_options *options, struct path *path, bool paper,
-                       double tolerance, int threads, struct gouge_refit_options *refit,
-                       struct error *error)
+int gouge_options_begin(const struct gouge_options *options, struct path *path, bool paper,
+                        double tolerance, int threads, struct gouge_refit_options *refit,
+                        struct guard_scan **scan, struct error *error)
 {
     struct guard_read_options rule = {.radius = path_ball(path),
                                       .tolerance = scan_tolerance(path, tolerance),
@@ -56,8 +56,9 @@ int gouge_options_read(const struct gouge_options *options, struct path *path, b
                                       .effort = options->effort,
                                       .threads = threads};
     bool ball = rule.radius > 0 && path->head.track != TRACK_CONTACT;
-    struct guard_scan scan;
+    struct guard_scan found = {.point = {0}};
 
+    *scan = NULL;
     *refit = (struct gouge_refit_options){.radius = rule.radius,
                                           .tolerance = tolerance,
                                           .centre = path->head.track == TRACK_CENTRE,
@@ -65,20 +66,55 @@ int gouge_options_read(const struct gouge_options *options, struct path *path, b
     if (!ball && options->scan.files.n > 0)
         return error_at(error, path->name, 0,
                         "found no path of a ball cutter, expected one to guard by a scan");
-    if (!ball)
-        return 0;
-    if (find_scan(options, path, paper, &scan, error) != 0)
+    if (ball && find_scan(options, path, paper, &found, error) != 0)
         return -1;
-    if (scan.point.n > 0) {
-        struct vec3s place = balls_of(path);
-        refit->guard = guard_read_points(&scan, &place, 3 * rule.radius, &rule, error);
-        array_free(&place);
+    if (found.point.n > 0) {
+        refit->guard = guard_read_scan(&found, &rule, error);
         array_free(&rule.certain);
         array_free(&rule.doubtful);
         array_free(&rule.curtain);
-        if (!refit->guard)
-            return -1;
     }
-    guard_scan_free(&scan);
-    return 0;
+    *scan = mem_alloc(1, sizeof **scan);
+    **scan = found;
+    if (found.point.n == 0 || refit->guard)
+        return 0;
+    gouge_options_drop(*scan);
+    *scan = NULL;
+    return -1;
+}
+
+int gouge_options_check(struct guard_scan *scan, const struct path *path, int threads,
+                        struct error *error)
+{
+    int result = 0;
+
+    if (scan->point.n > 0) {
+        struct vec3s place = balls_of(path);
+        result = guard_scan_near(scan, &place, "points of the path", 3 * path_ball(path), threads,
+                                 error);
+        array_free(&place);
+    }
+    gouge_options_drop(scan);
+    return result;
+}
+
+void gouge_options_drop(struct guard_scan *scan)
+{
+    if (scan)
+        guard_scan_free(scan);
+    free(scan);
+}
+
+int gouge_options_read(const struct gouge_options *options, struct path *path, bool paper,
+                       double tolerance, int threads, struct gouge_refit_options *refit,
+                       struct error *error)
+{
+    struct guard_scan *scan;
+
+    if (gouge_options_begin(options, path, paper, tolerance, threads, refit, &scan, error) != 0)
+        return -1;
+    if (gouge_options_check(scan, path, threads, error) == 0)
+        return 0;
+    gouge_refit_free(refit);
+    return -1;
 }

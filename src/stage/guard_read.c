@@ -238,34 +238,36 @@ static struct gouge_check *gouge_of(struct vec3s *points, const struct mesh *mes
     return gouge_new(surface.point, rule->threads);
 }
 
-/* mesh: NULL where there is none. */
-static struct gouge_check *read_guard(struct guard_scan *scan, const struct mesh *mesh,
-                                      const struct vec3s *place_of, const char *what, double near,
-                                      struct guard_read_options *rule, struct error *error)
+int guard_scan_near(const struct guard_scan *scan, const struct vec3s *place, const char *what,
+                    double near, int threads, struct error *error)
 {
-    struct gouge_check *guard = gouge_of(&scan->point, mesh, rule, error);
+    size_t far = far_places(place, &scan->point, near, threads);
 
-    size_t far = guard ? far_places(place_of, &scan->point, near, rule->threads) : 0;
-    array_free(&scan->point);
-    if (!guard || 2 * far <= place_of->n)
-        return guard;
-    gouge_free(guard);
-    error_at(error, scan->source.item[0].name, 0,
-             "found %zu of %zu %s further than %.3g mm from the scan, expected the scan that the "
-             "mesh was made from",
-             far, place_of->n, what, near);
-    return NULL;
+    if (2 * far <= place->n)
+        return 0;
+    return error_at(
+        error, scan->source.item[0].name, 0,
+        "found %zu of %zu %s further than %.3g mm from the scan, expected the scan that "
+        "the mesh was made from",
+        far, place->n, what, near);
 }
 
 struct gouge_check *guard_read(struct guard_scan *scan, const struct mesh *mesh, double near,
                                struct guard_read_options *rule, struct error *error)
 {
-    return read_guard(scan, mesh, &mesh->vertex, "mesh vertices", near, rule, error);
+    struct gouge_check *guard = gouge_of(&scan->point, mesh, rule, error);
+
+    if (guard &&
+        guard_scan_near(scan, &mesh->vertex, "mesh vertices", near, rule->threads, error) != 0) {
+        gouge_free(guard);
+        guard = NULL;
+    }
+    array_free(&scan->point);
+    return guard;
 }
 
-struct gouge_check *guard_read_points(struct guard_scan *scan, const struct vec3s *place,
-                                      double near, struct guard_read_options *rule,
-                                      struct error *error)
+struct gouge_check *guard_read_scan(struct guard_scan *scan, struct guard_read_options *rule,
+                                    struct error *error)
 {
-    return read_guard(scan, NULL, place, "points of the path", near, rule, error);
+    return gouge_of(&scan->point, NULL, rule, error);
 }

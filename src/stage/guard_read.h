@@ -48,9 +48,13 @@ struct guard_read_options {
 struct gouge_check *guard_read(struct guard_scan *scan, const struct mesh *mesh, double near,
                                struct guard_read_options *rule, struct error *error);
 
-/* The same for the points of a path. */
-struct gouge_check *guard_read_points(struct guard_scan *scan, const struct vec3s *place,
-                                      double near, struct guard_read_options *rule,
-                                      struct error *error);
+/* The same for a path, whose points are not known yet: the scan's points stay for a later look. */
+struct gouge_check *guard_read_scan(struct guard_scan *scan, struct guard_read_options *rule,
+                                    struct error *error);
+
+/* That look: -1 if more than half of the places, which are `what`, are further than `near` mm from
+ * every point of the scan. */
+int guard_scan_near(const struct guard_scan *scan, const struct vec3s *place, const char *what,
+                    double near, int threads, struct error *error);
 
 #endif

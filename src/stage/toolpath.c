@@ -299,6 +299,12 @@ static void add_strip(struct toolpath *t, const struct toolpath_strip *strip)
             (struct toolpath_uncut){lifted->uncut.item[i], strip->pass, strip->lift.offset};
 }
 
+/* No way leads to the part, or out of it. */
+static bool is_blocked(const struct toolpath_part *part, size_t points)
+{
+    return part->in.at >= points || part->out.at >= points;
+}
+
 /* A part that no way leads to. */
 static void add_blocked(struct toolpath *t, size_t pass, const struct run *run)
 {
@@ -317,7 +323,7 @@ static void add_part(struct toolpath *t, const struct toolpath_part *part)
     struct run run = toolpath_part_run(t, part);
 
     t->lift = strip->lift;
-    if (part->in.at >= run.n || part->out.at >= run.n) {
+    if (is_blocked(part, run.n)) {
         add_blocked(t, strip->pass, &run);
         if (t->down)
             retract(t, vec(0, 0, 1));
@@ -576,6 +582,24 @@ static void thin_parts(const struct toolpath *t, struct toolpath_parts *parts)
     }
 }
 
+/* What a fitter asks of the whole path (path_next_run), said before its first pass. */
+static struct path_runs runs_of(const struct toolpath *t, const struct toolpath_parts *parts)
+{
+    struct path_runs runs = {.feed = fmax(t->rule.feed, t->rule.plunge)};
+
+    for (size_t k = 0; k < parts->n; k++) {
+        struct run run = toolpath_part_run(t, &parts->item[k]);
+        if (is_blocked(&parts->item[k], run.n))
+            continue;
+        for (size_t i = 0, from; i < run.n; i++) {
+            for (from = i; i < run.n && vec_length(run.item[i].normal) > 0;)
+                i++;
+            runs.points += i > from + 1 ? i - from : 0;
+        }
+    }
+    return runs;
+}
+
 /* The parts of all strips in their order, each with its ways in and out. */
 static struct toolpath_parts plan_parts(struct toolpath *t)
 {
@@ -604,6 +628,7 @@ void toolpath_end(struct toolpath *t)
     t->plane = plane_of(t);
     t->check = path_check_of(t);
     t->path->head.multax = t->path->head.multax || t->leaned > 0;
+    t->path->head.runs = runs_of(t, &parts);
     if (t->streams) {
         t->path->head.clearance = t->plane;
         t->out = out_open(t->output);

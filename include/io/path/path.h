@@ -136,6 +136,10 @@ struct path_head {
                          between its points, mm; a fitter removes it; NAN: not given */
     double clearance; /* $$-> CLEAR/: z of the clearance plane, mm; NAN: not given */
     double scallop;   /* $$-> SCALLOP/: what passes leave between them at most, mm; 0: not said */
+    struct path_runs {
+        size_t points; /* $$-> RUNS/: how many its cutting runs have, 0: not said ... */
+        double feed;   /* ... and the largest feed, mm/min: a fitter can begin before the end */
+    } runs;
     struct {
         size_t n, cap;
         struct ledger_entry *item;
@@ -202,6 +206,16 @@ int path_read(const char *file, struct path *path, struct error *error);
  * where feeds are in both or in inches under UNITS/MM. */
 enum path_unit { PATH_UNIT_SAID, PATH_UNIT_MM, PATH_UNIT_INCH };
 int path_read_as(const char *file, enum path_unit unit, struct path *path, struct error *error);
+
+/* Who wants to know of a path while it is read. */
+struct path_listener {
+    void (*pass)(void *context, const struct path *path); /* a pass begins after these items */
+    void *context;
+};
+
+/* path_read; the listener may be NULL. */
+int path_read_listened(const char *file, const struct path_listener *listener, struct path *path,
+                       struct error *error);
 
 /* Writes the stream with its head and FINI.  Coordinates with 6 decimals, vectors with 9. */
 void path_write(struct out *out, const struct path *path);

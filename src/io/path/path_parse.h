@@ -63,6 +63,7 @@ struct path_parse {
     struct reader reader;
     struct apt apt;
     struct error *error;
+    const struct path_listener *listener; /* NULL: none */
     const struct cl_dialect *dialect; /* NULL: none recognized */
     bool sniffed;                     /* it will not change any more */
 

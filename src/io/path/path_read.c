@@ -130,6 +130,8 @@ static int read_pass(struct path_parse *p)
         return -1;
     if (n < 0 || n > 1e9 || n != floor(n))
         return error_at(AT(p), "found PASS/%g, expected a whole number", n);
+    if (p->listener)
+        p->listener->pass(p->listener->context, p->path);
     path_add_pass(p->path, (size_t)n);
     return 0;
 }
@@ -210,6 +212,18 @@ static int read_clear(struct path_parse *p)
 static int read_scallop(struct path_parse *p)
 {
     return path_numbers(p, 0, 1, &p->path->head.scallop, "mm");
+}
+
+static int read_runs(struct path_parse *p)
+{
+    double v[2];
+    if (path_numbers(p, 0, 2, v, "points of the cutting runs, largest feed") < 0)
+        return -1;
+    if (!(v[0] >= 1 && v[0] <= 1e15) || v[0] != floor(v[0]) || !(v[1] > 0))
+        return error_at(AT(p), "found RUNS/%g,%g, expected a number of points and a feed", v[0],
+                        v[1]);
+    p->path->head.runs = (struct path_runs){(size_t)v[0], p->unit * v[1]};
+    return 0;
 }
 
 /* TOOL/BALL-ONLY; TOOL/FLUTE,length,HOLDER,cones: what the tool is above its ball. */
@@ -346,7 +360,7 @@ static const struct path_row comments[] = {
     {"LEDGER", read_ledger},       {"CHORD", read_chord},        {"CLEAR", read_clear},
     {"CLOUDMILL", read_own},       {"CUTTER", path_read_cutter}, {"SCALLOP", read_scallop},
     {"TOOL", read_body},           {"SCAN", read_scan},          {"PLACE", read_place},
-    {"UNMET", read_unmet},
+    {"UNMET", read_unmet},         {"RUNS", read_runs},
 };
 
 /* The row of a table for a word; NULL: none. */
@@ -587,7 +601,7 @@ static int read_all(struct path_parse *p)
 
 /* ---- the unit of a stream that does not say it */
 
-enum { PEEK = 1 << 16, PEEK_MOST = 1 << 22 };
+enum { PEEK_FIRST = 1 << 9, PEEK = 1 << 16, PEEK_MOST = 1 << 22 };
 
 static bool is_letter(char c)
 {
@@ -630,19 +644,29 @@ static void look_for_units(const char *text, size_t n, struct unit_signs *found)
     }
 }
 
-/* Before the first statement: inches, where nothing says the unit and feeds are in them. */
+/* The text without a last line that is not whole. */
+static size_t whole_lines(const char *text, size_t n)
+{
+    while (n > 0 && text[n - 1] != '\n')
+        n--;
+    return n;
+}
+
+/* Before the first statement: inches, where nothing says the unit and feeds are in them.  Most
+ * streams say it at once, and what comes slowly is not waited for. */
 static int guess_unit(struct path_parse *p)
 {
     struct unit_signs found = {0};
     size_t all = p->reader.size > 0 ? p->reader.size : PEEK_MOST;
     const char *text;
-    for (size_t want = PEEK;; want = all) {
+    for (size_t want = PEEK_FIRST;; want = want < PEEK ? 2 * want : all) {
         long got = reader_peek(&p->reader, &text, want, p->error);
         if (got < 0)
             return -1;
+        bool last = want >= all || (size_t)got < want;
         found = (struct unit_signs){0};
-        look_for_units(text, (size_t)got, &found);
-        if (found.units || want >= all || (size_t)got < want)
+        look_for_units(text, last ? (size_t)got : whole_lines(text, (size_t)got), &found);
+        if (found.units || last)
             break;
     }
     if (found.units || !found.inch)
@@ -657,16 +681,13 @@ static int guess_unit(struct path_parse *p)
     return 0;
 }
 
-int path_read(const char *file, struct path *path, struct error *error)
-{
-    return path_read_as(file, PATH_UNIT_SAID, path, error);
-}
-
-int path_read_as(const char *file, enum path_unit unit, struct path *path, struct error *error)
+static int read_stream(const char *file, enum path_unit unit, const struct path_listener *listener,
+                       struct path *path, struct error *error)
 {
     memset(path, 0, sizeof *path);
     path->head.chord = path->head.clearance = NAN;
-    struct path_parse p = {.path = path, .error = error, .unit = 1, .axis = {0, 0, 1}};
+    struct path_parse p = {
+        .path = path, .error = error, .listener = listener, .unit = 1, .axis = {0, 0, 1}};
     p.unit_asked = unit != PATH_UNIT_SAID;
     p.unit = unit == PATH_UNIT_INCH ? 25.4 : 1;
     if (reader_open(&p.reader, file, error) < 0)
@@ -686,4 +707,20 @@ int path_read_as(const char *file, enum path_unit unit, struct path *path, struc
     if (result < 0)
         path_free(path);
     return result;
+}
+
+int path_read(const char *file, struct path *path, struct error *error)
+{
+    return path_read_listened(file, NULL, path, error);
+}
+
+int path_read_listened(const char *file, const struct path_listener *listener, struct path *path,
+                       struct error *error)
+{
+    return read_stream(file, PATH_UNIT_SAID, listener, path, error);
+}
+
+int path_read_as(const char *file, enum path_unit unit, struct path *path, struct error *error)
+{
+    return read_stream(file, unit, NULL, path, error);
 }

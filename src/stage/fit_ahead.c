@@ -1,0 +1,253 @@
+/* fit_ahead - see fit_ahead.h. */
+#include "fit_ahead.h"
+
+#include <stdlib.h>
+
+#include "base/aside.h"
+#include "math/elementary.h"
+
+/* So many points get the usual work each, more share it. */
+static const double USUAL_POINTS = 12000;
+
+/* Passes that are complete: a copy of their items, so that the path can grow meanwhile. */
+struct chunk {
+    struct fit_ahead *ahead;
+    struct path path;        /* its head lies in fit_ahead.head */
+    size_t from;             /* item of the whole path that is its first */
+    struct fitted_runs runs; /* by its own items */
+    bool first;
+};
+
+struct fit_ahead {
+    const struct fitter *fitter;
+    int threads;
+    struct aside *aside; /* NULL: nothing was begun */
+    bool off;            /* nothing is to be begun */
+    bool given;          /* some runs were given away */
+    struct run_finder finder;
+    struct fitted_runs found; /* and not given away, by the items of the path */
+
+    /* What the other thread makes of it; ours once it has ended. */
+    struct path head; /* without items */
+    double work;
+    struct gouge_refit_options gouge;
+    struct guard_scan *scan;
+    struct fitted_runs fitted; /* by the items of the whole path */
+    int result;                /* of reading the scan */
+    struct error error;
+};
+
+/* Links are fitted where a scan guards them. */
+static double link_tolerance(const struct fit_ahead *a)
+{
+    const struct fitter_options *o = a->fitter->options;
+
+    return o->paper || o->links_stay ? 0 : o->tolerance;
+}
+
+/* Leaves those that the range begins, without the links if there is no guard, numbered anew. */
+static void keep_runs(struct fitted_runs *runs, struct range range, bool guarded)
+{
+    size_t n = 0;
+
+    for (size_t i = 0; i < runs->n; i++) {
+        const struct fitted_run *run = &runs->item[i];
+        if (run->from < range.from || run->from >= range.to || (run->link && !guarded))
+            continue;
+        runs->item[n] = *run;
+        runs->item[n].number = n;
+        n++;
+    }
+    runs->n = n;
+}
+
+struct fit_ahead *fit_ahead_new(const struct fitter *fitter, int threads)
+{
+    struct fit_ahead *a = mem_alloc(1, sizeof *a);
+
+    *a = (struct fit_ahead){.fitter = fitter, .threads = threads};
+    a->off = fitter->whole || fitter->options->part_text;
+    return a;
+}
+
+bool fit_ahead_began(const struct fit_ahead *a)
+{
+    return a->aside != NULL;
+}
+
+static void read_scan(void *context)
+{
+    struct fit_ahead *a = context;
+    const struct fitter_options *o = a->fitter->options;
+
+    a->result = gouge_options_begin(&o->gouge, &a->head, o->paper, o->tolerance, a->threads,
+                                    &a->gouge, &a->scan, &a->error);
+}
+
+/* The runs from the first on, by items that begin at `now` where they began at `was`. */
+static void move_runs(struct fitted_runs *runs, size_t first, size_t was, size_t now)
+{
+    for (size_t i = first; i < runs->n; i++) {
+        runs->item[i].from = runs->item[i].from - was + now;
+        runs->item[i].to = runs->item[i].to - was + now;
+    }
+}
+
+static struct fit_request request_of(const struct fit_ahead *a, const struct path *in)
+{
+    return (struct fit_request){.gouge = &a->gouge, .in = in, .axis_share = 1, .work = a->work};
+}
+
+static void free_chunk(struct chunk *c)
+{
+    c->path.head = (struct path_head){0};
+    path_free(&c->path);
+    array_free(&c->runs);
+    free(c);
+}
+
+static void fit_chunk(void *context)
+{
+    struct chunk *c = context;
+    struct fit_ahead *a = c->ahead;
+    size_t n = a->fitted.n;
+
+    c->path.head = a->head.head;
+    keep_runs(&c->runs, (struct range){0, c->path.item.n}, a->gouge.guard);
+    if (a->result == 0) {
+        struct fit_request request = request_of(a, &c->path);
+        if (c->first)
+            note("fitting begins while the path is read, with %zu runs", c->runs.n);
+        fit_runs(a->fitter, &request, &c->runs, a->threads, &a->fitted);
+        move_runs(&a->fitted, n, 0, c->from);
+    }
+    free_chunk(c);
+}
+
+/* What the head promises is enough to begin. */
+static void begin(struct fit_ahead *a, const struct path *path)
+{
+    a->off = a->off || path->head.runs.points == 0 || path->head.track == TRACK_CONTACT;
+    if (a->off)
+        return;
+    a->head.name = path->name;
+    path_head_copy(&a->head.head, &path->head);
+    a->off = a->fitter->prepare(a->fitter->settings, &a->head, &a->error) != 0;
+    if (a->off)
+        return;
+    a->aside = aside_begin(a->threads);
+    a->work = fmin(1, USUAL_POINTS / (double)path->head.runs.points);
+    a->finder.tolerance = link_tolerance(a);
+    aside_add(a->aside, read_scan, a);
+}
+
+/* Gives away the runs that were found. */
+static void give(struct fit_ahead *a, const struct path *path)
+{
+    struct chunk *c = mem_alloc(1, sizeof *c);
+    size_t from = path->item.n, to = 0;
+
+    for (size_t i = 0; i < a->found.n; i++) {
+        from = a->found.item[i].from < from ? a->found.item[i].from : from;
+        to = a->found.item[i].to > to ? a->found.item[i].to : to;
+    }
+    *c = (struct chunk){.ahead = a, .from = from, .runs = a->found, .first = !a->given};
+    c->path.name = path->name;
+    path_add_items(&c->path, path, from, to);
+    move_runs(&c->runs, 0, from, 0);
+    a->found = (struct fitted_runs){0};
+    a->given = true;
+    aside_add(a->aside, fit_chunk, c);
+}
+
+static void hear_pass(void *context, const struct path *path)
+{
+    struct fit_ahead *a = context;
+
+    if (!a->off && !a->aside)
+        begin(a, path);
+    if (!a->aside || path->contact.n == 0)
+        return; /* which points are runs is not known yet */
+    run_finder_look(&a->finder, path, &a->found);
+    if (a->found.n > 0 && !aside_is_full(a->aside))
+        give(a, path);
+}
+
+struct path_listener fit_ahead_listener(struct fit_ahead *a)
+{
+    return (struct path_listener){hear_pass, a};
+}
+
+/* How much work each run may be depends on the whole path. */
+static double work_of(const struct path *in, const struct fitted_runs *runs)
+{
+    double points = 0;
+
+    for (size_t i = 0; i < runs->n; i++)
+        points += runs->item[i].link ? 0 : (double)(runs->item[i].to - runs->item[i].from);
+    if (in->head.runs.points > 0)
+        points = (double)in->head.runs.points;
+    return fmin(1, USUAL_POINTS / fmax(points, 1));
+}
+
+/* Reads the scan, or takes over what was made of it. */
+static int take_scan(struct fit_ahead *a, struct path *in, struct error *error)
+{
+    const struct fitter_options *o = a->fitter->options;
+
+    if (!a->aside)
+        return gouge_options_begin(&o->gouge, in, o->paper, o->tolerance, a->threads, &a->gouge,
+                                   &a->scan, error);
+    aside_end(a->aside);
+    if (a->result != 0) {
+        *error = a->error;
+        return -1;
+    }
+    scan_sources_free(&in->head.scan);
+    in->head.scan = scan_sources_copy(&a->head.head.scan);
+    return 0;
+}
+
+int fit_ahead_rest(struct fit_ahead *a, struct path *in, struct range range,
+                   struct gouge_refit_options *gouge, struct fitted_runs *runs, struct error *error)
+{
+    bool began = a->aside != NULL;
+    int result = take_scan(a, in, error);
+
+    a->aside = NULL;
+    if (result == 0) {
+        result = gouge_options_check(a->scan, in, a->threads, error);
+        a->scan = NULL;
+    }
+    if (result != 0)
+        return -1;
+    if (!began)
+        a->finder.tolerance = a->gouge.guard ? link_tolerance(a) : 0;
+    run_finder_look(&a->finder, in, &a->found);
+    if (!began)
+        a->work = work_of(in, &a->found);
+    keep_runs(&a->found, range, a->gouge.guard);
+    struct fit_request request = request_of(a, in);
+    fit_runs(a->fitter, &request, &a->found, a->threads, &a->fitted);
+    *gouge = a->gouge;
+    *runs = a->fitted;
+    a->gouge = (struct gouge_refit_options){0};
+    a->fitted = (struct fitted_runs){0};
+    return 0;
+}
+
+void fit_ahead_free(struct fit_ahead *a)
+{
+    if (a->aside) {
+        aside_drop(a->aside);
+        aside_end(a->aside);
+    }
+    gouge_options_drop(a->scan);
+    gouge_refit_free(&a->gouge);
+    for (size_t i = 0; i < a->fitted.n; i++)
+        fitted_run_free(a->fitter, &a->fitted.item[i]);
+    array_free(&a->fitted);
+    array_free(&a->found);
+    path_free(&a->head);
+    free(a);
+}
