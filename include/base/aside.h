@@ -16,8 +16,8 @@ struct aside *aside_begin(int threads);
 /* Waits for the work asked for before, and has work(context) done. */
 void aside_do(struct aside *aside, void (*work)(void *context), void *context);
 
-/* The same without waiting: done after what is in hand.  False, and nothing is asked for, if a piece
- * waits already. */
+/* The same without waiting: done after what is in hand.  False, and nothing is asked for, if a
+ * piece waits already. */
 bool aside_add(struct aside *aside, void (*work)(void *context), void *context);
 
 /* A piece waits: aside_add would have no room. */

@@ -97,8 +97,8 @@ struct fitter {
     void *settings;                       /* the fitter's own, handed to the functions below */
     bool whole; /* `prepare` changes more than the head: not before all of the path is read */
 
-    /* Checks and changes the path that was read; unless `whole`, its head alone may be there.  -1: an
-     * error. */
+    /* Checks and changes the path that was read; unless `whole`, its head alone may be there.  -1:
+     * an error. */
     int (*prepare)(void *settings, struct path *in, struct error *error);
 
     /*

@@ -13,12 +13,12 @@
 #include "free_knots.h"
 
 /*
- * The parameters of the points are the lengths of the reference.  `before`: a curve for nearly the
+ * The parameters of the points are the lengths of the reference. `before`: a curve for nearly the
  * same data, from whose knots it begins, or NULL; of these only the ones near to what has moved
- * (options->moved) are tried to be taken out: the others were needed before.  Nothing is found where it would take as many
- * poles as there are points.  Knots nearer to each other than options->least are the first to be
- * taken out, and stay only where the tolerance needs them; none are nearer than 0.02 mm then.
- * `known` and `work` of the options are not looked at.
+ * (options->moved) are tried to be taken out: the others were needed before. Nothing is found where
+ * it would take as many poles as there are points. Knots nearer to each other than options->least
+ * are the first to be taken out, and stay only where the tolerance needs them; none are nearer than
+ * 0.02 mm then. `known` and `work` of the options are not looked at.
  */
 struct free_knots_result grown_knots_fit(const struct reference *reference,
                                          const struct free_knots_options *options,

@@ -64,8 +64,8 @@ struct path_parse {
     struct apt apt;
     struct error *error;
     const struct path_listener *listener; /* NULL: none */
-    const struct cl_dialect *dialect; /* NULL: none recognized */
-    bool sniffed;                     /* it will not change any more */
+    const struct cl_dialect *dialect;     /* NULL: none recognized */
+    bool sniffed;                         /* it will not change any more */
 
     double unit;                /* millimetres */
     bool unit_said, unit_asked; /* by UNITS, by the caller */

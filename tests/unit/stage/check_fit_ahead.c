@@ -119,7 +119,8 @@ START_TEST(while_it_is_read)
 }
 END_TEST
 
-/* Without RUNS, of a part, or where the fitter changes the path: at the end, as the path then is. */
+/* Without RUNS, of a part, or where the fitter changes the path: at the end, as the path is then.
+ */
 START_TEST(at_its_end)
 {
     for (int why = 0; why < 4; why++) {
