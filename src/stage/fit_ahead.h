@@ -26,8 +26,8 @@ bool fit_ahead_began(const struct fit_ahead *ahead);
 
 /*
  * Once the path is read: reads the scan if it is not yet (gouge_options.h), and fits the runs of
- * the range that are left.  *gouge and *runs are all that came of it, in the order of the path; -1, and
- * there is neither, as gouge_options_read.
+ * the range that are left.  *gouge and *runs are all that came of it, in the order of the path;
+ * -1, and there is neither, as gouge_options_read.
  */
 int fit_ahead_rest(struct fit_ahead *ahead, struct path *in, struct range range,
                    struct gouge_refit_options *gouge, struct fitted_runs *runs,
