@@ -6,11 +6,13 @@
 #define CLOUDMILL_TEST_IGES_FILES_H
 
 #include <check.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "io/nurbs/iges.h"
+#include "nurbs/patch.h"
 #include "scratch.h"
 
 static struct {
@@ -18,6 +20,21 @@ static struct {
     size_t d, p;
     int entities, lines;
 } iges_file;
+
+/* The file as it was read, the patch that was made of an entity, and what went wrong: of the test
+ * that runs, from iges_file_begin() to iges_file_end(). */
+static struct iges iges;
+static struct patch patch;
+static struct error error;
+
+static inline void iges_file_end(void)
+{
+    iges_free(&iges);
+    patch_free(&patch);
+    iges = (struct iges){0};
+    patch = (struct patch){0};
+    error = (struct error){0};
+}
 
 static inline void iges_file_begin(void)
 {
@@ -42,15 +59,25 @@ static inline int iges_file_add(int type, int form, int matrix, bool dependent, 
     return number;
 }
 
-/* The file read; the caller frees it. */
-static inline struct iges iges_file_read(void)
+/* An entity whose numbers a format of printf has. */
+static inline int iges_file_format(int type, int form, int matrix, bool dependent,
+                                   const char *format, ...)
+{
+    char text[200];
+    va_list values;
+    va_start(values, format);
+    vsnprintf(text, sizeof text, format, values);
+    va_end(values);
+    return iges_file_add(type, form, matrix, dependent, text);
+}
+
+/* Reads the file. */
+static inline void iges_file_read(void)
 {
     static const char global[] = "1H,,1H;,4Hpart,4Hfile,4Hmake,1H1,32,38,6,308,15,4Hpart,1.,2,2HMM"
                                  ",1,0.01,13H261121.101010,1E-6,200.,,,11,0;";
     static char text[60000];
     struct reader r;
-    struct iges iges;
-    struct error error;
     size_t n = (size_t)sprintf(text, "%-72sS%7d\n", "", 1);
     int globals = 0;
     for (const char *g = global; *g; g += strlen(g) < 72 ? strlen(g) : 72)
@@ -60,7 +87,6 @@ static inline struct iges iges_file_read(void)
     ck_assert_int_eq(reader_open(&r, scratch_text(text), &error), 0);
     ck_assert_msg(iges_read(&r, &iges, &error) == 0, "%s", error.text);
     reader_close(&r);
-    return iges;
 }
 
 #endif

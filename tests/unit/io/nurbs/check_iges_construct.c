@@ -8,9 +8,6 @@
 #include "math/elementary.h"
 #include "nurbs/construct.h"
 
-static struct iges iges;
-static struct patch patch;
-static struct error error;
 static struct transform place; /* twice as large, turned and shifted */
 
 static void setup(void)
@@ -20,33 +17,23 @@ static void setup(void)
     place = transform_product(turn, transform_scale(2));
 }
 
-static void teardown(void)
-{
-    iges_free(&iges);
-    patch_free(&patch);
-    iges = (struct iges){0};
-    patch = (struct patch){0};
-}
-
 static void again(void)
 {
-    teardown();
+    iges_file_end();
     setup();
 }
 
 static int construct(int number)
 {
-    iges = iges_file_read();
+    iges_file_read();
     return iges_construct(&iges, iges_entity(&iges, number), &place, &patch, &error);
 }
 
 /* A number as IGES writes it. */
 static int add(int type, int form, const char *format, double a, double b, double c)
 {
-    char text[200];
     /* cppcheck-suppress wrongPrintfScanfArgNum ; formats use as many as they need */
-    snprintf(text, sizeof text, format, a, b, c);
-    return iges_file_add(type, form, 0, true, text);
+    return iges_file_format(type, form, 0, true, format, a, b, c);
 }
 
 /* The point of the surface, in the file's place and lengths, at parts of the range. */
@@ -274,7 +261,7 @@ int main(void)
 {
     Suite *suite = suite_create("iges_construct");
     TCase *tests = tcase_create("iges_construct");
-    tcase_add_checked_fixture(tests, setup, teardown);
+    tcase_add_checked_fixture(tests, setup, iges_file_end);
     tcase_add_test(tests, plane);
     tcase_add_test(tests, spline);
     tcase_add_test(tests, revolution);

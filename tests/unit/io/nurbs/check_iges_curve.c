@@ -6,18 +6,11 @@
 #include "io/nurbs/iges_curve.h"
 #include "math/elementary.h"
 
-static struct iges iges;
 static struct patch_loop loop;
-static struct error error;
-
-static void setup(void)
-{
-    iges_file_begin();
-}
 
 static void teardown(void)
 {
-    iges_free(&iges);
+    iges_file_end();
     patch_loop_free(&loop);
     loop = (struct patch_loop){0};
 }
@@ -26,7 +19,7 @@ static void teardown(void)
 static int curve(int number)
 {
     const struct iges_entity *unknown;
-    iges = iges_file_read();
+    iges_file_read();
     return iges_curve(&iges, iges_entity(&iges, number), &loop, &unknown, &error);
 }
 
@@ -114,7 +107,7 @@ START_TEST(polylines)
         teardown();
         memset(&iges, 0, sizeof iges);
     }
-    setup();
+    iges_file_begin();
     ck_assert_int_eq(curve(iges_file_add(106, 12, 0, false, "106,2,3,0.,0.,4.,2.,0.,4.,2.,8.;")),
                      -1);
     ck_assert_ptr_nonnull(strstr(error.text, "entity 106 with"));
@@ -142,14 +135,14 @@ START_TEST(splines)
         teardown();
         memset(&iges, 0, sizeof iges);
     }
-    setup(); /* a weight of nothing, knots that fall */
+    iges_file_begin(); /* a weight of nothing, knots that fall */
     ck_assert_int_eq(curve(iges_file_add(126, 0, 0, false,
                                          "126,1,1,0,0,1,0,0.,0.,1.,1.,1.,0.,0.,0.,0.,1.,0.,0.,0.,"
                                          "1.;")),
                      -1);
     teardown();
     memset(&iges, 0, sizeof iges);
-    setup();
+    iges_file_begin();
     ck_assert_int_eq(curve(iges_file_add(126, 0, 0, false,
                                          "126,1,1,0,0,1,0,0.,1.,0.,1.,1.,1.,0.,0.,0.,1.,0.,0.,0.,"
                                          "1.;")),
@@ -246,7 +239,7 @@ START_TEST(composites)
     int all = iges_file_add(102, 0, shift, false, text);
     struct iges_ranges ranges = {0};
     const struct iges_entity *unknown;
-    iges = iges_file_read();
+    iges_file_read();
     ck_assert_int_eq(
         iges_curve_ranges(&iges, iges_entity(&iges, all), &loop, &ranges, &unknown, &error), 0);
     ck_assert_uint_eq(loop.n, 3);
@@ -274,13 +267,13 @@ START_TEST(no_curves)
     ck_assert_int_eq(curve(self), -1);
     teardown();
     memset(&iges, 0, sizeof iges);
-    setup();
+    iges_file_begin();
     int point = iges_file_add(116, 0, 0, true, "116,0.,0.,0.;");
     char text[40];
     snprintf(text, sizeof text, "102,1,%d;", point);
     int all = iges_file_add(102, 0, 0, false, text);
     const struct iges_entity *unknown = NULL;
-    iges = iges_file_read();
+    iges_file_read();
     ck_assert_int_eq(iges_curve(&iges, iges_entity(&iges, all), &loop, &unknown, &error), 1);
     ck_assert_ptr_eq(unknown, iges_entity(&iges, point));
 }
@@ -336,7 +329,7 @@ START_TEST(offsets)
         teardown();
         memset(&iges, 0, sizeof iges);
     }
-    setup();
+    iges_file_begin();
 }
 END_TEST
 
@@ -362,7 +355,7 @@ int main(void)
 {
     Suite *suite = suite_create("iges_curve");
     TCase *tests = tcase_create("iges_curve");
-    tcase_add_checked_fixture(tests, setup, teardown);
+    tcase_add_checked_fixture(tests, iges_file_begin, teardown);
     tcase_add_test(tests, line);
     tcase_add_test(tests, arcs);
     tcase_add_test(tests, polylines);

@@ -6,9 +6,7 @@
 #include "io/nurbs/iges_parts.h"
 #include "math/elementary.h"
 
-static struct iges iges;
 static struct iges_parts parts;
-static struct error error;
 static int bodies;
 
 static void setup(void)
@@ -19,9 +17,8 @@ static void setup(void)
 
 static void teardown(void)
 {
-    iges_free(&iges);
+    iges_file_end();
     array_free(&parts);
-    iges = (struct iges){0};
     parts = (struct iges_parts){0};
 }
 
@@ -32,16 +29,14 @@ static bool is_face(int type)
 
 static int find(void)
 {
-    iges = iges_file_read();
+    iges_file_read();
     return iges_parts(&iges, is_face, &bodies, &parts, &error);
 }
 
 static int add(int type, int matrix, const char *format, int a, int b, int c)
 {
-    char text[200];
     /* cppcheck-suppress wrongPrintfScanfArgNum ; formats use as many as they need */
-    snprintf(text, sizeof text, format, a, b, c);
-    return iges_file_add(type, 0, matrix, false, text);
+    return iges_file_format(type, 0, matrix, false, format, a, b, c);
 }
 
 /* One part of the face, which takes the point 1, 2, 3 there. */

@@ -8,10 +8,8 @@
 #include "io/nurbs/iges_ruled.h"
 #include "math/elementary.h"
 
-static struct iges iges;
 static struct iges_side side[2];
 static struct nurbs surface;
-static struct error error;
 static double rough;
 
 static void setup(void)
@@ -24,9 +22,8 @@ static void teardown(void)
 {
     iges_ruled_free(side);
     nurbs_free(&surface);
-    iges_free(&iges);
+    iges_file_end();
     surface = (struct nurbs){0};
-    iges = (struct iges){0};
 }
 
 static void again(void)
@@ -38,11 +35,9 @@ static void again(void)
 /* The entity of these two curves, read and made. */
 static void rule(int form, int a, int b, int backwards)
 {
-    char text[100];
-    snprintf(text, sizeof text, "118,%d,%d,%d,0;", a, b, backwards);
-    int number = iges_file_add(118, form, 0, false, text);
+    int number = iges_file_format(118, form, 0, false, "118,%d,%d,%d,0;", a, b, backwards);
     struct transform twice = transform_scale(2);
-    iges = iges_file_read();
+    iges_file_read();
     ck_assert_int_eq(iges_ruled_read(&iges, iges_entity(&iges, number), side, &error), 0);
     surface = iges_ruled_surface(side, &twice, &rough);
 }
@@ -161,11 +156,9 @@ START_TEST(no_curves)
 {
     int a = iges_file_add(110, 0, 0, true, "110,0.,0.,0.,4.,0.,0.;");
     int point = iges_file_add(116, 0, 0, true, "116,0.,0.,0.;");
-    char text[40];
-    snprintf(text, sizeof text, "118,%d,%d,0,0;", a, point);
-    int number = iges_file_add(118, 0, 0, false, text);
+    int number = iges_file_format(118, 0, 0, false, "118,%d,%d,0,0;", a, point);
     int none = iges_file_add(118, 0, 0, false, "118,1,99,0,0;");
-    iges = iges_file_read();
+    iges_file_read();
     ck_assert_int_eq(iges_ruled_read(&iges, iges_entity(&iges, number), side, &error), 1);
     iges_ruled_free(side);
     ck_assert_int_eq(iges_ruled_read(&iges, iges_entity(&iges, none), side, &error), -1);

@@ -5,9 +5,6 @@
 #include "base/array.h"
 #include "io/nurbs/iges_trim.h"
 
-static struct iges iges;
-static struct patch patch;
-static struct error error;
 static struct iges_trimming trimming;
 static int flat[3], space[3]; /* the sides of a triangle, as lines */
 
@@ -25,31 +22,21 @@ static void setup(void)
     trimming.outer.m[2][3] = 10;
 }
 
-static void teardown(void)
-{
-    iges_free(&iges);
-    patch_free(&patch);
-    iges = (struct iges){0};
-    patch = (struct patch){0};
-}
-
 static void again(void)
 {
-    teardown();
+    iges_file_end();
     setup();
 }
 
 static int trim(int number)
 {
-    iges = iges_file_read();
+    iges_file_read();
     return iges_trim(&trimming, &patch, iges_entity(&iges, number), &error);
 }
 
 static int composite(const int side[3])
 {
-    char text[100];
-    snprintf(text, sizeof text, "102,3,%d,%d,%d;", side[0], side[1], side[2]);
-    return iges_file_add(102, 0, 0, true, text);
+    return iges_file_format(102, 0, 0, true, "102,3,%d,%d,%d;", side[0], side[1], side[2]);
 }
 
 /* The loop is the triangle, in its parameters or in mm, each side beginning where the last ends. */
@@ -72,9 +59,7 @@ static void is_triangle(const struct patch_loop *loop, bool in_space)
 
 static int curve_on_surface(int of_flat, int of_space, int prefers)
 {
-    char text[100];
-    snprintf(text, sizeof text, "142,0,0,%d,%d,%d;", of_flat, of_space, prefers);
-    return iges_file_add(142, 0, 0, true, text);
+    return iges_file_format(142, 0, 0, true, "142,0,0,%d,%d,%d;", of_flat, of_space, prefers);
 }
 
 /* Preference 1 (or none): the parameters; 2: space, and what is told beside it. */
@@ -177,7 +162,7 @@ int main(void)
 {
     Suite *suite = suite_create("iges_trim");
     TCase *tests = tcase_create("iges_trim");
-    tcase_add_checked_fixture(tests, setup, teardown);
+    tcase_add_checked_fixture(tests, setup, iges_file_end);
     tcase_add_test(tests, curves_on_a_surface);
     tcase_add_test(tests, one_curve_alone);
     tcase_add_test(tests, boundaries);
