@@ -3,6 +3,7 @@
 
 #include <getopt.h>
 #include <math.h>
+#include <pthread.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -21,6 +22,9 @@ static struct {
     const char *tool;
     bool quiet, verbose, progress_shown;
 } state = {.tool = "cloudmill"};
+
+/* A fitter's scan and its path are read by two threads. */
+static pthread_mutex_t lines = PTHREAD_MUTEX_INITIALIZER; /* on progress_shown, and on `last` */
 
 /* The name before every message. */
 static void message_begin(const char *tool)
@@ -49,10 +53,12 @@ static void print_line(const char *format, va_list args)
     for (char *p = line; *p; p++)
         if ((unsigned char)*p < ' ' || *p == 127)
             *p = '?';
+    pthread_mutex_lock(&lines);
     if (state.progress_shown)
         fputs("\r\033[K", stderr);
     state.progress_shown = false;
     fprintf(stderr, "%s\n", line);
+    pthread_mutex_unlock(&lines);
 }
 
 void say(const char *format, ...)
@@ -136,17 +142,19 @@ void progress(const char *what, size_t done, size_t of)
     static time_t last;
     if (state.quiet || !isatty(2))
         return;
+    pthread_mutex_lock(&lines);
     time_t now = time(NULL);
-    if (done < of && now == last) /* at most once a second */
-        return;
-    last = now;
-    if (done < of)
-        fprintf(stderr, "\r%s: %s %d%% (%zu of %zu)\033[K", state.tool, what,
-                (int)(100.0 * (double)done / (double)of), done, of);
-    else
-        fputs("\r\033[K", stderr);
-    fflush(stderr);
-    state.progress_shown = done < of;
+    if (done >= of || now != last) { /* at most once a second */
+        last = now;
+        if (done < of)
+            fprintf(stderr, "\r%s: %s %d%% (%zu of %zu)\033[K", state.tool, what,
+                    (int)(100.0 * (double)done / (double)of), done, of);
+        else
+            fputs("\r\033[K", stderr);
+        fflush(stderr);
+        state.progress_shown = done < of;
+    }
+    pthread_mutex_unlock(&lines);
 }
 
 /* ---- options */

@@ -117,7 +117,8 @@ static void fit_chunk(void *context)
     if (a->result == 0) {
         struct fit_request request = request_of(a, &c->path);
         if (c->first)
-            note("fitting begins while the path is read, with %zu runs", c->runs.n);
+            note("fitting begins while the path is read, with %zu run%s", c->runs.n,
+                 c->runs.n == 1 ? "" : "s");
         fit_runs(a->fitter, &request, &c->runs, a->threads, &a->fitted);
         move_runs(&a->fitted, n, 0, c->from);
     }
