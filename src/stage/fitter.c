@@ -163,7 +163,7 @@ int fitter_run(const struct fitter *fitter, const struct cli *cli, struct error 
     const struct fitter_options *options = fitter->options;
     struct gouge_refit_options gouge = {0};
     struct fitted_runs runs = {0};
-    struct range range;
+    struct range range = {0};
     struct path in = {0};
 
     if (read_and_fit(fitter, cli, &in, &range, &gouge, &runs, error) < 0) {
