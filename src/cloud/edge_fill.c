@@ -91,8 +91,8 @@ static bool is_on_patch(const struct edge_work *work, const struct edge_hood *ne
     return true;
 }
 
-/* So far from the place towards (u, v) the flank has gone on above that of another point, which lies
- * there: their edge is before. */
+/* So far from the place towards (u, v) the flank has gone on above that of another point, which
+ * lies there: their edge is before. */
 static bool is_beyond_edge(const struct edge_work *work, const struct edge_hood *near,
                            const struct flank_patch *patch, struct vec3 at, double u, double v)
 {

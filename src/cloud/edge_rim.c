@@ -3,8 +3,8 @@
 
 #include "math/elementary.h"
 
-/* In spacings: half a step round may be off by the first; over one along it the rim bends by no more
- * than the second. */
+/* In spacings: half a step round may be off by the first; over one along it the rim bends by no
+ * more than the second. */
 static const double SLACK = 0.08, BEND = 0.06;
 
 /* In spacings: points so far away bear it out, or where these make no rim, nearer ones. */
@@ -16,8 +16,9 @@ static bool is_within(struct vec3 from, struct vec3 p, double reach)
     return hypot_compare(p.x - from.x, p.y - from.y, reach) <= 0;
 }
 
-/* So near to a point under it, by the distance of one on it, a flank does not end by chance; and where
- * one is so near to a point of it, in spacings, the scan has two layers and this tells nothing. */
+/* So near to a point under it, by the distance of one on it, a flank does not end by chance; and
+ * where one is so near to a point of it, in spacings, the scan has two layers and this tells
+ * nothing. */
 static const double COVERED = 0.3, LAYERED = 0.1;
 
 /* How far p is ahead of the point towards (u, v), mm, aside as a rim that bends would have it. */
@@ -28,7 +29,8 @@ static double ahead_of(struct vec3 from, struct vec3 p, double u, double v, doub
     return u * x + v * y + bend * aside * aside;
 }
 
-/* Beside the place, seen from above, is a point that is below the flank, no further than `radius`. */
+/* Beside the place, seen from above, is a point that is below the flank, no further than
+ * `radius`. */
 static bool is_over_any(const struct edge_work *work, size_t i, struct vec3 at, double radius)
 {
     const struct point_grid *b = work->options->point_grid;

@@ -99,9 +99,9 @@ void edge_meet_add(const struct edge_work *work, const struct edge_hood *near, s
 /* ---- edge_rim: how far the flank of a point may go on, seen from above, for all that the points
  * tell: where one is below it, it is not.  The rim between points on it and points under it is as
  * straight as they allow, so that neighbours along it tell where it is much better than the way
- * from one point to the next below.  Of all directions across it those are kept in which no point on
- * the flank is further than any under it, and how far these are; the flank may go on as far as any
- * of them allows. */
+ * from one point to the next below.  Of all directions across it those are kept in which no point
+ * on the flank is further than any under it, and how far these are; the flank may go on as far as
+ * any of them allows. */
 
 enum { EDGE_ROUND = 120 };
 

@@ -93,8 +93,8 @@ START_TEST(round_edges)
     ck_assert_uint_ge(found.n, 250);
     for (size_t i = 0; i < found.n; i++) {
         ck_assert_double_le(fabs(hypot(found.item[i].x, found.item[i].y) - 8), 0.03);
-        /* the border is where the last points are: 4 by 4 spacings without one of 7 a mm^2 are there
-           once in a million */
+        /* the border is where the last points are: 4 by 4 spacings without one of 7 a mm^2 are
+         * there            once in a million */
         ck_assert_double_ge(found.item[i].z, 20 - 4 * SPACING);
     }
     array_free(&found);

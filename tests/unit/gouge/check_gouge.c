@@ -64,7 +64,7 @@ START_TEST(depth_along_is_the_deepest_of_the_way)
         double found = gouge_depth_along(guard, a, b, 3);
         if (deepest > 0) {
             ck_assert_double_ge(found, deepest - 1e-12);
-            /* of those looked at one is within half a step of the deepest, 3 - found from a point */
+            /* one that was looked at is within half a step of the deepest place */
             double off = 3 - found, half = vec_distance(a, b) / 2000;
             ck_assert_double_le(found, deepest + hypot(off, half) - off + 1e-9);
         } else {

@@ -86,8 +86,8 @@ START_TEST(slot_is_out_of_reach)
 }
 END_TEST
 
-/* A hollow that fits the ball but for 0.03 is out of reach of who may leave 0.05, and not of who may
- * leave 0.08: half of that could be cut. */
+/* A hollow that fits the ball but for 0.03 is out of reach of who may leave 0.05, and not of who
+ * may leave 0.08: half of that could be cut. */
 START_TEST(by_the_limit)
 {
     make(false);
