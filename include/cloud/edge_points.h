@@ -19,7 +19,7 @@
  *      of the flank are on all sides, or one that is certain goes on above another flank, whose
  *      points lie there; for no surface of all nearest points goes through there.
  *   4. Where points lie below a flank, so steeply that a wall must be between, or as far below it
- *      as it is above their own surface, nobody knows where the wall is: the flank goes on as far as
+ *      as it is above their own surface, nobody knows where the wall is: a flank goes on as far as
  *      a rim may be, nearly straight, that parts points of the flank from those below it, at a
  *      corner up to these and a little beyond, and from there down to them goes a wall, so that a
  *      ball is kept off whatever may be there.  Only flanks are continued that are certain:
