@@ -70,6 +70,7 @@ text '3s/S  /X  /;3s/D  /X  /;3s/G  /X  /' expected "a section letter that there
 text '$d' "no surface|expected|cut short" "no T section"
 text '/^.\{72\}P[0 ]*5$/,$d' "no T section .* cut short" "the second half missing"
 text '5d' "sequence number" "a directory line missing"
+text '4s/^\(.\{48\}\).\{8\}/\1     -99/' "a transformation, expected an entity 124" "a transformation that there is not"
 text '2s/5Hmodel/6Hmodel/' "count of characters" "a count of characters too large"
 text '2s/,2,2HMM/,2,3HMM/;3s/,2,2HMM/,2,3HMM/' "expected" "a unit's count too large"
 text '2s/15,5Hmodel,1.,2/15,5Hmodel,0.,2/' "scale" "a scale of nothing"

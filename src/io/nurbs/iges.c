@@ -256,7 +256,7 @@ static int read_rest(struct iges *iges, struct iges_cursor *c, double *flag, cha
 static int read_global(struct iges *iges, struct error *error)
 {
     if (iges->global.n == 0)
-        return error_at(error, iges->name, 0, "no G section, expected one as in IGES");
+        return error_at(error, iges->name, 1, "no G section, expected one as in IGES");
     struct iges_cursor c = {.name = iges->name,
                             .record = iges->global.item,
                             .records = iges->global.n,

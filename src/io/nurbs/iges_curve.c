@@ -45,7 +45,8 @@ static int too_few_values(const struct source *s, size_t need, struct error *err
                     need);
 }
 
-int iges_matrix(const struct iges *iges, int number, struct transform *matrix, struct error *error)
+int iges_matrix(const struct iges *iges, int number, size_t line, struct transform *matrix,
+                struct error *error)
 {
     *matrix = transform_identity();
     for (int depth = 0; number != 0; depth++) {
@@ -53,7 +54,7 @@ int iges_matrix(const struct iges *iges, int number, struct transform *matrix, s
         struct iges_values v;
         if (!e || e->type != 124 || depth == DEPTH_MAX)
             return error_at(
-                error, iges->name, 0,
+                error, iges->name, line,
                 "a pointer to directory entry %d as a transformation, expected an entity "
                 "124",
                 number);
@@ -62,13 +63,14 @@ int iges_matrix(const struct iges *iges, int number, struct transform *matrix, s
         struct transform t = transform_identity();
         for (size_t i = 0; i < 12; i++)
             t.m[i / 4][i % 4] = 1 + i < v.n ? v.item[1 + i].number : 0;
-        size_t n = v.n, line = v.line;
+        size_t n = v.n, here = v.line;
         array_free(&v);
         if (n < 13)
-            return error_at(error, iges->name, line, "entity 124 with %zu numbers, expected 12",
+            return error_at(error, iges->name, here, "entity 124 with %zu numbers, expected 12",
                             n - 1);
         *matrix = transform_product(t, *matrix);
         number = e->matrix;
+        line = e->at;
     }
     return 0;
 }
@@ -557,7 +559,7 @@ static int read_curve(const struct iges *iges, const struct iges_entity *entity,
     if (walk->left-- == 0 || walk->depth == DEPTH_MAX)
         return error_at(error, iges->name, entity->at,
                         "curves within curves without end, expected simple ones");
-    if (iges_matrix(iges, entity->matrix, &s.matrix, error) < 0 ||
+    if (iges_matrix(iges, entity->matrix, entity->at, &s.matrix, error) < 0 ||
         iges_values(iges, entity, &values, error) < 0)
         return -1;
     if (iges_numbers(iges, &values, 1, values.n, NURBS_LARGEST, error) < 0) {

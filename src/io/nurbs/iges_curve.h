@@ -11,8 +11,10 @@
 #include "nurbs/patch.h"
 #include "math/transform.h"
 
-/* The transformation of an entity and those that this one points to; identity for 0. */
-int iges_matrix(const struct iges *iges, int number, struct transform *matrix, struct error *error);
+/* The transformation that an entity points to (`line` of the file says so), and those that this one
+ * points to; identity for 0. */
+int iges_matrix(const struct iges *iges, int number, size_t line, struct transform *matrix,
+                struct error *error);
 
 /* Appends the curve to the loop: 0, or -1, or 1 when it is, or holds, an entity that is no curve
  * known here: `unknown` then points to that. */

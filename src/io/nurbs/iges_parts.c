@@ -129,7 +129,7 @@ static int place_held(struct walk *w, const struct iges_entity *e, const struct 
     for (size_t k = 0; k < n && status == 0; k++) {
         struct transform own = transform_identity();
         if (e->type == 184 && value_at(v, 2 + n + k, 0) > 0 &&
-            iges_matrix(w->iges, (int)value_at(v, 2 + n + k, 0), &own, error) < 0)
+            iges_matrix(w->iges, (int)value_at(v, 2 + n + k, 0), e->at, &own, error) < 0)
             return -1;
         int in = e->type == 186 ? ++*w->bodies : body;
         bool was = w->cavity;
@@ -155,7 +155,8 @@ static int place(struct walk *w, const struct iges_entity *e, struct transform t
     }
     if (!holds(e->type, &p) && e->type != 408 && e->type != 430)
         return 0;
-    if (iges_matrix(w->iges, e->matrix, &own, error) < 0 || iges_values(w->iges, e, &v, error) < 0)
+    if (iges_matrix(w->iges, e->matrix, e->at, &own, error) < 0 ||
+        iges_values(w->iges, e, &v, error) < 0)
         return -1;
     int status = place_held(w, e, &v, transform_product(to, own), body, depth, error);
     array_free(&v);

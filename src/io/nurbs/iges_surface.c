@@ -186,7 +186,7 @@ static int read_surface(const struct source *s, const struct iges_entity *e,
 {
     struct iges_values v;
     struct transform matrix;
-    if (iges_matrix(s->iges, e->matrix, &matrix, error) < 0)
+    if (iges_matrix(s->iges, e->matrix, e->at, &matrix, error) < 0)
         return -1;
     matrix = transform_product(*outer, matrix);
     if (e->type != 128 && e->type != 140) {
@@ -242,7 +242,8 @@ static int add_patch(const struct source *s, const struct trimmed *t, struct err
         .iges = s->iges, .mm = s->mm, .space = e->type != 128 && e->type != 114};
     struct iges_values v;
     struct patch patch = {.entity = e->number, .body = t->body, .cavity = t->cavity};
-    if (iges_matrix(s->iges, t->trim ? t->trim->matrix : 0, &trimming.outer, error) < 0)
+    if (iges_matrix(s->iges, t->trim ? t->trim->matrix : 0, t->trim ? t->trim->at : e->at,
+                    &trimming.outer, error) < 0)
         return -1;
     trimming.outer = transform_product(t->to, trimming.outer);
     int status = t->trim ? iges_values(s->iges, t->trim, &v, error) : 0;
@@ -335,7 +336,7 @@ int iges_surfaces(const struct iges *iges, double mm, struct patches *patches, s
         status = add_patch(&s, &all.item[i], error);
     array_free(&all);
     if (status == 0 && patches->n == before)
-        return error_at(error, iges->name, 0,
+        return error_at(error, iges->name, 1,
                         "no surface that is read (entity type 128 and others) among %zu entities, "
                         "expected one",
                         iges->entity.n);

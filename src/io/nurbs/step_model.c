@@ -560,8 +560,9 @@ static int add_group(struct model *m, long group, const struct transform *to, in
     struct step_alias self = {group, group};
     /* all of them are gone through */
     m->visits += 1 + (long)((m->assembly.alias.n + m->assembly.component.n) / 64);
+    const struct step_instance *first = step_find(m->step, group);
     if (m->visits > VISITS_MAX || depth > DEPTH_MAX)
-        return error_at(error, m->step->name, 0,
+        return error_at(error, m->step->name, first ? first->line : 1,
                         "representation #%ld is part of itself, or used too often, expected an "
                         "assembly that ends",
                         group);

@@ -72,7 +72,7 @@ static int read_any(struct reader *r, double mm, struct patches *patches,
     if (got < 0)
         return -1;
     if (got == 0)
-        return error_at(error, r->name, 0, "an empty file, expected IGES, STEP or NURBS text");
+        return error_at(error, r->name, 1, "an empty file, expected IGES, STEP or NURBS text");
     bool iges = n > LETTER && strchr("SCB", line[LETTER]) && line[LETTER] != '\0';
     const char *word = line + strspn(line, " \t");
     bool text = *word == '#' || (strncmp(word, "nurbs", 5) == 0 && strspn(word + 5, " \t") > 0);

@@ -217,9 +217,9 @@ START_TEST(transformations)
     passes(0, 0, 2 * (10 - 2) + 100, 2 * (20 + 1) + 200, 2 * (30 + 3) + 300);
     passes(0, 1, 2 * (10 + 6) + 100, 2 * (20 + 5) + 200, 2 * (30 + 9) + 300);
     struct transform t;
-    ck_assert_int_eq(iges_matrix(&iges, 0, &t, &error), 0);
+    ck_assert_int_eq(iges_matrix(&iges, 0, 7, &t, &error), 0);
     ck_assert(transform_is_identity(&t));
-    ck_assert_int_eq(iges_matrix(&iges, 5, &t, &error), -1); /* the line is none */
+    ck_assert_int_eq(iges_matrix(&iges, 5, 7, &t, &error), -1); /* the line is none */
     ck_assert_ptr_nonnull(strstr(error.text, "directory entry 5"));
 }
 END_TEST
