@@ -183,6 +183,55 @@ START_TEST(global_section)
 }
 END_TEST
 
+/* Each of the 26 parameters has its kind, from the third to the last. */
+START_TEST(kinds_of_the_global_section)
+{
+    static const char *const good[26] = {"1H,",
+                                         "1H;",
+                                         "4Hpart",
+                                         "4Hfile",
+                                         "4Hmake",
+                                         "1H1",
+                                         "32",
+                                         "38",
+                                         "6",
+                                         "308",
+                                         "15",
+                                         "4Hpart",
+                                         "1.",
+                                         "2",
+                                         "2HMM",
+                                         "1",
+                                         "0.01",
+                                         "13H261121.101010",
+                                         "1E-6",
+                                         "90.",
+                                         "2Hme",
+                                         "2Hus",
+                                         "11",
+                                         "0",
+                                         "13H261121.101010",
+                                         "3Happ"};
+    for (int wrong = 0; wrong <= 26; wrong++) {
+        char global[400] = "", found[80];
+        for (int i = 0; i < 26; i++) {
+            const char *bad = strchr(good[i], 'H') ? "7" : "1Hx";
+            append(global, sizeof global, "%s%s", i + 1 == wrong && i > 1 ? bad : good[i],
+                   i < 25 ? "," : ";");
+        }
+        struct file f = new_file(global);
+        struct patches patches;
+        struct error error = {.text = ""};
+        add(&f, 128, 0, 0, 64, PATCH);
+        int got = read_file(&f, &patches, &error);
+        patches_free(&patches);
+        ck_assert_msg(got == (wrong > 2 ? -1 : 0), "%d: %s", wrong, error.text);
+        snprintf(found, sizeof found, "as parameter %d of the global section", wrong);
+        ck_assert_msg(wrong <= 2 || strstr(error.text, found), "%d: %s", wrong, error.text);
+    }
+}
+END_TEST
+
 /* Entity 3 shifts by (1, 2, 3), entity 5 turns x to y and points to 3: first turned, then shifted.
  */
 START_TEST(transformations)
@@ -310,6 +359,7 @@ int main(void)
     tcase_add_test(tests, column_65);
     tcase_add_test(tests, numbers_and_defaults);
     tcase_add_test(tests, global_section);
+    tcase_add_test(tests, kinds_of_the_global_section);
     tcase_add_test(tests, transformations);
     tcase_add_test(tests, trimming);
     tcase_add_test(tests, refusals);
