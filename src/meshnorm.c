@@ -331,6 +331,8 @@ int main(int argc, char **argv)
     if (mesh.row.n > 0)
         note("%zu nodes in %zu strips", rows.node.n, rows.strip.n);
     int status = toolpath_conclude(&t);
+    if (unmets_status(&path_options.unguarded) != EXIT_DONE)
+        status = EXIT_UNMET;
     if (path_coverage_conclude(&coverage, &path.head.unmet) != EXIT_DONE)
         status = EXIT_UNMET;
     path_options_end(&mesh, "meshnorm", &t);

@@ -243,6 +243,8 @@ int main(int argc, char **argv)
     path_coverage_measure(&coverage, &t);
     note("%zu planes", planes.height.n);
     int status = toolpath_conclude(&t);
+    if (unmets_status(&path_options.unguarded) != EXIT_DONE)
+        status = EXIT_UNMET;
     if (path_coverage_conclude(&coverage, &path.head.unmet) != EXIT_DONE)
         status = EXIT_UNMET;
     if (planes.steep && scallop_given) {

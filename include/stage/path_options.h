@@ -33,7 +33,8 @@ struct path_options {
     const char *region; /* file, NULL: none */
     struct tool_options body;
     struct guard_choice guard;
-    bool guarded; /* by a scan: path_options_scan */
+    bool guarded;            /* by a scan: path_options_scan */
+    struct unmets unguarded; /* sharp edges that it does not know (path_options_guard) */
 };
 
 extern struct path_options path_options;

@@ -78,6 +78,14 @@ static void find_edges(void *context, size_t from, size_t to)
     }
 }
 
+static void find_unknown(void *context, size_t from, size_t to)
+{
+    const struct edge_work *work = context;
+
+    for (size_t i = from; i < to; i++)
+        work->unknown[i] = edge_unknown_depth(work, i);
+}
+
 static void fill_flanks(void *context, size_t from, size_t to)
 {
     const struct edge_work *work = context;
@@ -114,6 +122,13 @@ static struct edge_gaps sum_gaps(const struct edge_work *work)
             gaps.widest = work->gap[i];
             gaps.at = work->options->point_grid->point[i];
         }
+        if (!(work->unknown[i] > 0) || !edge_unknown_more(work, i))
+            continue;
+        gaps.unknown++;
+        if (work->unknown[i] > gaps.depth) {
+            gaps.depth = work->unknown[i];
+            gaps.unknown_at = work->options->point_grid->point[i];
+        }
     }
     return gaps;
 }
@@ -128,7 +143,8 @@ size_t edge_points(const struct edge_points_options *options, struct vec3s *to,
                              .chosen = mem_alloc(n, sizeof *work.chosen),
                              .found = mem_alloc(n, sizeof *work.found),
                              .between = mem_alloc(n, sizeof *work.between),
-                             .gap = mem_alloc(n, sizeof *work.gap)};
+                             .gap = mem_alloc(n, sizeof *work.gap),
+                             .unknown = mem_alloc(n, sizeof *work.unknown)};
 
     for (size_t i = 0; i < n; i++) {
         work.flank[i] = (struct edge_flank){.valid = false};
@@ -137,12 +153,14 @@ size_t edge_points(const struct edge_points_options *options, struct vec3s *to,
     }
     edge_flanks_find(&work);
     parallel_for(options->threads, n, find_edges, &work);
+    parallel_for(options->threads, n, find_unknown, &work);
     work.wide = work.lines;
     if (options->fill)
         parallel_for(options->threads, n, fill_flanks, &work);
     append_all(work.between, n, to);
     *gaps = sum_gaps(&work);
     free(work.gap);
+    free(work.unknown);
     free(work.flank);
     return append_all(work.found, n, to);
 }

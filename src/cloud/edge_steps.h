@@ -51,6 +51,7 @@ struct edge_work {
     struct vec3s *found;   /* places of edges, of each point */
     struct vec3s *between; /* and of its flank */
     double *gap;           /* so far its flank goes on to points below; 0: it does not */
+    double *unknown;       /* so far in front of it the part may go on */
 };
 
 /* ---- edge_hood: the neighbours of a point, itself the first; n < EDGE_NEAR: too few. */
@@ -127,6 +128,15 @@ bool edge_rim_allows(const struct edge_work *work, const struct edge_rim *rim, s
  * there are none. */
 
 double edge_cliff_add(const struct edge_work *work, size_t i, struct vec3s *to);
+
+/* ---- edge_unknown: how far the part may go on in front of point i, mm, where its neighbours to two
+ * sides make less than 120 degrees, none is in front, and no guard was found there, though no
+ * surface is known of it, but of most about it; else 0. */
+
+double edge_unknown_depth(const struct edge_work *work, size_t i);
+
+/* There is one more such point near (work->unknown): a single one may be astray. */
+bool edge_unknown_more(const struct edge_work *work, size_t i);
 
 /* ---- edge_fill: appends places on the flank of point i, up to its edges (work->found) and into
  * sharp hollows, as dense as those of edges are on these. */

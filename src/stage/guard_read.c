@@ -185,6 +185,24 @@ static void say_bounded(const struct guard_points *surface, const struct guard_r
     effort_say(EFFORT_GUARD_NEAR, rule->effort, surface->near);
 }
 
+static void say_edges(const struct edge_gaps *gaps, struct unmets *unmet)
+{
+    struct vec3 at = gaps->at;
+
+    if (gaps->n > 0)
+        say("edge not resolved at %.3f %.3f %.3f, one of %zu such points: the nearest points below "
+            "are up to %.3f mm beside; guarded as if the upper side went on as far, and so much of "
+            "the lower side may stay",
+            at.x, at.y, at.z, gaps->n, gaps->widest);
+    at = gaps->unknown_at;
+    if (gaps->unknown > 0)
+        unmet_say(
+            unmet,
+            "sharp edge not resolved at %.3f %.3f %.3f, one of %zu such points: by the points "
+            "beside it the part may go on up to %.3f mm in front of it, where nothing guards",
+            at.x, at.y, at.z, gaps->unknown, gaps->depth);
+}
+
 /* NULL: more points than can be sorted. */
 static struct gouge_check *gouge_of(struct vec3s *points, const struct mesh *mesh,
                                     struct guard_read_options *rule, struct error *error)
@@ -223,12 +241,7 @@ static struct gouge_check *gouge_of(struct vec3s *points, const struct mesh *mes
          surface.added);
     if (surface.edges > 0)
         note("and by %zu points on sharp edges that its surfaces meet in", surface.edges);
-    if (surface.gaps.n > 0)
-        say("edge not resolved at %.3f %.3f %.3f, one of %zu such points: the nearest points below "
-            "are up to %.3f mm beside; guarded as if the upper side went on as far, and so much of "
-            "the lower side may stay",
-            surface.gaps.at.x, surface.gaps.at.y, surface.gaps.at.z, surface.gaps.n,
-            surface.gaps.widest);
+    say_edges(&surface.gaps, rule->unmet);
     if (mesh)
         add_edges(mesh, sqrt(8 * rule->radius * how.sink), &point_grid, &surface.point);
     add_curtain(&point_grid, rule, &surface.point);

@@ -6,6 +6,7 @@
 #define CLOUDMILL_GUARD_READ_H
 
 #include "base/cli.h"
+#include "base/unmet.h"
 #include "gouge/gouge.h"
 #include "mesh/mesh.h"
 #include "stage/gouge_options.h"
@@ -36,6 +37,7 @@ struct guard_read_options {
         noise; /* of the scan, mm; negative: as found where it is above a tenth of the tolerance */
     double effort; /* effort.h */
     int threads;
+    struct unmets *unmet;           /* sharp edges that it does not know; NULL: only said */
     struct vec3s certain, doubtful; /* what becomes of it: its points (guard_points.h), ... */
     struct vec3s curtain;           /* ... and those that hang under its rims (roof.h) */
 };

@@ -267,7 +267,8 @@ int path_options_guard(const struct mesh *mesh, double near, int threads,
                                       .tolerance = c->tolerance,
                                       .noise = c->noise,
                                       .effort = c->effort,
-                                      .threads = threads};
+                                      .threads = threads,
+                                      .unmet = &path_options.unguarded};
 
     *guard = NULL;
     if (c->paper)
@@ -443,6 +444,7 @@ static void fill_head(const struct mesh *mesh, const char *tool, const struct to
     head->chord = c->tolerance > 0 ? NAN : t->chord;
     head->scan = scan_sources_copy(&guard_scan.source);
     unmets_add_all(&head->unmet, &origin->unmet);
+    unmets_add_all(&head->unmet, &path_options.unguarded);
 }
 
 void path_options_begin(const struct mesh *mesh, const char *tool, const char *output,

@@ -1,0 +1,80 @@
+/* edge_unknown: the crest of a blade with one or two points across is told, and how far it may go
+ * on; a roof, whose sides are known, an even scan, a mesa, whose wall is guarded, and a single point
+ * that is astray are not. */
+#include <check.h>
+#include <stdlib.h>
+
+#include "edge_trial.h"
+
+/* A ring of a blade 1.4 mm wide at its foot. */
+static const double RADIUS = 6, HIGH = 3;
+
+static double ring(double x, double y)
+{
+    return fmax(0, HIGH - HIGH / 0.7 * fabs(hypot(x - 0.13, y + 0.07) - RADIUS));
+}
+
+static double mesa(double x, double y)
+{
+    return edge_trial_side(x, y) > 0.07 ? HIGH : 0;
+}
+
+static double even(double x, double y)
+{
+    return (x * x - y * y) / 60;
+}
+
+/* One point of the grid stands out. */
+static double astray(double x, double y)
+{
+    return fabs(x - 1) < 0.1 && fabs(y - 1) < 0.1 ? 1 : even(x, y);
+}
+
+/* What is told of a scan of the shape. */
+static struct edge_gaps told(double (*height)(double, double), bool lines, double sigma)
+{
+    struct edge_trial trial;
+    struct edge_gaps gaps;
+    struct vec3s to = {0};
+
+    edge_trial_make(&trial, height, lines, sigma);
+    edge_points(&trial.options, &to, &gaps);
+    array_free(&to);
+    edge_trial_free(&trial);
+    return gaps;
+}
+
+START_TEST(thin_ring)
+{
+    struct edge_gaps gaps = told(ring, _i, 0);
+    struct vec3 at = gaps.unknown_at;
+
+    ck_assert_uint_ge(gaps.unknown, 2);
+    ck_assert_double_le(fabs(hypot(at.x - 0.13, at.y + 0.07) - RADIUS), 0.7);
+    /* no further than the side goes on until it is over the next point on the other side */
+    ck_assert_double_ge(gaps.depth, HIGH - at.z);
+}
+END_TEST
+
+START_TEST(nothing_told)
+{
+    static double (*const of[])(double, double) = {edge_trial_roof, mesa, even, astray};
+    struct edge_gaps gaps = told(of[_i / 2], false, _i % 2 ? 0.02 : 0);
+
+    ck_assert_uint_eq(gaps.unknown, 0);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("edge_unknown");
+    TCase *tests = tcase_create("edge_unknown");
+    SRunner *runner = srunner_create(suite);
+    tcase_add_loop_test(tests, thin_ring, 0, 2);
+    tcase_add_loop_test(tests, nothing_told, 0, 8);
+    suite_add_tcase(suite, tests);
+    srunner_run_all(runner, CK_ENV);
+    int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed > 0;
+}
