@@ -26,6 +26,10 @@
  *      their points are off them by no more than noise, or than a ball may sink.
  *   5. The tip of a cone is put where its straight lines, continued, meet (cone_tip.h), and places
  *      round it as far as all neighbours know.
+ *   6. Where two neighbours make a sharp corner with a point, as seen from outside, and neither its
+ *      surface nor a place of an edge is known, the part may go on in front of it: this is counted,
+ *      if there are two such points near each other, the scan goes on round them, and the surface
+ *      of a third of the points about is certain (elsewhere all of it is rough).
  * On scan lines (scan_lines.h) flanks are those of neighbours on several lines, for through three
  * lines a smooth surface goes whatever is between; where these do not tell, of neighbours on few.
  * No edge is put where points near to it lie off both flanks, and on no flank of their own: there

@@ -122,7 +122,7 @@ static struct edge_gaps sum_gaps(const struct edge_work *work)
             gaps.widest = work->gap[i];
             gaps.at = work->options->point_grid->point[i];
         }
-        if (!(work->unknown[i] > 0) || !edge_unknown_more(work, i))
+        if (!(work->unknown[i] > 0) || !edge_unknown_counts(work, i))
             continue;
         gaps.unknown++;
         if (work->unknown[i] > gaps.depth) {

@@ -136,7 +136,7 @@ double edge_cliff_add(const struct edge_work *work, size_t i, struct vec3s *to);
 double edge_unknown_depth(const struct edge_work *work, size_t i);
 
 /* There is one more such point near (work->unknown): a single one may be astray. */
-bool edge_unknown_more(const struct edge_work *work, size_t i);
+bool edge_unknown_counts(const struct edge_work *work, size_t i);
 
 /* ---- edge_fill: appends places on the flank of point i, up to its edges (work->found) and into
  * sharp hollows, as dense as those of edges are on these. */

@@ -5,8 +5,11 @@
 static const double SHARPER = -0.5;
 
 /* In spacings: neighbours that are sides of an edge, no nearer and no farther; places before the
- * point. */
-static const double APART = 0.5, BESIDE = 2, AHEAD = 1.5;
+ * point; neighbours that may stand in front of it. */
+static const double APART = 0.5, BESIDE = 2, AHEAD = 1.5, ABOUT = 3;
+
+/* Seen from above the sides lie more than 105 degrees apart: at the foot of a wall they do not. */
+static const double OPPOSITE = -0.25;
 
 /* Of its way: no neighbour is so far in front of the highest point. */
 static const double FRONT = 0.1;
@@ -14,13 +17,11 @@ static const double FRONT = 0.1;
 /* Its surface is known, or it is guarded as the points below let it be. */
 static bool is_explained(const struct edge_work *work, size_t i)
 {
-    const struct edge_flank *flank = &work->flank[i];
-
-    return work->gap[i] > 0 || ((!flank->rough || flank->along) && edge_flank_certain(work, flank));
+    return work->gap[i] > 0 || edge_flank_certain(work, &work->flank[i]);
 }
 
-/* A place that an edge was found at, or that is on a cone, lies in front of the point, or no further
- * behind it than it may be off its surface. */
+/* A place that an edge was found at, or that is on a cone, lies in front of the point, or no
+ * further behind it than it may be off its surface. */
 static bool has_place(const struct edge_work *work, const struct edge_hood *near, struct vec3 front)
 {
     double reach = AHEAD * near->spacing, behind = edge_within(work, near->spacing);
@@ -41,7 +42,7 @@ static bool has_place(const struct edge_work *work, const struct edge_hood *near
 /* No neighbour stands in front of the point. */
 static bool is_foremost(const struct edge_hood *near, struct vec3 front)
 {
-    double reach = BESIDE * near->spacing;
+    double reach = ABOUT * near->spacing;
 
     for (size_t k = 1; k < near->n && near->distance2[k] < reach * reach; k++)
         if (vec_dot(front, vec_sub(near->point[k], near->point[0])) >
@@ -77,24 +78,25 @@ static bool is_at_border(const struct edge_hood *near)
     return false;
 }
 
-/* The surface of most points about is known: the scan is even, but for the edge. */
+/* The surface of a third of the points about is known: the scan is even, but for the edge. */
 static bool is_on_known(const struct edge_work *work, size_t i)
 {
-    enum { ABOUT = 4 * EDGE_NEAR };
+    enum { MANY = 4 * EDGE_NEAR };
     const struct point_grid *b = work->options->point_grid;
-    uint32_t index[ABOUT];
-    double distance2[ABOUT];
-    size_t n = point_grid_nearest(b, b->point[i], ABOUT, index, distance2), known = 0;
+    uint32_t index[MANY];
+    double distance2[MANY];
+    size_t n = point_grid_nearest(b, b->point[i], MANY, index, distance2), known = 0;
 
     for (size_t k = 0; k < n; k++)
         known += edge_flank_certain(work, &work->flank[index[k]]);
-    return 2 * known > n;
+    return 3 * known > n;
 }
 
 /* The sides a and b of the point are those of an edge. */
 static bool is_edge(struct vec3 a, struct vec3 b)
 {
-    return vec_dot(vec_unit(a), vec_unit(b)) > SHARPER && a.x * b.x + a.y * b.y <= 0;
+    return vec_dot(vec_unit(a), vec_unit(b)) > SHARPER &&
+           a.x * b.x + a.y * b.y < OPPOSITE * hypot(a.x, a.y) * hypot(b.x, b.y);
 }
 
 double edge_unknown_depth(const struct edge_work *work, size_t i)
@@ -123,7 +125,7 @@ double edge_unknown_depth(const struct edge_work *work, size_t i)
     return most;
 }
 
-bool edge_unknown_more(const struct edge_work *work, size_t i)
+bool edge_unknown_counts(const struct edge_work *work, size_t i)
 {
     struct edge_hood near;
 

@@ -117,6 +117,18 @@ static double cone_40(double x, double y)
     return positive(7 - 2.7474774 * hypot(x, y));
 }
 
+/* Round, its sides 70 degrees steep. */
+static double mesa(double x, double y)
+{
+    return positive(fmin(6, 6 - 2.747 * (hypot(x, y) - 3)));
+}
+
+/* Square, its sides as steep. */
+static double frustum(double x, double y)
+{
+    return positive(fmin(6, 6 - 2.747 * (fmax(fabs(x), fabs(y)) - 3)));
+}
+
 /* Upright, with five tips of 36 degrees. */
 static double star(double x, double y)
 {
@@ -176,6 +188,8 @@ static const struct shape {
               {"rim", rim},
               {"cone_60", cone_60},
               {"cone_40", cone_40},
+              {"mesa", mesa},
+              {"frustum", frustum},
               {"star", star},
               {"gear", gear},
               {"saw", saw},

@@ -3,11 +3,13 @@
 # check of its own along every line of the path; tools from files; the word that the path carries.
 . "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
 
-# A floor with a steep wall on two sides and a post: no upright tool of R 3 comes along the wall's foot
+# A floor with a steep wall on two sides and a pointed post, whose four sides the scan tells (of a
+# round one it does not, and this is told): no upright tool of R 3 comes along the wall's foot
 # with a tilt towards it.
 awk 'BEGIN { for (i = 0; i <= 38; i++) for (j = 0; j <= 38; j++) { x = i * 0.8; y = j * 0.8
 	z = 0; if (y > 22) z = (y - 22) * 6; if (x > 24) z = z > (x - 24) * 4 ? z : (x - 24) * 4
-	d = sqrt((x - 9) ^ 2 + (y - 9) ^ 2); if (d < 4) z = (4 - d) * 5
+	u = (x - 9) * 0.9 + (y - 9) * 0.436; v = (y - 9) * 0.9 - (x - 9) * 0.436
+	u = u < 0 ? -u : u; v = v < 0 ? -v : v; d = u > v ? u : v; if (d < 4) z = (4 - d) * 5
 	if (z > 24) z = 24; print x, y, z } }' >"$TMP/walls.xyz"
 status 0 "a mesh of walls" cloud2mesh -q -t 3 -o "$TMP/walls.ply" "$TMP/walls.xyz"
 
