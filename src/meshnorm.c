@@ -156,7 +156,7 @@ static void find_planes(const struct mesh *mesh, const struct mesh_part *part, d
     if (plane_passes_bounded(mesh, p->rule.normal, scallop_step(scallop, path_options.radius, 0),
                              &error) != 0)
         die_error(&error);
-    plane_passes_scallop(p, mesh, scallop);
+    plane_passes_scallop(p, mesh, path_options_row_scallop());
     if (plane_passes_bounded(mesh, p->rule.normal, plane_passes_apart(p), &error) != 0 ||
         plane_passes_short(p, mesh, &error) != 0)
         die_error(&error);

@@ -117,7 +117,7 @@ static void find_planes(const struct mesh *mesh, struct plane_passes *p)
     if (step_given)
         plane_passes_equal(p, mesh, step);
     else
-        plane_passes_scallop(p, mesh, scallop);
+        plane_passes_scallop(p, mesh, path_options_row_scallop());
     if (plane_passes_bounded(mesh, p->rule.normal, plane_passes_apart(p), &error) != 0 ||
         plane_passes_short(p, mesh, &error) != 0)
         die_error(&error);

@@ -10,8 +10,9 @@
  * it does not it runs on the envelope of the balls that do.  That has a corner at each point that
  * takes over from another; so centres are lifted a little more, no more than `smooth`, to where
  * they run most smoothly.  And the normals of single contacts, and lifts along them, put centres to
- * and fro across the row, though a ball touches as well a little beside: so they are moved along
- * the surface first, no more than `aside`, and lifted anew there.
+ * and fro across the row, though a ball touches as well a little beside: so normals are averaged
+ * along a row first (`even`), and centres are moved along the surface, no more than `aside`, and
+ * lifted anew there.
  */
 #ifndef CLOUDMILL_GOUGE_LIFT_H
 #define CLOUDMILL_GOUGE_LIFT_H
@@ -32,6 +33,8 @@ struct gouge_lift_options {
     double step;      /* no points nearer than this are put between, mm */
     double smooth;    /* centres may be lifted by so much more, mm, so that they run smoothly */
     double aside;     /* and moved sideways, along the surface, by so much, mm, for the same */
+    double even;      /* normals of a run become their means over so much of it before and after,
+                         mm (smooth_normals.h); 0: they stay */
     double uncut;     /* what may stay uncut under a ball that was lifted, mm */
     struct tool_axis_options axis;
     struct tool_axis_feed feed;

@@ -59,6 +59,10 @@ int path_options_scan(const struct mesh *mesh, struct error *error);
 int path_options_guard(const struct mesh *mesh, double near, int threads,
                        struct gouge_check **guard, struct error *error);
 
+/* The scallop that rows are planned for, mm: less than what is asked for by what centres are lifted
+ * on the mean to run smoothly. */
+double path_options_row_scallop(void);
+
 /* Fills the rules of the toolpath but for the direction of the feed; `distance` is that of the
  * passes, mm.  -1: --clearance lies within the part. */
 int path_options_rules(const struct mesh *mesh, const struct gouge_check *guard, double distance,

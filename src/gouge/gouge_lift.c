@@ -11,6 +11,7 @@
 #include "gouge/gouge.h"
 
 #include "smooth_aside.h"
+#include "smooth_normals.h"
 #include "smooth_up.h"
 
 enum { HALVINGS = 20 }; /* of a jump of the lift, at most */
@@ -513,14 +514,34 @@ static void smooth_points(struct lifted_points *points, const struct gouge_lift_
     }
 }
 
+/* The run with its normals averaged, and what follows from them. */
+static struct run even_run(const struct run *run, const struct gouge_lift_options *rule)
+{
+    struct run even = {.radius = run->radius};
+
+    for (size_t i = 0; i < run->n; i++)
+        *array_push(&even) = run->item[i];
+    smooth_normals(&even, rule->even);
+    for (size_t i = 0; i < even.n; i++) {
+        struct run_point *p = &even.item[i];
+        place_point(p, vec_along(p->contact, rule->offset, p->normal), rule, run->radius);
+    }
+    return even;
+}
+
 void gouge_lift_run(const struct run *run, const struct gouge_lift_options *rule,
                     struct lifted_strip *to)
 {
     const struct kdtree_touch nothing = {.n = 0};
     struct lifted_points points = {0};
 
-    if (rule->between)
+    if (rule->between && rule->guard && rule->even > 0) {
+        struct run even = even_run(run, rule);
+        lift_smooth(&even, rule, &points);
+        array_free(&even);
+    } else if (rule->between) {
         lift_smooth(run, rule, &points);
+    }
     if (rule->between && rule->guard && rule->smooth > 0)
         smooth_points(&points, rule, run->radius);
     for (size_t i = 0; !rule->between && i < run->n; i++)

@@ -18,6 +18,7 @@ static const double RAPID = 0.2;     /* mm: what a rapid leaves free */
 static const double OFF = 0.3;       /* of the radius: where one ends, for a scan is sparse ... */
 static const double OFF_MOST = 0.9;  /* ... but of the approach distance, which was asked for */
 static const double SHORTEST = 0.02; /* mm: a holder that is followed moves no less at a time */
+static const double SAME = 1e-6;     /* mm and radians: a point that says what the next one does */
 static const double ABOVE = 1;       /* mm: of the whole tool over the guard's top */
 static const double DIPS = 0.01;     /* radians: a turn that leans so much further dips */
 static const double UNDER = 0.7;     /* of the radius: what of a ball must come up from a link */
@@ -253,6 +254,8 @@ static bool is_spare(const struct link_options *options, const struct run_point 
 {
     const struct run straight = {.radius = options->radius};
 
+    if (vec_distance(p->tip, after->tip) + vec_distance(p->axis, after->axis) < SAME)
+        return true;
     return !is_at_pole(options, p) &&
            vec_segment_distance(before->ball, after->ball, p->ball) <= off &&
            gouge_depth_along(options->lift->guard, before->ball, after->ball,

@@ -23,6 +23,9 @@ static const double DEEP = 0.05;
 /* Of the distance between rows on a plane: so far a row may be moved sideways to run smoothly. */
 static const double ASIDE = 0.05;
 
+/* Of the radius: the normals of a row are averaged over so much of it before and after. */
+static const double EVEN = 0.4;
+
 struct path_options path_options = {.tilt = 15,
                                     .depth = 0.3,
                                     .noise = -1,
@@ -61,7 +64,7 @@ const struct cli_option path_option_table[] = {
     {0, "limit", "MM", "lift no centre by more than MM; places that need more are skipped\n"
      "(default: the radius)", CLI_NUMBER, &path_options.limit, CLI_POSITIVE, 0, 0, NULL},
     {0, "smooth", "MM", "lift centres by up to MM more where they run smoothly then (default:\n"
-     "a tenth of the tolerance; 0: not)", CLI_NUMBER, &path_options.smooth, 0, 1, 0, NULL},
+     "by tolerance and scallop; 0: not)", CLI_NUMBER, &path_options.smooth, 0, 1, 0, NULL},
     {0, "left-share", "PERCENT",
      "share of the scan's points that may stay uncut within reach of the\n"
      "tool (0.5); more gives exit status 3", CLI_NUMBER, &path_options.left_share, 0, 100, 0, NULL},
@@ -366,6 +369,28 @@ static int read_machine(struct kinematic_chain *chain, struct error *error)
     return 0;
 }
 
+/* How much centres may be lifted to run smoothly: what is asked for, or a tenth of the tolerance and
+ * over a scan where scallops are high a twentieth of them, up to the tolerance. */
+static double smooth_of(double tolerance)
+{
+    const struct path_options *c = &path_options;
+
+    double high = c->guarded ? fmin(tolerance, c->scallop / 20) : 0;
+
+    return c->smooth >= 0 ? c->smooth : fmax(tolerance / 10, high);
+}
+
+double path_options_row_scallop(void)
+{
+    const double share = 0.7; /* of what they may be lifted: so much are those where most stays */
+    const double tolerance = path_options.tolerance > 0 ? path_options.tolerance : 0.01;
+    double more = smooth_of(tolerance) - tolerance / 10;
+
+    if (path_options.paper || path_options.smooth >= 0 || more <= 0)
+        return path_options.scallop;
+    return path_options.scallop - share * more;
+}
+
 int path_options_rules(const struct mesh *mesh, const struct gouge_check *guard, double distance,
                        struct toolpath *t, struct error *error)
 {
@@ -399,9 +424,15 @@ int path_options_rules(const struct mesh *mesh, const struct gouge_check *guard,
     t->lift.between = c->tolerance > 0;
     t->lift.sink = guard ? sink_of(mesh, t->threads) : 0;
     t->lift.step = 0.05;
-    t->lift.smooth = c->smooth >= 0 ? c->smooth : t->lift.tolerance / 10;
+    t->lift.smooth = smooth_of(t->lift.tolerance);
+    if (guard && path_options_row_scallop() < c->scallop)
+        note("centres are lifted by up to %g mm more where they run smoothly then: rows for "
+             "scallops "
+             "of %g mm",
+             t->lift.smooth, path_options_row_scallop());
     t->lift.aside =
         t->lift.smooth > 0 && c->scallop > 0 ? ASIDE * scallop_step(c->scallop, c->radius, 0) : 0;
+    t->lift.even = t->lift.aside > 0 && c->guarded ? EVEN * c->radius : 0;
     t->lift.uncut = 3 * t->lift.tolerance + 2 * fmax(c->noise, 0);
     return clearance_plane(mesh, guard, &t->rule.clearance, error);
 }

@@ -23,7 +23,7 @@ void toolpath_strip(struct toolpath *t, size_t pass, const struct contact *conta
 
     strip.lift.feed.along = along;
     if (t->rest) /* cuts what others left, to the last of it */
-        strip.lift.smooth = strip.lift.aside = 0;
+        strip.lift.smooth = strip.lift.aside = strip.lift.even = 0;
     array_reserve(&strip.contact, n);
     for (size_t i = 0; i < n; i++)
         *array_push(&strip.contact) = contact[i];
@@ -546,42 +546,6 @@ static void free_strips(struct toolpath *t)
     array_free(&t->strip);
 }
 
-static const double LEAST = 0.021; /* mm: the next block is read before a shorter one is over */
-
-/* Leaves out of a part's points one of two that would be such blocks, where the path goes straight
- * past it. */
-static void thin_part(const struct toolpath *t, const struct link_options *options,
-                      struct toolpath_part *part)
-{
-    const double straight = 0.2; /* of the tolerance */
-    struct run run = toolpath_part_run(t, part);
-
-    if (run.n < 3)
-        return;
-    struct run inner = {.n = run.n - 2, .item = run.item + 1, .radius = run.radius};
-    link_thin(options, &run.item[0], &run.item[run.n - 1], LEAST,
-              straight * options->lift->tolerance, &inner);
-    run.item[inner.n + 1] = run.item[run.n - 1];
-    part->to = part->from + inner.n + 2;
-}
-
-/* Leaves out of the parts and links what would be blocks that are over before the next is read. */
-static void thin_parts(const struct toolpath *t, struct toolpath_parts *parts)
-{
-    struct link_options options = toolpath_link_options(t);
-
-    for (size_t k = 0; k < parts->n && t->lift.guard; k++) {
-        struct toolpath_part *part = &parts->item[k];
-        options.lift = &t->strip.item[part->strip].lift;
-        if (t->lift.between)
-            thin_part(t, &options, part);
-        struct run a = toolpath_part_run(t, k > 0 ? part - 1 : part),
-                   b = toolpath_part_run(t, part);
-        if (k > 0 && part->low && part->link.n > 0)
-            link_thin(&options, &a.item[a.n - 1], &b.item[0], LEAST, HUGE_VAL, &part->link);
-    }
-}
-
 /* What a fitter asks of the whole path (path_next_run), said before its first pass. */
 static struct path_runs runs_of(const struct toolpath *t, const struct toolpath_parts *parts)
 {
@@ -610,7 +574,7 @@ static struct toolpath_parts plan_parts(struct toolpath *t)
         toolpath_order(t, &parts);
     toolpath_join(t, &parts);
     toolpath_calm(t, &parts, toolpath_link_options(t).longest);
-    thin_parts(t, &parts);
+    toolpath_thin(t, &parts);
     parallel_for(t->threads, parts.n, find_ways, &finder);
     return parts;
 }

@@ -135,29 +135,49 @@ static double offset_of(const struct orderer *o, size_t k)
     return o->t->strip.item[o->parts->item[k].strip].lift.offset;
 }
 
-static struct vec3 end_of(const struct orderer *o, size_t k, bool last)
+static bool is_rest(const struct orderer *o, size_t k)
+{
+    return o->t->strip.item[o->parts->item[k].strip].rest;
+}
+
+static const struct run_point *end_of(const struct orderer *o, size_t k, bool last)
 {
     struct run run = toolpath_part_run(o->t, &o->parts->item[k]);
 
-    return run.item[last ? run.n - 1 : 0].ball;
+    return &run.item[last ? run.n - 1 : 0];
+}
+
+/* How far it is from one place to another, mm: to a rest pass, which may be anywhere, with the turn
+ * of the axis. */
+static double way_to(const struct orderer *o, const struct run_point *a, const struct run_point *b,
+                     bool rest)
+{
+    const double turn = 2; /* radii for a radian */
+    double way = vec_distance(a->ball, b->ball);
+
+    return rest ? way + turn * o->t->rule.radius * vec_angle(a->axis, b->axis) : way;
 }
 
 /* The part, of this layer and a pass near by, that begins (or, turned round, ends) nearest to a
- * place within `reach`; parts->n if there is none. */
-static size_t nearest_part(const struct orderer *o, size_t after, struct vec3 place, double reach,
-                           bool *turned)
+ * place within `reach`; parts->n if there is none.  After a rest pass it is the nearest of all
+ * those, which have no order of their own. */
+static size_t nearest_part(const struct orderer *o, size_t after, const struct run_point *place,
+                           double reach, bool *turned)
 {
     size_t best = o->parts->n, pass = pass_of(o, after);
-    bool may_turn = !o->t->rule.one_way && o->t->lift.axis.lead == 0;
+    bool may_turn = !o->t->rule.one_way && o->t->lift.axis.lead == 0, rest = is_rest(o, after);
+
+    reach = rest ? HUGE_VAL : reach;
 
     for (size_t k = o->first; k < o->parts->n; k++) {
         size_t other = pass_of(o, k);
-        if (other > pass + PASSES_AWAY)
+        if (other > pass + PASSES_AWAY && !rest)
             break;
-        if (o->done[k] || other + PASSES_AWAY < pass || offset_of(o, k) != offset_of(o, after))
+        if (o->done[k] || (other + PASSES_AWAY < pass && !rest) || (rest && !is_rest(o, k)) ||
+            offset_of(o, k) != offset_of(o, after))
             continue;
         for (int last = 0; last < (may_turn ? 2 : 1); last++) {
-            double away = vec_distance(place, end_of(o, k, last));
+            double away = way_to(o, place, end_of(o, k, last), rest);
             if (away >= reach)
                 continue;
             reach = away;

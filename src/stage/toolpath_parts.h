@@ -40,14 +40,20 @@ size_t toolpath_drop_slivers(const struct toolpath *t, struct toolpath_parts *pa
  * Puts the parts that are not dropped in the order in which they are cut: after each the one that
  * begins nearest, or turned round ends nearest, among those of neighbouring passes that are as near
  * as three rows, so that the rows on one side of a gap are cut before those on the other; where
- * there is none, the first that is left.  Parts are turned round unless they are to be cut one way
- * or the axis leads.  With rows that have no gaps this is the order of the strips.
+ * there is none, the first that is left.  Rest passes are cut after all rows, each next one the
+ * nearest of them all, where a turn of the axis counts as way.  Parts are turned round unless they
+ * are to be cut one way or the axis leads.  With rows that have no gaps this is the order of the strips.
  */
 void toolpath_order(const struct toolpath *t, struct toolpath_parts *parts);
 
 /* Finds how the tool goes with its tip down from each part to the next (`low`, `link`), where it
  * can. */
 void toolpath_join(const struct toolpath *t, struct toolpath_parts *parts);
+
+/* Leaves out of the parts, as they are in their order, and of the links between them what would be
+ * blocks that are over before the next is read: one of two points whose tips are no further than
+ * 0.021 mm apart, where the way past it is straight and clear (link_thin). */
+void toolpath_thin(const struct toolpath *t, struct toolpath_parts *parts);
 
 void toolpath_parts_free(struct toolpath_parts *parts);
 

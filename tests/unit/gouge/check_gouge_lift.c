@@ -408,22 +408,23 @@ START_TEST(where_the_ball_does_not_fit_it_runs_on_the_envelope)
 END_TEST
 
 /* Contacts in a row on a plane, their normals off to and fro across it: the balls stand as much
- * aside; they may be moved back, and touch there. */
+ * aside; they may be moved back, or have the normals' mean, and touch there. */
 START_TEST(a_row_is_straight_though_its_normals_are_not)
 {
     struct vec3s plane = {0};
-    double aside[2] = {0};
+    double aside[3] = {0};
 
     for (double x = -12; x < 12; x += 0.1)
         for (double y = -1; y < 1; y += 0.1)
             *array_push(&plane) = vec(x, y, 0);
     struct gouge_check *guard = gouge_new(plane, 1);
-    for (int k = 0; k < 2; k++) {
+    for (int k = 0; k < 3; k++) {
         struct gouge_lift_options rule = make_rule(guard, true);
         struct run run = {.radius = R};
         struct lifted_strip lifted = {.run = {.radius = R}};
         rule.smooth = 0.001;
-        rule.aside = k * 0.08;
+        rule.aside = k == 1 ? 0.08 : 0;
+        rule.even = k == 2 ? 2 : 0;
         for (int i = -8; i <= 8; i++)
             gouge_lift_contact(&run, &rule, vec(i, 0, 0),
                                vec_unit(vec(0, i % 2 == 0 ? -0.01 : 0.01, 1)));
@@ -440,6 +441,7 @@ START_TEST(a_row_is_straight_though_its_normals_are_not)
     }
     ck_assert_double_gt(aside[0], 0.045);
     ck_assert_double_lt(aside[1], 0.008);
+    ck_assert_double_lt(aside[2], 0.008);
     gouge_free(guard);
 }
 END_TEST
