@@ -374,7 +374,6 @@ static int read_machine(struct kinematic_chain *chain, struct error *error)
 static double smooth_of(double tolerance)
 {
     const struct path_options *c = &path_options;
-
     double high = c->guarded ? fmin(tolerance, c->scallop / 20) : 0;
 
     return c->smooth >= 0 ? c->smooth : fmax(tolerance / 10, high);
