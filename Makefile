@@ -40,6 +40,7 @@ bench_src := $(wildcard tests/bench/*.c)
 c_files  := $(filter-out tests/data/%,$(wildcard $(foreach top,src include tests,\
               $(addprefix $(top)/,*.[ch] */*.[ch] */*/*.[ch] */*/*/*.[ch]))))
 cloud    := $(BUILD)/tests/accuracy/cloud
+edges    := $(BUILD)/tests/accuracy/edges
 manuals  := $(wildcard man/*.[157])
 machines := $(wildcard machines/*.txt)
 tool_files := $(wildcard tools/*.txt)
@@ -130,6 +131,9 @@ $(BUILD)/tests/accuracy/%.o: FLAGS += -iquote src -iquote tests/lib
 $(cloud): $(BUILD)/tests/accuracy/cloud.o $(BUILD)/tests/lib/panel.o $(lib)
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBS)
 
+$(edges): $(BUILD)/tests/accuracy/edges.o
+	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBS)
+
 $(BUILD)/tests/fuzz/%.o: FLAGS += -iquote tests/lib
 $(BUILD)/tests/fuzz/replay: $(BUILD)/tests/fuzz/replay.o
 	$(CC) $(CFLAGS) $(LDFLAGS) -Wl,--wrap=exit -o $@ $^ $(LIBS)
@@ -176,6 +180,11 @@ bench: all $(benches)
 accuracy: all $(readback) $(cloud)
 	@BIN="$(abspath $(BUILD))/bin" READBACK="$(abspath $(BUILD))/tests/readback/readback" \
 	  CLOUD="$(abspath $(cloud))" sh tests/accuracy/accuracy.sh
+
+# Sharp and thin shapes that are known exactly.
+accuracy-edges: all $(readback) $(edges)
+	@BIN="$(abspath $(BUILD))/bin" READBACK="$(abspath $(BUILD))/tests/readback/readback" \
+	  EDGES="$(abspath $(edges))" sh tests/accuracy/edges.sh
 
 faults: all
 	@BIN="$(abspath $(BUILD))/bin" CC="$(CC)" FAULTS=0 sh tests/house/faults.t
@@ -326,7 +335,8 @@ distcheck: dist
 clean:
 	rm -rf $(BUILD) demo figures html cloudmill-$(VERSION).tar.gz
 
-.PHONY: always all units check demo samples html figures bench accuracy freeze deps deps-all lint \
+.PHONY: always all units check demo samples html figures bench accuracy accuracy-edges freeze deps \
+  deps-all lint \
   sanitize fuzz faults check-seeds mutate coverage nc-faults safety static windows portability deb completions \
   install uninstall dist distcheck clean
 .SECONDARY:
