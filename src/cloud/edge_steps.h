@@ -129,8 +129,8 @@ bool edge_rim_allows(const struct edge_work *work, const struct edge_rim *rim, s
 
 double edge_cliff_add(const struct edge_work *work, size_t i, struct vec3s *to);
 
-/* ---- edge_unknown: how far the part may go on in front of point i, mm, where its neighbours to two
- * sides make less than 120 degrees, none is in front, and no guard was found there, though no
+/* ---- edge_unknown: how far the part may go on in front of point i, mm, where its neighbours to
+ * two sides make less than 120 degrees, none is in front, and no guard was found there, though no
  * surface is known of it, but of most about it; else 0. */
 
 double edge_unknown_depth(const struct edge_work *work, size_t i);

@@ -369,8 +369,8 @@ static int read_machine(struct kinematic_chain *chain, struct error *error)
     return 0;
 }
 
-/* How much centres may be lifted to run smoothly: what is asked for, or a tenth of the tolerance and
- * over a scan where scallops are high a twentieth of them, up to the tolerance. */
+/* How much centres may be lifted to run smoothly: what is asked for, or a tenth of the tolerance
+ * and over a scan where scallops are high a twentieth of them, up to the tolerance. */
 static double smooth_of(double tolerance)
 {
     const struct path_options *c = &path_options;

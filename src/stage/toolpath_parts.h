@@ -42,7 +42,8 @@ size_t toolpath_drop_slivers(const struct toolpath *t, struct toolpath_parts *pa
  * as three rows, so that the rows on one side of a gap are cut before those on the other; where
  * there is none, the first that is left.  Rest passes are cut after all rows, each next one the
  * nearest of them all, where a turn of the axis counts as way.  Parts are turned round unless they
- * are to be cut one way or the axis leads.  With rows that have no gaps this is the order of the strips.
+ * are to be cut one way or the axis leads.  With rows that have no gaps this is the order of the
+ * strips.
  */
 void toolpath_order(const struct toolpath *t, struct toolpath_parts *parts);
 

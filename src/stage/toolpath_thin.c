@@ -20,8 +20,8 @@ static void thin_part(const struct toolpath *t, const struct link_options *optio
     part->to = part->from + inner.n + 2;
 }
 
-/* Where a part begins so near to the end of the one before that the way there would be such a block,
- * it begins with its second point, or that one ends with its last but one. */
+/* Where a part begins so near to the end of the one before that the way there would be such a
+ * block, it begins with its second point, or that one ends with its last but one. */
 static void thin_joint(const struct link_options *options, const struct run *a, const struct run *b,
                        struct toolpath_part *part)
 {

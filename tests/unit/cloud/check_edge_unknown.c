@@ -1,6 +1,6 @@
 /* edge_unknown: the crest of a blade with one or two points across is told, and how far it may go
- * on; a roof, whose sides are known, an even scan, a mesa, whose wall is guarded, and a single point
- * that is astray are not. */
+ * on; a roof, whose sides are known, an even scan, a mesa, whose wall is guarded, and a single
+ * point that is astray are not. */
 #include <check.h>
 #include <stdlib.h>
 
