@@ -29,8 +29,7 @@ doctor: says what is in a scan, and which options suit it.
   -h, -V         help, version
 
 Exit status: 0 done and accepted, 1 input or output failed, 2 wrong usage,
-3 written, but something is not kept, or ncverify refuses it.
-Manual: man cloudmill
+3 written, but something is not kept, or ncverify refuses it.  man cloudmill
 END
 }
 
