@@ -16,13 +16,12 @@
  *      scan.
  *   3. Where the ball would sink in between points of a flank that is certain, has an edge, or is a
  *      rib's, points are put on it, up to its edges and into sharp hollows, where points or edges
- *      of the flank are on all sides, or one that is certain goes on above another flank, whose
- *      points lie there; for no surface of all nearest points goes through there.
+ *      of the flank are on all sides, or one that is certain goes on above another flank; for no
+ *      surface of all nearest points goes through there.
  *   4. Where points lie below a flank, so steeply that a wall must be between, or as far below it
- *      as it is above their own surface, nobody knows where the wall is: a flank goes on as far as
- *      a rim may be, nearly straight, that parts points of the flank from those below it, at a
- *      corner up to these and a little beyond, and from there down to them goes a wall, so that a
- *      ball is kept off whatever may be there.  Only flanks are continued that are certain:
+ *      as it is above their own surface, nobody knows where the wall is: a flank goes on up to
+ *      these points, at a corner a little beyond, and down to them goes a wall, so that a ball is
+ *      kept off whatever may be there.  Only flanks are continued that are certain:
  *      their points are off them by no more than noise, or than a ball may sink.
  *   5. The tip of a cone is put where its straight lines, continued, meet (cone_tip.h), and places
  *      round it as far as all neighbours know.

@@ -1,21 +1,20 @@
 /* edge_cliff - see edge_steps.h. */
 #include "edge_steps.h"
 
-/* A point so far below a flank, by its distance, is down a wall. */
-static const double WALL = 0.9;
+/* A point so far below a flank, by its distance, is down a wall; where the other side is known,
+ * too, and lies as far below: down a step. */
+static const double WALL = 0.9, STEP = 0.1;
 static const double CORNER = 1.5;  /* spacings */
 static const double FACING = 0.35; /* least z of a flank that is continued over its wall */
 
 /* What is seen from above about a point of a flank: points of the flank, those so steeply below it
  * that a wall is between, and points whose flank meets it in a known edge. */
 struct cliff {
-    size_t i;
     struct vec3 from;
     double reach;  /* so far the flank may go on, seen from above, mm */
     double corner; /* and so far between points below */
     const struct quadric *q;
     struct vec3s on, below;
-    struct vec3s under; /* all points well below the flank, however steeply */
     struct sizes beyond;
 };
 
@@ -51,13 +50,11 @@ static void sort_by_height(const struct edge_work *work, size_t i, size_t k, str
     if (!(off < 0))
         return;
     double far = vec_distance(p, cliff->from);
-    if (off < -EDGE_STEP * far)
-        *array_push(&cliff->under) = p;
     double down = edge_flank_known(other) ? edge_flank_above(other, cliff->from, &normal) : 0;
     if (edge_flank_known(other) && down <= least)
         *array_push(&cliff->beyond) = k;
     else if (off < -WALL * far ||
-             (off < -EDGE_STEP * far && edge_flank_certain(work, other) && down > EDGE_STEP * far))
+             (off < -STEP * far && edge_flank_certain(work, other) && down > STEP * far))
         *array_push(&cliff->below) = p;
 }
 
@@ -120,8 +117,7 @@ static bool may_be_off(const struct edge_work *work, size_t i)
 static struct cliff find_cliff(const struct edge_work *work, size_t i)
 {
     struct about about = points_about(work, i);
-    struct cliff cliff = {.i = i,
-                          .from = about.grid->point[i],
+    struct cliff cliff = {.from = about.grid->point[i],
                           .reach = about.reach,
                           .corner = CORNER * point_grid_spacing(about.grid),
                           .q = &work->flank[i].q};
@@ -169,8 +165,7 @@ static bool is_before_edges(const struct edge_work *work, const struct cliff *cl
 }
 
 /* The flank of point i goes on up to the points below: where the wall between is nobody knows. */
-static void fill_cliff(const struct edge_work *work, const struct cliff *cliff,
-                       const struct edge_rim *rim, struct vec3s *to)
+static void fill_cliff(const struct edge_work *work, const struct cliff *cliff, struct vec3s *to)
 {
     const double dense = 0.65, triangle = 0.8660254037844386;
     double pitch = dense * work->options->along;
@@ -182,14 +177,13 @@ static void fill_cliff(const struct edge_work *work, const struct cliff *cliff,
             if (hypot_compare(u, v, cliff->reach) > 0 || !is_before_wall(cliff, u, v))
                 continue;
             struct vec3 at = place_above(cliff, cliff->from.x + u, cliff->from.y + v);
-            if (edge_rim_allows(work, rim, cliff->i, at) && is_before_edges(work, cliff, at))
+            if (is_before_edges(work, cliff, at))
                 *array_push(to) = at;
         }
 }
 
 /* The wall itself may go down from there to a point below, without points that were seen. */
-static void fill_wall(const struct edge_work *work, const struct cliff *cliff,
-                      const struct edge_rim *rim, struct vec3s *to)
+static void fill_wall(const struct edge_work *work, const struct cliff *cliff, struct vec3s *to)
 {
     enum { MOST = 60 };
     const double nearly = 0.9;
@@ -199,9 +193,6 @@ static void fill_wall(const struct edge_work *work, const struct cliff *cliff,
         double u = nearly * (foot.x - cliff->from.x), v = nearly * (foot.y - cliff->from.y);
         if (!is_before_wall(cliff, u, v))
             continue;
-        double before = edge_rim_way(rim, u, v);
-        u *= before;
-        v *= before;
         struct vec3 at = place_above(cliff, cliff->from.x + u, cliff->from.y + v);
         double parts = fmin(ceil((at.z - foot.z) / work->options->along), MOST);
         for (double part = 1; part < parts && is_before_edges(work, cliff, at); part++)
@@ -229,15 +220,13 @@ double edge_cliff_add(const struct edge_work *work, size_t i, struct vec3s *to)
     double width = 0;
 
     if (cliff.below.n > 0) {
-        struct edge_rim rim = edge_rim_find(work, i, &cliff.on, &cliff.under);
-        fill_cliff(work, &cliff, &rim, to);
-        fill_wall(work, &cliff, &rim, to);
+        fill_cliff(work, &cliff, to);
+        fill_wall(work, &cliff, to);
     }
     if (to->n > before)
         width = width_of(&cliff);
     array_free(&cliff.on);
     array_free(&cliff.below);
-    array_free(&cliff.under);
     array_free(&cliff.beyond);
     return width;
 }

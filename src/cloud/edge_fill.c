@@ -1,23 +1,18 @@
 /* edge_fill - see edge_steps.h. */
 #include "edge_steps.h"
 
-/* Least z of a flank whose end is looked for as seen from above. */
-static const double FACING = 0.35;
-
 /* Rings of places on a flank that is certain: up and down a steep one points are far apart. */
 enum { CERTAIN_RINGS = 3 * EDGE_RINGS };
 
 /* What is known about a flank at point i: which of the neighbours are on it, which are in a hollow
  * with it, each above the other's surface, and places of its edges. */
 struct flank_patch {
-    size_t i;
     const struct edge_flank *flank;
     bool on[EDGE_NEAR], hollow[EDGE_NEAR];
     struct vec3s side; /* points and places of edges on it */
     size_t edges;      /* of these, places of edges */
     size_t sharp;      /* neighbours in a hollow that is sharp */
     bool certain;      /* where it goes on it is where its points tell */
-    struct edge_rim rim;
 };
 
 /* The flank of a point in a hollow turns up sharply from this one. */
@@ -33,10 +28,9 @@ static bool is_sharp(const struct flank_patch *patch, const struct edge_flank *o
 static struct flank_patch find_patch(const struct edge_work *work, const struct edge_hood *near,
                                      size_t i)
 {
-    struct flank_patch patch = {
-        .i = i, .flank = &work->flank[i], .certain = edge_flank_certain(work, &work->flank[i])};
+    struct flank_patch patch = {.flank = &work->flank[i],
+                                .certain = edge_flank_certain(work, &work->flank[i])};
     double least = edge_within(work, patch.flank->spacing);
-    struct vec3s on = {0}, under = {0};
     struct vec3 normal;
 
     for (size_t k = 0; k < near->n; k++) {
@@ -47,9 +41,7 @@ static struct flank_patch find_patch(const struct edge_work *work, const struct 
         patch.hollow[k] = h > least && edge_flank_known(other) &&
                           edge_flank_above(other, near->point[0], &normal) > least;
         if (patch.on[k])
-            *array_push(&patch.side) = *array_push(&on) = near->point[k];
-        else if (h < -EDGE_STEP * sqrt(near->distance2[k]))
-            *array_push(&under) = near->point[k];
+            *array_push(&patch.side) = near->point[k];
         for (size_t e = 0; e < edge->n; e++)
             if (fabs(edge_flank_above(patch.flank, edge->item[e], &normal)) <= least) {
                 *array_push(&patch.side) = edge->item[e];
@@ -57,12 +49,6 @@ static struct flank_patch find_patch(const struct edge_work *work, const struct 
             }
         patch.sharp += patch.hollow[k] && other->valid && is_sharp(&patch, other, near->point[k]);
     }
-    if (quadric_normal(&patch.flank->q).z > FACING)
-        patch.rim = edge_rim_find(work, i, &on, &under);
-    else
-        patch.rim.layered = true;
-    array_free(&on);
-    array_free(&under);
     return patch;
 }
 
@@ -91,8 +77,8 @@ static bool is_on_patch(const struct edge_work *work, const struct edge_hood *ne
     return true;
 }
 
-/* So far from the place towards (u, v) the flank has gone on above that of another point, which
- * lies there: their edge is before. */
+/* So far from the place towards (u, v) the flank has gone on above that of another point: their
+ * edge is before. */
 static bool is_beyond_edge(const struct edge_work *work, const struct edge_hood *near,
                            const struct flank_patch *patch, struct vec3 at, double u, double v)
 {
@@ -104,7 +90,6 @@ static bool is_beyond_edge(const struct edge_work *work, const struct edge_hood 
         const struct edge_flank *other = &work->flank[near->index[k]];
         double least = edge_within(work, other->spacing);
         if (other->confirmed && !patch->on[k] && !patch->hollow[k] &&
-            vec_dot(vec_sub(p, at), vec_sub(near->point[k], at)) > 0 &&
             edge_flank_above(other, p, &normal) > least &&
             edge_flank_above(other, at, &normal) <= least)
             return true;
@@ -161,8 +146,7 @@ static void fill_patch(const struct edge_work *work, const struct edge_hood *nea
             if ((i == 0 && j == 0) || hypot_compare(u, v, reach) > 0)
                 continue;
             struct vec3 at = quadric_at(q, vec_dot(off, q->u) + u, vec_dot(off, q->v) + v);
-            if (edge_rim_allows(work, &patch->rim, patch->i, at) &&
-                is_on_patch(work, near, patch, at) &&
+            if (is_on_patch(work, near, patch, at) &&
                 is_surrounded(work, near, patch, at, fmax(reach, 2 * hypot(u, v))))
                 *array_push(to) = at;
         }

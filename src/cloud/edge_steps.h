@@ -31,7 +31,6 @@ enum {
 #define EDGE_SIGMAS 3.0
 #define EDGE_UPRIGHT 0.004 /* least z of the normal of a flank */
 #define EDGE_SHARP 0.94    /* cosine of two flanks' normals: 20 degrees */
-#define EDGE_STEP 0.1      /* a point so far below a flank, by its distance, is down a step */
 
 /* The surface of a point's own side. */
 struct edge_flank {
@@ -96,32 +95,6 @@ void edge_along_find(const struct edge_work *work, size_t i);
 
 void edge_meet_add(const struct edge_work *work, const struct edge_hood *near, size_t i,
                    struct vec3s *to);
-
-/* ---- edge_rim: how far the flank of a point may go on, seen from above, for all that the points
- * tell: where one is below it, it is not.  The rim between points on it and points under it is as
- * straight as they allow, so that neighbours along it tell where it is much better than the way
- * from one point to the next below.  Of all directions across it those are kept in which no point
- * on the flank is further than any under it, and how far these are; the flank may go on as far as
- * any of them allows. */
-
-enum { EDGE_ROUND = 120 };
-
-struct edge_rim {
-    int n;        /* directions; 0: a corner, or nothing is under it */
-    double reach; /* and so far they are borne out, mm */
-    bool layered; /* points are under the point itself: of others nothing is told */
-    double u[EDGE_ROUND], v[EDGE_ROUND], most[EDGE_ROUND];
-};
-
-struct edge_rim edge_rim_find(const struct edge_work *work, size_t i, const struct vec3s *on,
-                              const struct vec3s *under);
-
-/* Of the way from the point to (u, v), mm beside it: so far the flank may go on, at most 1. */
-double edge_rim_way(const struct edge_rim *rim, double u, double v);
-
-/* It may go on to that place of it: a rim may be beyond, and no point under it is next to it. */
-bool edge_rim_allows(const struct edge_work *work, const struct edge_rim *rim, size_t i,
-                     struct vec3 at);
 
 /* ---- edge_cliff: appends places on the flank of point i, continued to the points so steeply below
  * that a wall must be between, and on that wall; returns how far these are, seen from above; 0:
