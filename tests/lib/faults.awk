@@ -84,6 +84,11 @@ function leans(t,   a, b) {
 	return a > least || a < -least || b > least || b < -least
 }
 
+# At the pole C turns as far as it likes within no way at all: how slow F may be there nobody can say.
+function is_at_pole(t) {
+	return t ~ /C3=/ && word(t, "C3=") > 0.99999
+}
+
 function fits(i,   t) {
 	t = line[i]
 	if (kind == "rapid") return at[i] == "feed" && amid(i) && at[after[i]] == "feed" && t ~ / [XYZ]/
@@ -91,6 +96,7 @@ function fits(i,   t) {
 		return at[i] == "feed" && at[before[i]] == "rapid" && i in after
 	if (kind == "retract") return i == lastcut
 	if (kind ~ /^(offset|edge|length|tool|coolant)$/) return amid(i) && at[i] == "feed" && t ~ / [XYZ]/
+	if (kind == "slow" && (is_at_pole(t) || is_at_pole(line[before[i]]))) return 0
 	if (kind ~ /^(fast|slow)$/) return cuts(i) && cuts(before[i]) && word(t, "F") != "" && t ~ / [XYZ]/
 	if (kind == "ORIMKS") return t ~ /ORIWKS/
 	if (kind == "no-offset") return t ~ / G54( |$)/
