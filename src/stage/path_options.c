@@ -431,7 +431,7 @@ int path_options_rules(const struct mesh *mesh, const struct gouge_check *guard,
              t->lift.smooth, path_options_row_scallop());
     t->lift.aside =
         t->lift.smooth > 0 && c->scallop > 0 ? ASIDE * scallop_step(c->scallop, c->radius, 0) : 0;
-    t->lift.even = t->lift.aside > 0 && c->guarded ? EVEN * c->radius : 0;
+    t->lift.even = t->lift.aside > 0 && c->guarded && c->avoid ? EVEN * c->radius : 0;
     t->lift.uncut = 3 * t->lift.tolerance + 2 * fmax(c->noise, 0);
     return clearance_plane(mesh, guard, &t->rule.clearance, error);
 }
