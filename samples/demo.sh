@@ -56,7 +56,8 @@ told() {
 			printf "  %s of %s points of the scan are cut to %.2f mm, half of them to %.3f, 95 %% to %.3f\n", n(cut),
 				n(points), to, half, most95
 			if (reach + 0) printf "  %s points lie where the ball or its shank does not reach\n", n(reach)
-			if (left + 0) printf "  %s points are left, up to %.1f mm (allowed: 0.5 %%)\n", n(left), most
+			if (left == 1) printf "  1 point is left, %.1f mm (allowed: 0.5 %%)\n", most
+			if (left > 1) printf "  %s points are left, up to %.1f mm (allowed: 0.5 %%)\n", n(left), most
 		}' "$out/$1.txt"
 }
 
