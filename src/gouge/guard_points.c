@@ -464,6 +464,19 @@ static double count_of_mesh(const struct mesh *mesh, double spacing)
     return sum;
 }
 
+/* A facet has points along that edge of it: a slender one has rows along its longest alone, and one
+ * that is sampled flat has edges of its own. */
+static bool has_points_along(const struct mesh *mesh, const struct mesh_edges *edges, int facet,
+                             int edge, double spacing)
+{
+    struct patch patch = patch_of_facet(mesh, (size_t)facet);
+    struct raster raster = raster_of(&patch, spacing);
+
+    if (patch.flat)
+        return false;
+    return raster.rows == 0 || edges->of[facet][raster.longest] == edge;
+}
+
 double guard_points_of_mesh(const struct mesh *mesh, double spacing, double most,
                             struct vec3s *points)
 {
@@ -480,10 +493,9 @@ double guard_points_of_mesh(const struct mesh *mesh, double spacing, double most
         struct patch patch = patch_of_facet(mesh, f);
         struct raster raster = raster_of(&patch, spacing);
         for (int i = 0; i < 3; i++) {
-            int beyond = mesh_edge_beyond(&edges, edges.of[f][i], (int)f);
-            /* One that is sampled flat has its own edge. */
-            patch.shared[i] =
-                !patch.flat && beyond >= 0 && beyond < (int)f && !is_flat(mesh, (size_t)beyond);
+            int edge = edges.of[f][i], beyond = mesh_edge_beyond(&edges, edge, (int)f);
+            patch.shared[i] = !patch.flat && beyond >= 0 && beyond < (int)f &&
+                              has_points_along(mesh, &edges, beyond, edge, spacing);
             used[mesh->face.item[f].v[i]] = true;
         }
         patch_sample(&patch, &raster, points);

@@ -366,6 +366,34 @@ START_TEST(crease_that_ends)
 }
 END_TEST
 
+/* A fan of slivers, each with its longest side to the one before: none has another's side for
+ * sampled that is not. */
+START_TEST(slivers_have_points_everywhere)
+{
+    enum { FACETS = 40 };
+    const double spacing = 0.25;
+    struct mesh m = {0};
+    struct vec3s points = {0};
+    *array_push(&m.vertex) = vec(0, 0, 0);
+    for (int k = 0; k <= FACETS; k++)
+        *array_push(&m.vertex) = vec_scale(10 - 0.05 * k, vec(cos(0.015 * k), sin(0.015 * k), 0));
+    for (int k = 1; k <= FACETS; k++)
+        *array_push(&m.face) = (struct face){{0, k, k + 1}};
+    for (size_t i = 0; i < m.vertex.n; i++)
+        *array_push(&m.normal) = vec(0, 0, 1);
+    ck_assert_double_eq(guard_points_of_mesh(&m, spacing, 1e6, &points), spacing);
+    for (int i = 0; i < 2000; i++) {
+        double far = uniform(0, 8), turn = uniform(0, 0.015 * FACETS), nearest = HUGE_VAL;
+        struct vec3 at = vec(far * cos(turn), far * sin(turn), 0);
+        for (size_t k = 0; k < points.n; k++)
+            nearest = fmin(nearest, vec_distance(points.item[k], at));
+        ck_assert_double_le(nearest, spacing);
+    }
+    array_free(&points);
+    mesh_free(&m);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("guard_points");
@@ -383,6 +411,7 @@ int main(void)
     tcase_add_test(tcase, none_inside_out);
     tcase_add_test(tcase, roof_and_valley);
     tcase_add_test(tcase, crease_that_ends);
+    tcase_add_test(tcase, slivers_have_points_everywhere);
     suite_add_tcase(suite, tcase);
     SRunner *runner = srunner_create(suite);
     srunner_run_all(runner, CK_NORMAL);
