@@ -63,8 +63,7 @@ run() {
 	return 0
 }
 
-# The three coordinates' ranges and kmax of a mesh: lines `size X Y Z`, `ball R SHARE`, and `far` of one
-# that lies beyond what machines travel.
+# The three coordinates' ranges and kmax of a mesh: lines `size X Y Z`, `ball R SHARE`.
 describe() { # MESH
 	awk '
 	$1 == "element" && $2 == "vertex" { n = $3 }
@@ -80,8 +79,6 @@ describe() { # MESH
 	}
 	END {
 		printf "size %.4g %.4g %.4g\n", high[1] - low[1], high[2] - low[2], high[3] - low[3]
-		for (i = 1; i <= 2; i++) if (low[i] > 3000 || high[i] < -3000) far = 1
-		if (far) print "far"
 		split("0.25 0.5 1 2 3 4 5 6 8 10 12 16 20 25", ball, " ")
 		for (i = 1; (i in ball); i++) {
 			fits = 0
@@ -113,9 +110,9 @@ doctor() {
 	[ $code -eq 0 ] || [ $code -eq 3 ] || exit $code
 	describe "$folder/mesh.ply" >"$folder/found"
 	spacing=$(sed -n 's/^comment spacing //p' "$folder/mesh.ply")
-	SCAN=$(quoted "$scan") awk -v spacing="$spacing" -v unit="${unit:+ -u $unit}" '
+	move=$(sed -n 's/.*--origin moves it there$/ -O/p' "$folder/said")
+	SCAN=$(quoted "$scan") awk -v spacing="$spacing" -v unit="${unit:+ -u $unit}" -v move="$move" '
 	$1 == "size" { for (i = 2; i <= 4; i++) longest = $i > longest ? $i : longest }
-	$1 == "far" { move = " -O" }
 	# Balls below 1 mm are for small parts, and none is wider than its part.
 	$1 == "ball" && ($2 >= 1 || $2 >= longest / 40) && (!n || 2 * $2 <= longest) {
 		share[++n] = $3; ball[n] = $2

@@ -449,16 +449,23 @@ static struct patch patch_of_facet(const struct mesh *mesh, size_t facet)
     return patch_of(p, normal, is_flat(mesh, facet));
 }
 
+/* The raster of a facet's patch, for which its corners are enough. */
+static struct raster raster_of_facet(const struct mesh *mesh, size_t facet, double spacing)
+{
+    struct patch patch = {.edge = {{{0}}}};
+
+    for (int i = 0; i < 3; i++)
+        patch.corner[i] = mesh->vertex.item[mesh->face.item[facet].v[i]];
+    return raster_of(&patch, spacing);
+}
+
 /* How many points the facets have beside their corners. */
 static double count_of_mesh(const struct mesh *mesh, double spacing)
 {
     double sum = 0;
 
     for (size_t f = 0; f < mesh->face.n; f++) {
-        struct patch patch = {.edge = {{{0}}}};
-        for (int i = 0; i < 3; i++)
-            patch.corner[i] = mesh->vertex.item[mesh->face.item[f].v[i]];
-        struct raster raster = raster_of(&patch, spacing);
+        struct raster raster = raster_of_facet(mesh, f, spacing);
         sum += raster_count(&raster);
     }
     return sum;
@@ -469,10 +476,9 @@ static double count_of_mesh(const struct mesh *mesh, double spacing)
 static bool has_points_along(const struct mesh *mesh, const struct mesh_edges *edges, int facet,
                              int edge, double spacing)
 {
-    struct patch patch = patch_of_facet(mesh, (size_t)facet);
-    struct raster raster = raster_of(&patch, spacing);
+    struct raster raster = raster_of_facet(mesh, (size_t)facet, spacing);
 
-    if (patch.flat)
+    if (is_flat(mesh, (size_t)facet))
         return false;
     return raster.rows == 0 || edges->of[facet][raster.longest] == edge;
 }

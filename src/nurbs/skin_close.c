@@ -100,18 +100,6 @@ static void fill(struct closing *c, double gap, bool avoid)
     skin_fill_slits(c->q, &how, &c->count);
 }
 
-static size_t count_unsound(const struct patch_mesh *q)
-{
-    size_t n, unsound = 0;
-    struct skin_side *side = skin_sides_find(q, &n);
-    for (size_t i = 0, k; i < n; i += k) {
-        k = skin_sides_same(side, n, i);
-        unsound += !skin_edge_sound(&side[i], k);
-    }
-    free(side);
-    return unsound;
-}
-
 /* Makes the ends of tangled edges no longer than the gap one place: two borders that run to and fro
  * over each other have each a vertex where there should be one. */
 static size_t contract(struct closing *c, double gap)
@@ -174,13 +162,13 @@ static bool go(struct closing *c, const struct way *way, bool *idle)
  * many it has. */
 static bool try_way(struct closing *c, const struct way *way, size_t *bad, bool *idle)
 {
-    size_t before = count_unsound(c->q);
+    size_t before = skin_count_unsound(c->q);
     struct skin_close_count count = c->count;
     struct snapshot snapshot = snapshot_of(c->q);
 
     *bad = before;
     if (go(c, way, idle))
-        *bad = count_unsound(c->q);
+        *bad = skin_count_unsound(c->q);
     if (*bad >= before) {
         swap_snapshot(c->q, &snapshot);
         c->count = count;

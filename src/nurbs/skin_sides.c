@@ -86,3 +86,15 @@ bool skin_edge_sound(const struct skin_side *side, size_t k)
 {
     return k == 2 && side[0].forward != side[1].forward;
 }
+
+size_t skin_count_unsound(const struct patch_mesh *mesh)
+{
+    size_t n, unsound = 0;
+    struct skin_side *side = skin_sides_find(mesh, &n);
+    for (size_t i = 0, k; i < n; i += k) {
+        k = skin_sides_same(side, n, i);
+        unsound += !skin_edge_sound(&side[i], k);
+    }
+    free(side);
+    return unsound;
+}

@@ -31,4 +31,7 @@ size_t skin_sides_same(const struct skin_side *side, size_t n, size_t i);
 /* True if the k sides of one edge are two, of facets turned alike. */
 bool skin_edge_sound(const struct skin_side *side, size_t k);
 
+/* How many edges are not. */
+size_t skin_count_unsound(const struct patch_mesh *mesh);
+
 #endif

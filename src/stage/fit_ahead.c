@@ -182,12 +182,10 @@ struct path_listener fit_ahead_listener(struct fit_ahead *a)
 /* How much work each run may be depends on the whole path. */
 static double work_of(const struct path *in, const struct fitted_runs *runs)
 {
-    double points = 0;
+    double points = (double)in->head.runs.points;
 
-    for (size_t i = 0; i < runs->n; i++)
+    for (size_t i = 0; i < runs->n && in->head.runs.points == 0; i++)
         points += runs->item[i].link ? 0 : (double)(runs->item[i].to - runs->item[i].from);
-    if (in->head.runs.points > 0)
-        points = (double)in->head.runs.points;
     return fmin(1, USUAL_POINTS / fmax(points, 1));
 }
 

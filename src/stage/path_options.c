@@ -426,8 +426,7 @@ int path_options_rules(const struct mesh *mesh, const struct gouge_check *guard,
     t->lift.smooth = smooth_of(t->lift.tolerance);
     if (guard && path_options_row_scallop() < c->scallop)
         note("centres are lifted by up to %g mm more where they run smoothly then: rows for "
-             "scallops "
-             "of %g mm",
+             "scallops of %g mm",
              t->lift.smooth, path_options_row_scallop());
     t->lift.aside =
         t->lift.smooth > 0 && c->scallop > 0 ? ASIDE * scallop_step(c->scallop, c->radius, 0) : 0;

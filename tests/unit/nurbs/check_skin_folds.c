@@ -8,18 +8,6 @@
 #include "nurbs/skin_folds.h"
 #include "nurbs/skin_sides.h"
 
-static size_t unsound(const struct patch_mesh *q)
-{
-    size_t n, bad = 0;
-    struct skin_side *side = skin_sides_find(q, &n);
-    for (size_t i = 0, k; i < n; i += k) {
-        k = skin_sides_same(side, n, i);
-        bad += !skin_edge_sound(&side[i], k);
-    }
-    free(side);
-    return bad;
-}
-
 START_TEST(a_sound_square_stays)
 {
     struct patch_mesh q = facets_square(3, 1);
@@ -27,7 +15,7 @@ START_TEST(a_sound_square_stays)
     skin_turn_slivers(&q, 0.1);
     skin_drop_crumbs(&q, 0.1);
     ck_assert_uint_eq(q.face.n, 18);
-    ck_assert_uint_eq(unsound(&q), 12);
+    ck_assert_uint_eq(skin_count_unsound(&q), 12);
     patch_mesh_free(&q);
 }
 END_TEST
@@ -44,7 +32,7 @@ START_TEST(a_fold_goes)
     *array_push(&q.sheet) = 0;
     ck_assert_uint_eq(skin_drop_folds(&q, 0.1), 1);
     ck_assert_uint_eq(q.face.n, 18);
-    ck_assert_uint_eq(unsound(&q), 12);
+    ck_assert_uint_eq(skin_count_unsound(&q), 12);
     patch_mesh_free(&q);
 }
 END_TEST
@@ -76,11 +64,11 @@ START_TEST(a_sliver_is_turned)
     int *v = q.face.item[8].v, other = v[1];
     v[1] = v[2];
     v[2] = other;
-    ck_assert_uint_gt(unsound(&q), 12);
+    ck_assert_uint_gt(skin_count_unsound(&q), 12);
     skin_turn_slivers(&q, 0.001);
-    ck_assert_uint_gt(unsound(&q), 12);
+    ck_assert_uint_gt(skin_count_unsound(&q), 12);
     skin_turn_slivers(&q, 0.02);
-    ck_assert_uint_eq(unsound(&q), 12);
+    ck_assert_uint_eq(skin_count_unsound(&q), 12);
     patch_mesh_free(&q);
 }
 END_TEST

@@ -10,31 +10,19 @@
 
 enum { CELLS = 30, BORDER = 4 * CELLS, FACETS = 2 * CELLS * CELLS };
 
-static size_t unsound(const struct patch_mesh *q)
-{
-    size_t n, bad = 0;
-    struct skin_side *side = skin_sides_find(q, &n);
-    for (size_t i = 0, k; i < n; i += k) {
-        k = skin_sides_same(side, n, i);
-        bad += !skin_edge_sound(&side[i], k);
-    }
-    free(side);
-    return bad;
-}
-
 /* The border of a square: the middle is not in the region, and does not make open edges. */
 START_TEST(a_border_is_the_only_open_one)
 {
     struct patch_mesh q = facets_square(CELLS, 1);
     struct skin_region r;
     ck_assert(skin_region_find(&q, &r));
-    ck_assert_uint_eq(unsound(&r.mesh), BORDER);
+    ck_assert_uint_eq(skin_count_unsound(&r.mesh), BORDER);
     ck_assert_uint_lt(r.mesh.face.n, FACETS);
     ck_assert(!r.inside[FACETS / 2 + CELLS]);
     skin_region_put(&q, &r);
     skin_region_free(&r);
     ck_assert_uint_eq(q.face.n, FACETS);
-    ck_assert_uint_eq(unsound(&q), BORDER);
+    ck_assert_uint_eq(skin_count_unsound(&q), BORDER);
     patch_mesh_free(&q);
 }
 END_TEST
@@ -47,7 +35,7 @@ START_TEST(what_is_mended_comes_back)
     struct face hole = q.face.item[FACETS / 2 + CELLS];
     q.face.item[FACETS / 2 + CELLS] = q.face.item[--q.face.n];
     ck_assert(skin_region_find(&q, &r));
-    ck_assert_uint_eq(unsound(&r.mesh), unsound(&q));
+    ck_assert_uint_eq(skin_count_unsound(&r.mesh), skin_count_unsound(&q));
     struct face copy = hole;
     for (int k = 0; k < 3; k++)
         for (size_t i = 0; i < r.vertices; i++)
@@ -58,7 +46,7 @@ START_TEST(what_is_mended_comes_back)
     skin_region_put(&q, &r);
     skin_region_free(&r);
     ck_assert_uint_eq(q.face.n, FACETS);
-    ck_assert_uint_eq(unsound(&q), BORDER);
+    ck_assert_uint_eq(skin_count_unsound(&q), BORDER);
     patch_mesh_free(&q);
 }
 END_TEST
