@@ -10,7 +10,6 @@
 #include "math/kdtree.h"
 #include "math/quadric.h"
 #include "math/sphere_grid.h"
-#include "simulate/holder_collision.h"
 
 enum {
     AXES = 500,   /* over the whole sphere, of which the upper half counts */
@@ -94,7 +93,6 @@ struct reach {
     struct kdtree *solid_tree;
     struct vec3s sparse; /* few of them, one of each small cell ... */
     struct kdtree *sparse_tree;
-    struct collision_body body;
     double far;         /* further away than that is outside */
     struct sizes order; /* points with more than the limit, by cell */
     struct sizes first; /* cell k: order[first[k]] up to first[k + 1] */
@@ -183,9 +181,10 @@ struct access {
 /* What the search at one point needs. */
 struct look {
     const struct reach *r;
-    struct collision_body body; /* with a hint of its own */
-    struct sizes near;          /* of the sparse points */
-    double *share;              /* of each axis: cosine to the ball's direction; blocked: -2 */
+    struct vec3 blocks; /* what the tool met last: it is likely in its way again */
+    bool blocked;       /* it met something */
+    struct sizes near;  /* of the sparse points */
+    double *share;      /* of each axis: cosine to the ball's direction; blocked: -2 */
 };
 
 /* The ball's centre, as little out along `d` as leaves it clear; false: so far that it would leave
@@ -213,21 +212,50 @@ static bool ball_is_inside(const struct reach *r, size_t i, struct vec3 centre)
                              vec_along(centre, OVERHEAD * radius, vec(0, 0, 1)), radius - smaller);
 }
 
+/* A tool that stands somewhere. */
+struct stand {
+    const struct tool_shape *tool;
+    struct vec3 centre, axis;
+    struct look *look;
+};
+
+static double stand_distance(const void *context, struct vec3 p, double below)
+{
+    const struct stand *s = context;
+    double distance = tool_shape_distance(s->tool, s->centre, s->axis, p);
+    if (distance < below) {
+        s->look->blocks = p;
+        s->look->blocked = true;
+    }
+    return distance;
+}
+
+static double stand_bound(const void *context, struct vec3 middle, struct vec3 half)
+{
+    const struct stand *s = context;
+    return tool_shape_bound(s->tool, s->centre, s->axis, middle, half);
+}
+
+/* Something is nearer than `least` to flute, shank or holder.  The tree has boxes of a wall's
+ * points, too, which stand one over the other in plan. */
+static bool tool_is_blocked(struct look *l, struct vec3 centre, struct vec3 axis, double least)
+{
+    struct stand s = {l->r->options->tool, centre, axis, l};
+    const struct kdtree_field field = {stand_distance, stand_bound, &s};
+    if (s.tool->n == 0)
+        return false;
+    return (l->blocked && stand_distance(&s, l->blocks, least) < least) ||
+           kdtree_any_lower(l->r->solid_tree, &field, least);
+}
+
 /* The tool over a ball at `centre`, moved out along `d` by what has to be free: along a wall that
  * the ball touches the shaft may go. */
 static bool tool_clears(struct look *l, struct vec3 centre, struct vec3 d, struct vec3 axis)
 {
     const struct reach *r = l->r;
-    const double least = 0.9 * FREE;
-    struct holder_search search = {r->options->tool, vec_along(centre, FREE, d), axis, least, least,
-                                   {0, 0, 0}};
     double clear = r->options->radius;
-    if (r->options->tool->n > 0) {
-        collision_body_nearest(&l->body, &search);
-        if (search.distance < least)
-            return false;
-    }
-    return !kdtree_any_beside(r->solid_tree, vec_along(centre, 2 * clear, axis),
+    return !tool_is_blocked(l, vec_along(centre, FREE, d), axis, 0.9 * FREE) &&
+           !kdtree_any_beside(r->solid_tree, vec_along(centre, 2 * clear, axis),
                               vec_along(centre, r->far, axis), LINE * clear);
 }
 
@@ -366,12 +394,12 @@ static enum part_class class_of(struct look *l, size_t i, struct access *access)
 static void look_at_cells(void *context, size_t from, size_t to)
 {
     struct reach *r = context;
-    struct look l = {.r = r, .body = r->body};
+    struct look l = {.r = r};
     l.share = mem_alloc(r->options->axis->n, sizeof *l.share);
     for (size_t cell = from * GROUP; cell < to * GROUP && cell + 1 < r->first.n; cell++) {
         struct access access = {0};
         int failures = 0;
-        l.body.hinted = false;
+        l.blocked = false;
         for (size_t k = r->first.item[cell]; k < r->first.item[cell + 1]; k++) {
             size_t i = r->order.item[k];
             bool under = r->under && r->under[i];
@@ -443,7 +471,6 @@ void part_coverage_run(const struct vec3 *point, const double *deviation,
     add_solid(&r);
     thin_points(&r);
     r.sparse_tree = kdtree_new(r.sparse.item, r.sparse.n);
-    r.body = collision_body_points(r.solid.item, r.solid.n);
     sort_into_cells(&r);
     parallel_for(options->threads, n, measure_areas, &r);
     find_roofs(&r);
@@ -454,7 +481,6 @@ void part_coverage_run(const struct vec3 *point, const double *deviation,
     kdtree_free(r.sparse_tree);
     kdtree_free(r.roof_tree);
     free(r.up);
-    collision_body_free(&r.body);
     array_free(&r.solid);
     array_free(&r.sparse);
     array_free(&r.order);
