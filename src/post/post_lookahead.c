@@ -10,107 +10,7 @@
 #include "post_item.h"
 #include "post_motion.h"
 #include "post_rewind.h"
-
-/* ---- how far the rotary axes turn in a group, and at least have to */
-
-/* Where a group starts: after so many moves of the plan, the rotary axes at q. */
-struct group_start {
-    size_t moves;
-    double q[ROTARY_MAX];
-};
-
-static const double worth = 0.01; /* of the travel of the rotary axes: what a second plan saves */
-
-static bool saves_travel(double travel, double than)
-{
-    return travel < than * (1 - worth);
-}
-
-static double travel_since(const struct nc_planner *planner, const struct group_start *since)
-{
-    const double *q = since->q;
-    double way = 0;
-    for (size_t i = since->moves; i < planner->plan->move.n; i++) {
-        const struct nc_move *move = &planner->plan->move.item[i];
-        if (!nc_moves(move))
-            continue;
-        way += ik_travel(&planner->machine->chain, q, move->q);
-        q = move->q;
-    }
-    return way;
-}
-
-/* Both solutions turn alike, whatever the way: two axes at right angles, and the tool across. */
-static bool solutions_turn_alike(const struct kinematic_chain *chain)
-{
-    const struct rotary *r = chain->rotary;
-    return fabs(vec_dot(r[0].axis, r[1].axis)) < 1e-9 &&
-           fabs(vec_dot(r[1].axis, chain->tool)) < 1e-9;
-}
-
-/* From where the rapids have led to the axis nearest the work stays as it is: then the other one
- * turns by what the tool axis does, and no way is shorter. */
-static bool first_axis_stays(const struct nc_planner *planner, const struct group_start *since)
-{
-    const struct nc_move *last = NULL;
-    for (size_t i = since->moves; i < planner->plan->move.n; i++) {
-        const struct nc_move *move = &planner->plan->move.item[i];
-        if (nc_moves(move) && move->kind != NC_RAPID && last && move->q[0] != last->q[0])
-            return false;
-        last = nc_moves(move) ? move : last;
-    }
-    return true;
-}
-
-/* How far the axes turn at least, from solution k at the start on, where no planner leaves doubt;
- * 0: one does. */
-static double least_travel(const struct nc_planner *planner, const struct group_start *since,
-                           size_t from, size_t to, int k)
-{
-    const struct kinematic_chain *chain = &planner->machine->chain;
-    double q[ROTARY_MAX] = {since->q[0], since->q[1]}, next[ROTARY_MAX], way = 0;
-    bool cutting = false;
-    struct turned turned = {{1, 1}, {0, 0}};
-    const struct path_item *start = NULL;
-    int over;
-    for (size_t i = from; i < to; i++) {
-        const struct path_item *item = &planner->path->item.item[i];
-        if (!path_moves(item))
-            continue;
-        if (!cutting && path_is_rapid(item)) {
-            start = item;
-            continue;
-        }
-        if (!cutting) {
-            if (ik_choose(chain, start ? start->to.a : item->to.a, q, true, k, next, &over) != 0)
-                return HUGE_VAL;
-            way = ik_travel(chain, q, next);
-            q[0] = next[0], q[1] = next[1];
-            turned = chain_turned(chain, q);
-            cutting = true;
-        }
-        if (!ik_near(&planner->near, item->to.a, q, &turned, next, &turned))
-            return 0;
-        way += ik_travel(chain, q, next);
-        q[0] = next[0], q[1] = next[1];
-    }
-    return way;
-}
-
-static bool nearest_is_least(const struct nc_planner *planner, const struct group_start *since,
-                             size_t from, size_t to)
-{
-    const struct kinematic_chain *chain = &planner->machine->chain;
-    if (planner->follow.mode == INTERPOLATE_VECTOR || chain->n < 2)
-        return true;
-    if (solutions_turn_alike(chain))
-        return !planner->doubtful || first_axis_stays(planner, since);
-    if (planner->doubtful)
-        return false;
-    double least =
-        fmin(least_travel(planner, since, from, to, 0), least_travel(planner, since, from, to, 1));
-    return !saves_travel(least, travel_since(planner, since));
-}
+#include "post_travel.h"
 
 /* ---- the look ahead: the places of a group, and the shortest way through them (ik_plan.h) */
 
@@ -445,7 +345,7 @@ static const double far_turn = PI / 6; /* radians: to another solution, or whole
 struct checkpoint {
     struct nc_state state;
     struct nc_total total;
-    struct group_start since;
+    struct nc_group_start since;
     size_t vectors, arcs, splines, holes;
 };
 
@@ -627,7 +527,7 @@ static int plan_along(struct nc_planner *planner, const struct lookahead *ahead,
     if (plan_items(planner, ahead, from, to) != 0)
         return -1;
     bool more = planner->plan->total.turns > checkpoint->total.turns && way < HUGE_VAL;
-    return more || travel_since(planner, &checkpoint->since) > way ? -1 : 0;
+    return more || post_travel_since(planner, &checkpoint->since) > way ? -1 : 0;
 }
 
 /* Where the group starts, whatever of it is planned by now. */
@@ -648,13 +548,13 @@ static int plan_group(struct nc_planner *planner, size_t from, size_t to)
     struct lookahead ahead;
     planner->rewind = NULL;
     int nearest = plan_items(planner, NULL, from, to);
-    if (nearest == 0 ? nearest_is_least(planner, &checkpoint.since, from, to)
+    if (nearest == 0 ? post_travel_is_least(planner, &checkpoint.since, from, to)
                      : !planner->plan->unmet)
         return nearest;
-    double way = nearest == 0 ? travel_since(planner, &checkpoint.since) : HUGE_VAL;
+    double way = nearest == 0 ? post_travel_since(planner, &checkpoint.since) : HUGE_VAL;
     bool found = look_ahead(planner, &ahead, &checkpoint, from, to);
-    bool better =
-        found && (nearest != 0 || (ahead.cost.turns == 0 && saves_travel(ahead.cost.travel, way)));
+    bool better = found && (nearest != 0 ||
+                            (ahead.cost.turns == 0 && post_travel_saves(ahead.cost.travel, way)));
     int result = better ? plan_along(planner, &ahead, from, to, &checkpoint, way) : -1;
     lookahead_free(&ahead);
     planner->aim.n = planner->rewinds.n = 0;
