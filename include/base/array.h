@@ -26,6 +26,14 @@ void *mem_grow(void *item, size_t *cap, size_t n, size_t size);
 /* Appends one element and returns a pointer to it, not yet filled. */
 #define array_push(a) (array_reserve((a), (a)->n + 1), &(a)->item[(a)->n++])
 
+/* The same without a call where there is room, for loops over millions.  Behind a fence (array.c)
+ * each element is asked for. */
+#ifdef ARRAY_FENCE
+#define array_push_inline array_push
+#else
+#define array_push_inline(a) ((a)->n < (a)->cap ? &(a)->item[(a)->n++] : array_push(a))
+#endif
+
 /* Frees the memory; the array is empty and may be used again. */
 #define array_free(a) (free((a)->item), (a)->item = NULL, (a)->n = (a)->cap = 0)
 

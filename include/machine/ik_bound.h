@@ -14,8 +14,9 @@
 
 struct ik_bound {
     const struct ik_near_table *near;
-    double weight[ROTARY_MAX], mirror; /* of the second axis: the angle about which it is mirrored */
-    double q[ROTARY_MAX];              /* where the walk is, by one solution */
+    double weight[ROTARY_MAX],
+        mirror;           /* of the second axis: the angle about which it is mirrored */
+    double q[ROTARY_MAX]; /* where the walk is, by one solution */
     struct turned turned;
     bool free, unknown;   /* the first axis is free there; somewhere nothing was found */
     double same, changed; /* the least travel up to here, by that solution and by the other */

@@ -181,7 +181,23 @@ size_t num_write_short(char *buf, double x, int digits, bool point)
     return num_shorten(buf, num_write(buf, x, digits), digits, point);
 }
 
+/* Below 1 with eight decimals, as the components of directions are: 0.57735027 */
+static size_t put_fraction(char *buf, uint32_t integer, bool negative)
+{
+    uint64_t digit = num_eight_digits(integer);
+    size_t left = 8 - (size_t)__builtin_clzll(digit) / 8;
+    char *to = buf;
+    *to = '-';
+    to += negative;
+    memcpy(to, "0.", 2);
+    num_put_eight(to + 2, digit + UINT64_C(0x3030303030303030));
+    to += 2 + left;
+    return (size_t)(to - buf);
+}
+
 size_t num_put_long(char *buf, int64_t integer, bool negative, int digits, bool point)
 {
+    if (digits == 8 && integer > 0 && integer < 100000000)
+        return put_fraction(buf, (uint32_t)integer, negative);
     return num_shorten(buf, num_put(buf, integer, negative, digits), digits, point);
 }

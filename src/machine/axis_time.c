@@ -79,8 +79,17 @@ static struct rates rates_at(const struct axis_time_limits *limits,
  * quotient for it. */
 static double speed_at(const struct axis_time_limits *limits, const struct rates *r, double feed)
 {
-    double v = feed;
+    double v = feed, square = v * v, cube = v * v * v;
+    int bound = 0;
 
+    for (int k = 0; k < AXIS_TIME_AXES; k++) { /* mostly none is, which is told without a jump */
+        double jerk = limits->jerk[k] * limits->smoothing, change = SURELY * r->change[k];
+        bound |= (limits->speed[k] < SURELY * v * r->slope[k]) |
+                 (limits->acceleration[k] * r->over < square * change) |
+                 (jerk * r->over < cube * change);
+    }
+    if (!bound)
+        return v;
     for (int k = 0; k < AXIS_TIME_AXES; k++) {
         double jerk = limits->jerk[k] * limits->smoothing, change = SURELY * r->change[k];
         if (limits->speed[k] < SURELY * v * r->slope[k])
@@ -137,17 +146,17 @@ static double step_seconds(const struct axis_time_limits *limits, const struct a
 static void speeds_forth(const struct axis_time_limits *limits,
                          const struct axis_time_place place[], size_t n, double v[])
 {
-    struct rates last = rates_at(limits, place, 0, n);
     struct slopes before = slopes_to(&place[1]);
 
     for (size_t i = 1; i + 1 < n; i++) {
         struct slopes after = slopes_to(&place[i + 1]);
         struct rates r = rates_between(limits, &place[i], before, after);
         v[i] = speed_at(limits, &r, smaller(place[i].feed, place[i + 1].feed));
-        if (v[i] > v[i - 1])
+        if (v[i] > v[i - 1]) {
+            struct rates last = rates_at(limits, place, i - 1, n);
             v[i] = speed_after(limits, &last, v[i - 1], place[i].way - place[i - 1].way, v[i]);
+        }
         before = after;
-        last = r;
     }
 }
 

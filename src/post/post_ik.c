@@ -268,7 +268,7 @@ double post_ik_near_pole(const struct nc_planner *planner)
 /* The pose, its axis the singular direction where it is near it.  True: it was changed. */
 static bool snap_to_pole(const struct nc_planner *planner, struct pose *to)
 {
-    double near = post_ik_near_pole(planner);
+    double near = planner->near_pole;
     struct vec3 pole = planner->machine->chain.rotary[0].axis, off = vec_cross(pole, to->a);
     double off2 = near > 0 ? vec_dot(off, off) : HUGE_VAL;
     if (!(off2 < near * near) || chain_free(&planner->machine->chain, to->a))
@@ -281,7 +281,7 @@ double post_ik_pole_between(const struct nc_planner *planner, const struct motio
                             double s0, double s1)
 {
     const double beside = 1e-6; /* of the motion: as good as its end */
-    double near = post_ik_near_pole(planner);
+    double near = planner->near_pole;
     struct vec3 a = motion->from.a, b = motion->to.a;
     struct vec3 pole = planner->machine->chain.rotary[0].axis;
     if (planner->follow.mode != INTERPOLATE_VECTOR || near == 0 || motion->kind == MOTION_SPLINE ||

@@ -141,6 +141,7 @@ void post_item_tool(struct nc_planner *planner, double ball)
     planner->allowed =
         (struct pose_deviation){sampled * planner->options.chord + last.point,
                                 sampled * planner->options.axis_tolerance + last.axis};
+    planner->near_pole = post_ik_near_pole(planner);
 }
 
 /* Another tool or plane: home from here, and from home to the motion that follows, if there is

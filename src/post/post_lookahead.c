@@ -567,24 +567,6 @@ static int plan_group(struct nc_planner *planner, size_t from, size_t to)
 
 /* ---- a whole path */
 
-/* The clearance plane or, where the path names none, its highest rapid. */
-static double clear_height(const struct path *path)
-{
-    double z = path->head.clearance;
-    for (size_t i = 0; i < path->item.n && isnan(path->head.clearance); i++)
-        if (path_is_rapid(&path->item.item[i]))
-            z = fmax(z, path->item.item[i].to.p.z);
-    return z;
-}
-
-static bool has_planes(const struct path *path)
-{
-    for (size_t i = 0; i < path->item.n; i++)
-        if (path->item.item[i].kind == PATH_PLANE)
-            return true;
-    return false;
-}
-
 /* The height of the first rapid of a program: the clearance plane or the highest rapid, but above
  * all that is cut, and above that by the machine's `retract` where the path has no rapid. */
 static double top_of(const struct nc_planner *planner, bool planes)
@@ -629,9 +611,10 @@ int nc_plan_make(struct nc_plan *plan, const struct path *path, const struct mac
     planner.machine = planner.own = &own;
     planner.base = machine;
     planner.follow = (struct interpolation){.mode = ability.mode, .chain = &own.chain};
-    planner.clearance = clear_height(path);
-    planner.cut = post_rewind_cuts(path);
-    plan->top = top_of(&planner, has_planes(path));
+    struct nc_extent extent = post_rewind_extent(path);
+    planner.cut = extent.cut;
+    planner.clearance = isnan(path->head.clearance) ? extent.rapid : path->head.clearance;
+    plan->top = top_of(&planner, extent.planes);
     array_reserve(&plan->move, path->item.n + path->item.n / 16); /* most are blocks as they are */
     planner.near = ik_near_table(&own.chain);
     planner.safe_radius = post_ik_safe_radius(machine);

@@ -23,7 +23,7 @@ struct nc_move *post_motion_append(struct nc_planner *planner, enum nc_kind kind
     const struct block_pose *to = &target->at;
     struct nc_plan *plan = planner->plan;
     struct nc_state *state = &planner->state;
-    struct nc_move *move = array_push(&plan->move);
+    struct nc_move *move = array_push_inline(&plan->move);
     *move = (struct nc_move){.kind = kind,
                              .why = state->why,
                              .line = state->line,
@@ -283,8 +283,8 @@ static double off_pole(const struct nc_planner *planner)
 {
     double off =
         vec_length(vec_cross(planner->machine->chain.rotary[0].axis, planner->state.pose.a));
-    bool at = chain_free(&planner->machine->chain, planner->state.pose.a) ||
-              off < post_ik_near_pole(planner);
+    bool at =
+        chain_free(&planner->machine->chain, planner->state.pose.a) || off < planner->near_pole;
     return at ? off : -1;
 }
 

@@ -60,7 +60,7 @@ static int retract_from(struct nc_move *up, const struct nc_program *whole,
     planner.state.pose = pose;
     planner.clearance = NAN;
     if (pose.a.z < 0)
-        planner.cut = post_rewind_cuts(whole->path);
+        planner.cut = post_rewind_extent(whole->path).cut;
     if (!high)
         pose = post_rewind_retracted(&planner);
     pose = post_rewind_above(&planner, pose);

@@ -58,6 +58,7 @@ struct nc_planner {
     struct interpolation follow;
     struct nc_plan_options options;
     struct pose_deviation allowed; /* of a block, with rounding */
+    double near_pole;              /* post_ik_near_pole by what is allowed */
     double clearance;              /* z above which the path goes at rapid, NAN: not known */
     struct box cut;                /* around the ends of all cuts */
     struct nc_state state;

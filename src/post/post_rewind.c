@@ -27,13 +27,18 @@ static bool turned_angles(const struct nc_planner *planner, struct pose goal, do
     return false;
 }
 
-struct box post_rewind_cuts(const struct path *path)
+struct nc_extent post_rewind_extent(const struct path *path)
 {
-    struct box box = box_empty();
-    for (size_t i = 0; i < path->item.n; i++)
-        if (path_moves(&path->item.item[i]) && !path_is_rapid(&path->item.item[i]))
-            box_add(&box, path->item.item[i].to.p);
-    return box;
+    struct nc_extent extent = {.cut = box_empty(), .rapid = NAN};
+    for (size_t i = 0; i < path->item.n; i++) {
+        const struct path_item *item = &path->item.item[i];
+        if (path_is_rapid(item))
+            extent.rapid = fmax(extent.rapid, item->to.p.z);
+        else if (path_moves(item))
+            box_add(&extent.cut, item->to.p);
+        extent.planes = extent.planes || item->kind == PATH_PLANE;
+    }
+    return extent;
 }
 
 /* How far along a tool axis that leads down the tool is beside all that is cut, by `gap`. */

@@ -6,8 +6,14 @@
 
 #include "post_planner.h"
 
-/* The box around the ends of all cuts: of the planner, for post_rewind_retracted. */
-struct box post_rewind_cuts(const struct path *path);
+/* What a planner asks of a whole path, found in one walk. */
+struct nc_extent {
+    struct box cut; /* around the ends of all cuts */
+    double rapid;   /* z of the highest rapid, NAN: there is none */
+    bool planes;    /* it has tilted planes */
+};
+
+struct nc_extent post_rewind_extent(const struct path *path);
 
 /* The pose to retract to: along the tool axis by the machine's `retract`, and where it leads up
  * above all rapids of the path; where it leads down with a head, beside all cuts, infinitely far

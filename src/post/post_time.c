@@ -112,7 +112,7 @@ static void add_place(struct timing *t, const double axis[], double way, double 
     struct axis_time_place place = {.way = way, .feed = feed};
     for (int k = 0; k < AXIS_TIME_AXES; k++)
         place.axis[k] = axis[k];
-    *array_push(&t->places) = place;
+    *array_push_inline(&t->places) = place;
     if (t->plan->ability.feeds == NC_FEEDS_INVERSE)
         *array_push(&t->move) = move;
 }
@@ -204,7 +204,7 @@ void post_time(struct nc_plan *plan, const struct machine *machine)
                        .turned_on = TURNED_ON_MOST};
     const struct nc_move *last = NULL;
     struct block_pose at = {.a = vec(0, 0, 1)};
-    array_reserve(&t.places, plan->move.n + 1); /* most moves have one */
+    array_reserve(&t.places, plan->move.n + plan->move.n / 2 + 1); /* most moves have one */
     for (size_t i = 0; i < plan->move.n; i++) {
         const struct nc_move *move = &plan->move.item[i];
         if (!nc_moves(move)) {

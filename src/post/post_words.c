@@ -44,10 +44,9 @@ const struct nc_move *nc_first_move(const struct nc_program *p)
 
 void nc_place(struct nc_program *p, struct vec3 to)
 {
-    int digits = p->plan->ability.digits.linear;
-    nc_modal(&p->w, NC_X, "X", to.x, digits);
-    nc_modal(&p->w, NC_Y, "Y", to.y, digits);
-    nc_modal(&p->w, NC_Z, "Z", to.z, digits);
+    static const char *const address[] = {"X", "Y", "Z"};
+    const double value[] = {to.x, to.y, to.z};
+    nc_modal_place(&p->w, NC_X, address, value, p->plan->ability.digits.linear);
 }
 
 static void vector_words(struct nc_program *p, const char *const address[3], struct vec3 a)
@@ -56,9 +55,8 @@ static void vector_words(struct nc_program *p, const char *const address[3], str
     if (w->known[NC_I] && w->value[NC_I] == a.x && w->value[NC_J] == a.y && w->value[NC_K] == a.z)
         return;
     nc_forget(w, NC_I, NC_K);
-    nc_modal(w, NC_I, address[0], a.x, p->plan->ability.digits.vector);
-    nc_modal(w, NC_J, address[1], a.y, p->plan->ability.digits.vector);
-    nc_modal(w, NC_K, address[2], a.z, p->plan->ability.digits.vector);
+    const double value[] = {a.x, a.y, a.z};
+    nc_modal_place(w, NC_I, address, value, p->plan->ability.digits.vector);
 }
 
 enum { ENDLESS = 3600 /* degrees: an axis with more travel turns without end */ };
@@ -67,9 +65,9 @@ static enum machine_rotary_words rotary_words(const struct nc_program *p, int i)
 {
     const struct rotary *r = &p->machine->chain.rotary[i];
     enum machine_rotary_words words = (enum machine_rotary_words)p->machine->rotary_words;
-    bool dc = control_row(p->control)->dc, endless = DEGREES(r->max - r->min) > ENDLESS;
-    if (!endless || words == ROTARY_PLAIN)
+    if (words == ROTARY_PLAIN || !(DEGREES(r->max - r->min) > ENDLESS))
         return ROTARY_PLAIN;
+    bool dc = control_row(p->control)->dc;
     if (words == ROTARY_OWN)
         return dc ? ROTARY_DC : ROTARY_PLAIN;
     if (words == ROTARY_SHORTEST)

@@ -44,6 +44,17 @@ static inline char *put_address(char *to, const char *address)
     return to;
 }
 
+/* A whole number with zeros in front up to a width; returns its length. */
+static inline size_t put_count(char *to, long number, size_t width)
+{
+    size_t n = num_put_short(to, number, false, 0, false);
+    if (n >= width)
+        return n;
+    memmove(to + width - n, to, n);
+    memset(to, '0', width - n);
+    return width;
+}
+
 /* The first word of a block, after its number, or one without room. */
 static char *begin_block(struct nc_writer *w)
 {
@@ -60,12 +71,7 @@ static char *begin_block(struct nc_writer *w)
         if (w->number > w->most)
             w->number = w->step;
         w->n = (size_t)(put_address(w->line + w->n, w->style.number) - w->line);
-        char digits[NUM_MAX];
-        size_t n = num_put_short(digits, w->number, false, 0, false);
-        for (size_t zeros = n; zeros < (size_t)w->style.number_width; zeros++)
-            w->line[w->n++] = '0';
-        memcpy(w->line + w->n, digits, n);
-        w->n += n;
+        w->n += put_count(w->line + w->n, w->number, (size_t)w->style.number_width);
         w->line[w->n++] = ' ';
         if (w->skip && w->style.count_all)
             w->line[w->n++] = '/';
@@ -128,7 +134,8 @@ bool nc_motion(struct nc_writer *w, const char *code)
     return true;
 }
 
-bool nc_modal(struct nc_writer *w, enum nc_slot slot, const char *address, double value, int digits)
+static inline bool modal_word(struct nc_writer *w, enum nc_slot slot, const char *address,
+                              double value, int digits)
 {
     if (w->known[slot] && w->value[slot] == value) /* most are rounded already */
         return false;
@@ -146,6 +153,18 @@ bool nc_modal(struct nc_writer *w, enum nc_slot slot, const char *address, doubl
     w->known[slot] = true;
     put_number(w, address, integer, value < 0, digits);
     return true;
+}
+
+bool nc_modal(struct nc_writer *w, enum nc_slot slot, const char *address, double value, int digits)
+{
+    return modal_word(w, slot, address, value, digits);
+}
+
+void nc_modal_place(struct nc_writer *w, enum nc_slot slot, const char *const address[3],
+                    const double value[3], int digits)
+{
+    for (int i = 0; i < 3; i++)
+        modal_word(w, slot + (enum nc_slot)i, address[i], value[i], digits);
 }
 
 void nc_forget(struct nc_writer *w, enum nc_slot from, enum nc_slot to)

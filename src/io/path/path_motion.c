@@ -312,15 +312,17 @@ static const char *plain_numbers(const char *s, size_t most, double *v, size_t *
     return *s == '\n' ? s + 1 : NULL;
 }
 
-/* Reserves memory for all points, by how many the part of the file that was read has. */
-static void make_room(struct path_parse *p)
+enum { SHORT_LINE = 16 /* bytes of a point */ };
+
+/* Reserves memory for all points, by how many the part of the file has that was read, of which
+ * `ahead` bytes are not parsed yet: no block of millions is moved then. */
+static void make_room(struct path_parse *p, size_t ahead)
 {
     const struct reader *r = &p->reader;
-    size_t n = p->path->item.n;
-    if (n > 1000 && r->got < r->size)
+    size_t n = p->path->item.n, parsed = r->got - ahead;
+    if (n > 1000 && r->got < r->size && p->path->item.cap - n < ahead / SHORT_LINE)
         array_reserve(&p->path->item,
-                      (size_t)(1.02 * (double)n * ((double)r->size / (double)r->got)) + 1000);
-    array_reserve(&p->path->item, n + 1);
+                      (size_t)(1.02 * (double)n * ((double)r->size / (double)parsed)) + 1000);
 }
 
 /* A plain point at feed now changes nothing but the position. */
@@ -341,9 +343,7 @@ static int add_next_point(struct path_parse *p, const double *v, size_t n)
     struct pose to = {vec_add(vec_scale(p->unit, vec(v[0], v[1], v[2])), p->shift), p->axis};
     if (path_expect_reach(p, to.p) < 0)
         return -1;
-    if (p->path->item.n == p->path->item.cap)
-        make_room(p);
-    struct path_item *item = array_push(&p->path->item);
+    struct path_item *item = array_push_inline(&p->path->item);
     *item = (struct path_item){.kind = PATH_POINT, .line = p->apt.line, .to = to};
     if (p->touches)
         path_attach_contact(p, item);
@@ -356,6 +356,7 @@ int path_read_plain_gotos(struct path_parse *p)
 {
     const char *text, *s;
     size_t n = reader_ahead(&p->reader, &text), lines = 0;
+    make_room(p, n);
     const char *end = (s = text) + n;
     size_t first = p->reader.line + 1;
     bool on = false;

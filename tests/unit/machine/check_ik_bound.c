@@ -19,7 +19,7 @@ static double plan_travel(const struct kinematic_chain *chain, const struct vec3
     for (int i = 0; i < PLACES; i++)
         place[i] = (struct ik_plan_place){.axis = axis[i]};
     return ik_plan_make(&plan, place, PLACES, from, &cost) == 0 && cost.turns == 0 ? cost.travel
-                                                                                  : HUGE_VAL;
+                                                                                   : HUGE_VAL;
 }
 
 static double bound_travel(const struct kinematic_chain *chain, const struct vec3 axis[],
