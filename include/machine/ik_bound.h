@@ -1,11 +1,12 @@
 /*
  * ik_bound - how far the rotary axes turn at least along a pass, whatever the way that ik_plan
- * finds without turns back: a bound by the two solutions alone, without ends of travel, in one walk.
+ * finds without turns back: a bound by the two solutions alone, without ends of travel, in one
+ * walk.
  *
  * For chains whose solutions are each other's mirror image, half a turn of the first axis apart:
- * both axes at right angles, and the tool across the second.  From one place to the next either the
- * solution stays or it changes; angles go the shortest way round.  A way of ik_plan does one of both
- * between any two places, by whatever places lie between, and a way round is no shorter.
+ * both axes at right angles, and the tool across the second.  From one place to the next either
+ * the solution stays or it changes; angles go the shortest way round.  A way of ik_plan does one
+ * of both between any two places, by whatever places lie between, and a way round is no shorter.
  */
 #ifndef CLOUDMILL_IK_BOUND_H
 #define CLOUDMILL_IK_BOUND_H
