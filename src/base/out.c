@@ -13,7 +13,7 @@
 #include "base/num.h"
 #include "system.h"
 
-enum { BUFFER = 1 << 16 };
+enum { BUFFER = 1 << 16, LINK_MAX_BYTES = 4096, NAME_MAX_BYTES = 255 };
 
 struct out {
     int fd;
@@ -50,11 +50,23 @@ static void watch_signals(void)
             sigaction(ending[i], &action, NULL);
 }
 
-/* The file that `file` leads to through symbolic links, so that a rename keeps the link. */
+/* The file that `file` leads to through symbolic links, so that a rename keeps the links; the last
+ * one may lead to a file that is not there yet.  There is no circle of links: stat has told. */
 static char *resolve_links(const char *file)
 {
+    char to[LINK_MAX_BYTES];
     char *real = realpath(file, NULL);
-    return real ? real : mem_string(file, strlen(file));
+    ssize_t n = real ? -1 : readlink(file, to, sizeof to);
+    if (n < 0 || n == sizeof to)
+        return real ? real : mem_string(file, strlen(file));
+    const char *slash = *to == '/' ? NULL : strrchr(file, '/');
+    size_t folder = slash ? (size_t)(slash - file) + 1 : 0;
+    char *next = mem_alloc(folder + (size_t)n + 1, 1);
+    memcpy(next, file, folder);
+    memcpy(next + folder, to, (size_t)n);
+    real = resolve_links(next);
+    free(next);
+    return real;
 }
 
 /* A signal between the two would leave the file: it waits.  -1: as mkstemp. */
@@ -79,7 +91,10 @@ static int create_watched(char *name)
 static int create_beside(struct out *o, const struct stat *older)
 {
     static const char suffix[] = ".XXXXXX";
-    size_t n = strlen(o->target);
+    const char *slash = strrchr(o->target, '/');
+    size_t folder = slash ? (size_t)(slash - o->target) + 1 : 0, n = strlen(o->target);
+    if (n - folder > NAME_MAX_BYTES - (sizeof suffix - 1)) /* no name of a file may be longer */
+        n = folder + NAME_MAX_BYTES - (sizeof suffix - 1);
     char *name = mem_alloc(n + sizeof suffix, 1);
     memcpy(name, o->target, n);
     memcpy(name + n, suffix, sizeof suffix);
@@ -104,6 +119,8 @@ struct out *out_open(const char *file)
     o->name = file;
     struct stat st;
     bool there = stat(file, &st) == 0;
+    if (!there && errno != ENOENT)
+        die("%s: cannot write: %s", file, strerror(errno));
     if (there && S_ISDIR(st.st_mode))
         die("%s: is a directory, expected a file to write", file);
     if (there && !S_ISREG(st.st_mode)) {

@@ -43,6 +43,7 @@ static inline int is_open_file(int fd)
 #define fchmod(fd, mode) 0
 #define fsync(fd) _commit(fd)
 #define realpath(file, room) _fullpath(room, file, 0)
+#define readlink(file, to, room) (-1)
 #define rename(from, to) (MoveFileExA(from, to, MOVEFILE_REPLACE_EXISTING) ? 0 : -1)
 #define sysconf(which) atol(getenv("NUMBER_OF_PROCESSORS") ? getenv("NUMBER_OF_PROCESSORS") : "1")
 

@@ -51,11 +51,17 @@ static int unexpected(const struct cursor *c, const char *expected, struct error
                     isprint((unsigned char)ch) ? ch : '?', expected);
 }
 
+/* A blank, a tab or what ends a line or page. */
+static bool is_blank(char ch)
+{
+    return ch == ' ' || (ch >= '\t' && ch <= '\r');
+}
+
 /* Over blanks, line ends and comments. */
 static int skip_blanks(struct cursor *c, struct error *error)
 {
     for (;;) {
-        while (!at_end(c) && strchr(" \t\r\n\f\v", char_here(c)) && char_here(c) != '\0')
+        while (is_blank(char_here(c)))
             take_char(c);
         if (char_here(c) != '/' || char_ahead(c) != '*')
             return 0;
@@ -99,18 +105,20 @@ static int read_id(struct cursor *c, double *id, struct error *error)
 /* To the `;` that ends a statement. */
 static int skip_statement(struct cursor *c, struct error *error)
 {
-    while (char_here(c) != ';') {
-        int got = char_here(c) == '\'' || char_here(c) == '"' ? skip_text(c, error)
-                                                              : skip_blanks(c, error);
-        if (got < 0)
-            return -1;
-        if (at_end(c))
+    for (;;) {
+        char ch = char_here(c);
+        if (ch == '\'' || ch == '"') {
+            if (skip_text(c, error) < 0)
+                return -1;
+        } else if (ch == '/' && char_ahead(c) == '*') {
+            if (skip_blanks(c, error) < 0)
+                return -1;
+        } else if (at_end(c)) {
             return unexpected(c, "';'", error);
-        if (char_here(c) != ';' && char_here(c) != '\'' && char_here(c) != '"')
-            take_char(c);
+        } else if (take_char(c) == ';') {
+            return 0;
+        }
     }
-    take_char(c);
-    return 0;
 }
 
 static bool word_begins(const struct cursor *c, const char *word)
@@ -224,11 +232,17 @@ static int read_items(struct cursor *c, struct step_values *v, int depth, struct
     return 0;
 }
 
+static bool is_of_number(char ch)
+{
+    return (ch >= '0' && ch <= '9') || ch == '.' || ch == '-' || ch == '+' || ch == 'e' ||
+           ch == 'E';
+}
+
 static int read_number(struct cursor *c, struct step_value *value, struct error *error)
 {
     char word[WORD_MAX + 1];
     size_t n = 0;
-    while (n < WORD_MAX && char_here(c) != '\0' && strchr("+-.0123456789eE", char_here(c)))
+    while (n < WORD_MAX && is_of_number(char_here(c)))
         word[n++] = take_char(c);
     word[n] = '\0';
     const char *p = word;

@@ -64,6 +64,47 @@ START_TEST(through_a_link)
 }
 END_TEST
 
+static int fill(const char *name)
+{
+    struct out *out = out_open(name);
+    out_text(out, "newer\n");
+    out_close(out);
+    return access(name, F_OK);
+}
+
+/* Links in two folders, one by the name from the root, lead to a file that is not there yet. */
+START_TEST(through_links_to_what_is_not_there)
+{
+    char folder[] = "/tmp/check_outXXXXXX", link[2][100], file[100];
+    struct stat st;
+    ck_assert_ptr_nonnull(mkdtemp(folder));
+    snprintf(link[0], sizeof link[0], "%s/first", folder);
+    snprintf(link[1], sizeof link[1], "%s/inner", folder);
+    ck_assert_int_eq(mkdir(link[1], 0700), 0);
+    snprintf(link[1], sizeof link[1], "%s/inner/second", folder);
+    snprintf(file, sizeof file, "%s/inner/file", folder);
+    ck_assert_int_eq(symlink(link[1], link[0]), 0);
+    ck_assert_int_eq(symlink("file", link[1]), 0);
+    ck_assert_int_eq(fill(link[0]), 0);
+    for (int i = 0; i < 2; i++)
+        ck_assert(lstat(link[i], &st) == 0 && S_ISLNK(st.st_mode));
+    ck_assert(lstat(file, &st) == 0 && S_ISREG(st.st_mode) && st.st_size == 6);
+    ck_assert(unlink(link[0]) == 0 && unlink(link[1]) == 0 && unlink(file) == 0);
+    snprintf(link[1], sizeof link[1], "%s/inner", folder);
+    ck_assert(rmdir(link[1]) == 0 && rmdir(folder) == 0); /* and nothing else is left */
+}
+END_TEST
+
+/* A name of 255 bytes, beside which the unfinished file has one of its own. */
+START_TEST(the_longest_name)
+{
+    char name[5 + 255 + 1] = "/tmp/";
+    memset(name + 5, 'n', 255);
+    ck_assert_int_eq(fill(name), 0);
+    unlink(name);
+}
+END_TEST
+
 /* Started without standard input, the file gets its number. */
 START_TEST(in_place_of_standard_input)
 {
@@ -149,6 +190,8 @@ int main(void)
 
     tcase_add_test(tests, older_until_complete);
     tcase_add_test(tests, through_a_link);
+    tcase_add_test(tests, through_links_to_what_is_not_there);
+    tcase_add_test(tests, the_longest_name);
     tcase_add_test(tests, in_place_of_standard_input);
     tcase_add_test(tests, all_bytes_in_order);
     tcase_add_test(tests, numbers_read_back);
