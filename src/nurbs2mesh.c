@@ -218,14 +218,17 @@ static void check_trimming(const struct patches *patches, const struct sheet *sh
             lost, empty, unknown, patches->item[first].entity);
 }
 
-/* Of a model of closed shells alone nothing may stay open; of no model may a skin touch itself
- * along an edge, or be turned both ways. */
+/* Of a shell that the file calls closed nothing may stay open; no skin may touch itself along an
+ * edge, or be turned both ways. */
 static void check_closed(const struct patches *patches, const struct skin *skin,
                          struct unmets *unmet)
 {
-    size_t open = skin->open, closed = 0;
+    size_t open = 0, first = patches->n;
     for (size_t i = 0; i < patches->n; i++)
-        closed += patches->item[i].body != 0;
+        if (patches->item[i].body != 0 && skin->open_on[i] > 0) {
+            open += skin->open_on[i];
+            first = first == patches->n ? i : first;
+        }
     if (skin->many > 0)
         unmet_say(unmet,
                   "%zu edges have more than two facets, expected none: a smaller -e may help",
@@ -235,11 +238,11 @@ static void check_closed(const struct patches *patches, const struct skin *skin,
                   "%zu edges have facets that are turned differently, expected none: a smaller -e "
                   "may help",
                   skin->unlike);
-    if (open > 0 && closed == patches->n)
+    if (open > 0)
         unmet_say(unmet,
-                  "%zu edges of a model of closed shells are open, expected none: a smaller -e may "
-                  "help",
-                  open);
+                  "%zu edges of shells that the file calls closed are open, expected none, the "
+                  "first of surface %d: a smaller -e may help",
+                  open, patches->item[first].entity);
 }
 
 /* Everything between reading and writing; returns how far triangles are off. */

@@ -10,9 +10,9 @@
 /* Open edges that hang together: a hole, a slit, or the border of an open surface. */
 struct skin_loop {
     size_t edges;
-    double length; /* mm */
-    double gap; /* mm: how far a place of it is, at most, from the open edges that do not begin or
-                       end near it; HUGE_VAL: there are none */
+    double length;  /* mm */
+    double gap;     /* mm: how far its edges are, at most, from the open edges of other surfaces;
+                      HUGE_VAL: there are none */
     struct vec3 at; /* there, or somewhere on it */
     int sheet;      /* of its longest edge */
 };
@@ -46,6 +46,7 @@ struct skin {
     struct skin_loops loop;
     struct skin_bodies body;
     size_t open, many, unlike; /* edges, of all bodies */
+    size_t *open_on;           /* [sheet] open edges of its facets */
     int *body_of; /* [sheet] the number of the body that it is a part of, -1: of none or several */
 };
 

@@ -3,7 +3,7 @@
 
 #include <stdlib.h>
 
-#include "math/kdtree.h"
+#include "skin_loops.h"
 #include "skin_sides.h"
 
 static size_t place_of(const struct patch_mesh *q, int vertex)
@@ -30,15 +30,6 @@ static void unite(size_t *parent, size_t a, size_t b)
     parent[a > b ? a : b] = a > b ? b : a;
 }
 
-static int compare_loops(const void *p, const void *q)
-{
-    const struct skin_loop *a = p, *b = q;
-
-    if (a->length < b->length || a->length > b->length)
-        return a->length > b->length ? -1 : 1;
-    return (a->sheet > b->sheet) - (a->sheet < b->sheet);
-}
-
 static int compare_bodies(const void *p, const void *q)
 {
     const struct skin_body *a = p, *b = q;
@@ -46,79 +37,6 @@ static int compare_bodies(const void *p, const void *q)
     if (a->area < b->area || a->area > b->area)
         return a->area > b->area ? -1 : 1;
     return (a->facets < b->facets) - (a->facets > b->facets);
-}
-
-/* How far a place is from the nearest open edge that does not begin or end at its neighbours: found
- * among the edges whose middles are nearest. */
-static double gap_at(const struct patch_mesh *q, const struct skin_sides *open,
-                     const struct kdtree *middles, size_t place)
-{
-    enum { NEAREST = 12 };
-    size_t index[NEAREST];
-    struct vec3 p = point_of(q, place);
-    size_t beside[2 * NEAREST], n = 0, found = kdtree_nearest(middles, p, NEAREST, index, NULL);
-    double gap = HUGE_VAL;
-
-    for (size_t i = 0; i < found; i++) {
-        const struct skin_side *s = &open->item[index[i]];
-        if (s->low == place || s->high == place)
-            beside[n++] = s->low == place ? s->high : s->low;
-    }
-    for (size_t i = 0; i < found; i++) {
-        const struct skin_side *s = &open->item[index[i]];
-        bool near = s->low == place || s->high == place;
-        for (size_t k = 0; k < n; k++)
-            near = near || s->low == beside[k] || s->high == beside[k];
-        if (!near)
-            gap = fmin(gap, vec_segment_distance(point_of(q, s->low), point_of(q, s->high), p));
-    }
-    return gap;
-}
-
-static void find_loops(const struct patch_mesh *q, const struct skin_sides *open, struct skin *skin)
-{
-    size_t *parent = mem_alloc(q->vertex.n + 1, sizeof *parent);
-    size_t *loop = mem_alloc(q->vertex.n + 1, sizeof *loop);
-    struct doubles longest = {0};
-    struct vec3s middle = {0};
-
-    for (size_t i = 0; i < q->vertex.n; i++)
-        parent[i] = i;
-    for (size_t i = 0; i < open->n; i++) {
-        const struct skin_side *s = &open->item[i];
-        unite(parent, s->low, s->high);
-        *array_push(&middle) = vec_mix(point_of(q, s->low), point_of(q, s->high), 0.5);
-    }
-    struct kdtree *tree = kdtree_new(middle.item, middle.n);
-    for (size_t i = 0; i < open->n; i++) {
-        const struct skin_side *s = &open->item[i];
-        size_t *number = &loop[root(parent, s->low)];
-        double length = vec_distance(point_of(q, s->low), point_of(q, s->high));
-        if (*number == 0) {
-            *array_push(&skin->loop) = (struct skin_loop){.at = point_of(q, s->low)};
-            *array_push(&longest) = 0;
-            *number = skin->loop.n;
-        }
-        struct skin_loop *l = &skin->loop.item[*number - 1];
-        l->edges++;
-        l->length += length;
-        if (length > longest.item[*number - 1]) {
-            longest.item[*number - 1] = length;
-            l->sheet = q->sheet.item[s->facet];
-        }
-        double gap = gap_at(q, open, tree, s->low);
-        if (gap > l->gap) {
-            l->gap = gap;
-            l->at = point_of(q, s->low);
-        }
-    }
-    if (skin->loop.n > 1)
-        qsort(skin->loop.item, skin->loop.n, sizeof *skin->loop.item, compare_loops);
-    kdtree_free(tree);
-    array_free(&middle);
-    array_free(&longest);
-    free(parent);
-    free(loop);
 }
 
 /* Area, and volume against the point `from`, of a facet as it is turned. */
@@ -230,6 +148,13 @@ static void sort_bodies(const struct patch_mesh *q, const size_t *body, struct s
     free(new_number);
 }
 
+static void count_open(const struct patch_mesh *q, const struct skin_sides *open, struct skin *skin)
+{
+    skin->open_on = mem_alloc(q->sheets + 1, sizeof *skin->open_on);
+    for (size_t i = 0; i < open->n; i++)
+        skin->open_on[q->sheet.item[open->item[i].facet]]++;
+}
+
 struct skin skin_of(const struct patch_mesh *q)
 {
     struct skin skin = {.open = 0};
@@ -266,7 +191,8 @@ struct skin skin_of(const struct patch_mesh *q)
         /* Euler: points - edges + facets = 2 - 2 genus */
         b->genus = (2 - ((long)b->fans - (long)b->edges + (long)b->facets)) / 2;
     }
-    find_loops(q, &open, &skin);
+    skin.loop = skin_loops_find(q, &open);
+    count_open(q, &open, &skin);
     sort_bodies(q, body, &skin);
     array_free(&open);
     free(side);
@@ -280,5 +206,7 @@ void skin_free(struct skin *skin)
     array_free(&skin->loop);
     array_free(&skin->body);
     free(skin->body_of);
+    free(skin->open_on);
     skin->body_of = NULL;
+    skin->open_on = NULL;
 }

@@ -155,21 +155,22 @@ const struct patch *nurbs_report_roughest(const struct patches *patches, double 
 /* Loops that are named one by one. */
 enum { NAMED = 8 };
 
+/* Where the skin is open; without -v one line for each of the longest loops. */
 static void tell_loops(const struct patches *patches, const struct skin *skin)
 {
     for (size_t i = 0; i < skin->loop.n && i < NAMED; i++) {
         const struct skin_loop *l = &skin->loop.item[i];
         const struct patch *p = &patches->item[l->sheet];
         if (isfinite(l->gap))
-            note("open: %zu edges, %.4f mm long, gap up to %.4f mm at %.3f %.3f %.3f (surface %d)",
-                 l->edges, l->length, l->gap, l->at.x, l->at.y, l->at.z, p->entity);
+            say("open: %zu edges, %.4f mm long, gap up to %.4f mm at %.3f %.3f %.3f (surface %d)",
+                l->edges, l->length, l->gap, l->at.x, l->at.y, l->at.z, p->entity);
         else
-            note("open: %zu edges, %.4f mm long, at %.3f %.3f %.3f (surface %d)", l->edges,
-                 l->length, l->at.x, l->at.y, l->at.z, p->entity);
+            say("open: %zu edges, %.4f mm long, at %.3f %.3f %.3f (surface %d)", l->edges,
+                l->length, l->at.x, l->at.y, l->at.z, p->entity);
     }
     if (skin->loop.n > NAMED)
-        note("open: %zu loops more, the longest %.4f mm", skin->loop.n - NAMED,
-             skin->loop.item[NAMED].length);
+        say("open: %zu loops more, the longest %.4f mm", skin->loop.n - NAMED,
+            skin->loop.item[NAMED].length);
 }
 
 void nurbs_report_skin(const struct patches *patches, const struct skin *skin)

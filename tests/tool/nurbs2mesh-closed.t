@@ -79,6 +79,6 @@ awk -v kind=step -f "$SRC/tests/lib/turned.awk" "$TMP/profile" |
 status 3 "a closed shell that stays open is told" \
 	nurbs2mesh -e 0.01 -o "$TMP/lidless.ply" "$TMP/lidless.step"
 nurbs2mesh -e 0.01 "$TMP/lidless.step" >/dev/null 2>"$TMP/report"
-has "with its edges" "[1-9][0-9]* edges of a model of closed shells are open" "$TMP/report"
+has "with its edges" "[1-9][0-9]* edges of shells that the file calls closed are open" "$TMP/report"
 
 done_testing

@@ -234,6 +234,32 @@ static int read_loops(const struct source *s, const struct iges_entity *e,
     return add_loops(s, v, is_144 ? 5 : 4, (size_t)inner, trimming, patch, error);
 }
 
+/* A plane that is bounded by a curve of its own, which its place moves, too. */
+static bool is_bounded_plane(const struct iges_entity *e)
+{
+    return e->type == 108 && e->form == 1;
+}
+
+static int bound_plane(const struct source *s, const struct iges_entity *e,
+                       const struct iges_trimming *trimming, struct patch *patch,
+                       struct error *error)
+{
+    struct iges_trimming inner = *trimming;
+    if (iges_matrix(s->iges, e->matrix, e->at, &inner.outer, error) < 0)
+        return -1;
+    inner.outer = transform_product(trimming->outer, inner.outer);
+    patch->outer = true;
+    if (iges_trim(&inner, patch, e, error) < 0)
+        return -1;
+    return patch->loop.n == 0 ? 1 : 0;
+}
+
+/* No part of the model: a plane or another surface without an end that nothing trims. */
+static bool is_endless(const struct trimmed *t, const struct iges_entity *e)
+{
+    return !t->trim && ((e->type == 108 && e->form == 0) || e->type >= 190);
+}
+
 /* A surface with its loops, appended.  The loops are read first: planes reach as far as they do. */
 static int add_patch(const struct source *s, const struct trimmed *t, struct error *error)
 {
@@ -251,6 +277,8 @@ static int add_patch(const struct source *s, const struct trimmed *t, struct err
         status = read_loops(s, t->trim, &v, &trimming, &patch, error);
         array_free(&v);
     }
+    if (!t->trim && is_bounded_plane(e))
+        status = bound_plane(s, e, &trimming, &patch, error);
     if (status == 0)
         status = read_surface(s, e, &trimming.outer, &patch, error);
     if (status == 0)
@@ -260,8 +288,7 @@ static int add_patch(const struct source *s, const struct trimmed *t, struct err
         *array_push(s->patches) = patch;
         return 0;
     }
-    bool endless = !t->trim && (e->type == 108 || e->type >= 190); /* no part of the model */
-    if (status > 0 && !endless)
+    if (status > 0 && !is_endless(t, e))
         leave_out(s, e);
     patch_free(&patch);
     return status < 0 ? -1 : 0;

@@ -116,6 +116,15 @@ static int edge_504(const struct iges_trimming *s, const struct iges_entity *lis
     return got;
 }
 
+/* A 108 of form 1: the closed curve in space around the part of its plane. */
+static int curve_108(const struct iges_trimming *s, const struct iges_values *v,
+                     struct patch_loop *loop, const struct iges_entity **unknown,
+                     struct error *error)
+{
+    loop->space = true;
+    return curve_at(s, v, 5, loop, unknown, error);
+}
+
 /* A 508: edges, each with a list and its number there, and vertices, which say nothing. */
 static int edges_508(const struct iges_trimming *s, const struct iges_values *v,
                      struct patch_loop *loop, const struct iges_entity **unknown,
@@ -216,6 +225,7 @@ int iges_trim(const struct iges_trimming *s, struct patch *patch, const struct i
     int got = e->type == 142   ? curve_142(s, &v, &loop, &unknown, error)
               : e->type == 141 ? curves_141(s, &v, &loop, &unknown, error)
               : e->type == 508 ? edges_508(s, &v, &loop, &unknown, error)
+              : e->type == 108 ? curve_108(s, &v, &loop, &unknown, error)
                                : 1;
     if (got == 0 && loop.space && e->type == 142 && told_142(s, &v, patch, error) < 0)
         got = -1;

@@ -1,5 +1,6 @@
 /*
- * iges_trim - what trims a surface of an IGES file: entities 142, 141 and 508.
+ * iges_trim - what trims a surface of an IGES file: entities 142, 141 and 508, and what
+ * bounds a plane, 108.
  */
 #ifndef CLOUDMILL_IGES_TRIM_H
 #define CLOUDMILL_IGES_TRIM_H
@@ -17,7 +18,7 @@ struct iges_trimming {
 };
 
 /*
- * Appends the loop of an entity 142, 141 or 508 to the patch: its curves in the parameters, or
+ * Appends the loop of an entity 142, 141, 508 or 108 (form 1) to the patch: its curves in the parameters, or
  * those in space where the file prefers them or has no others.  One with curves that are not read
  * is counted in patch->ignored.  Where a 142 has both, and those in space are taken, the others go
  * to patch->told as the file has them.
