@@ -79,13 +79,25 @@ static bool is_crossing(const struct uvs *loop, size_t i, size_t k, struct uv *a
     return true;
 }
 
-/* Do the ways through one corner, by the sides that begin at i and k, cross there? */
+/* Do the sides from a corner p to the two places lie on each other? */
+static bool is_along(struct uv p, struct uv to, struct uv place)
+{
+    const double rounding = 1e-9;
+    double u = to.u - p.u, v = to.v - p.v, other_u = place.u - p.u, other_v = place.v - p.v;
+    return u * other_u + v * other_v > 0 &&
+           fabs(turn(p, to, place)) <= rounding * hypot(u, v) * hypot(other_u, other_v);
+}
+
+/* Do the ways through one corner, by the sides that begin at i and k, cross there?  Where a loop
+ * runs along a seam and comes back on it, they touch. */
 static bool is_corner_crossed(const struct uvs *loop, size_t i, size_t k)
 {
     struct uv a = loop->item[i], b = loop->item[(i + 1) % loop->n];
     struct uv c = loop->item[k], d = loop->item[(k + 1) % loop->n];
-    return k - i > 1 && k - i + 1 < loop->n && is_corner(b, d, a, c) &&
-           parts(a, b, loop->item[(i + 2) % loop->n], c, loop->item[(k + 2) % loop->n]);
+    struct uv to = loop->item[(i + 2) % loop->n], end = loop->item[(k + 2) % loop->n];
+    return k - i > 1 && k - i + 1 < loop->n && is_corner(b, d, a, c) && !is_along(b, a, c) &&
+           !is_along(b, a, end) && !is_along(b, to, c) && !is_along(b, to, end) &&
+           parts(a, b, to, c, end);
 }
 
 /* A loop with its sides in order, and twice the areas that those up to each corner have about the

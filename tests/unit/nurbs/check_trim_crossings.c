@@ -55,6 +55,11 @@ START_TEST(simple_loops)
     ck_assert_uint_eq(crossings(0.01), 0);
     DRAW({10, 10}, {50, 50}, {90, 10}, {90, 90}, {50, 50}, {10, 90});
     ck_assert_uint_eq(crossings(0.01), 0);
+    /* along a seam beyond the place where it leaves it, and back, from either side */
+    DRAW({30, 90}, {0, 80}, {0, 50}, {0, 20}, {0, 50}, {30, 40}, {60, 60});
+    ck_assert_uint_eq(crossings(0.01), 0);
+    DRAW({60, 60}, {30, 40}, {0, 50}, {0, 20}, {0, 50}, {0, 80}, {30, 90});
+    ck_assert_uint_eq(crossings(0.01), 0);
 }
 END_TEST
 
