@@ -147,15 +147,22 @@ static const struct run_point *end_of(const struct orderer *o, size_t k, bool la
     return &run.item[last ? run.n - 1 : 0];
 }
 
-/* How far it is from one place to another, mm: to a rest pass, which may be anywhere, with the turn
- * of the axis. */
+/* How far it is from one place to another, mm, with the turn of the axis: along rows only beyond what
+ * a link turns on its way; to a rest pass, which may be anywhere, all of it. */
 static double way_to(const struct orderer *o, const struct run_point *a, const struct run_point *b,
                      bool rest)
 {
-    const double turn = 2; /* radii for a radian */
-    double way = vec_distance(a->ball, b->ball);
+    const double turn = 2, easy = 0.5; /* radii for a radian; radians */
+    double angle = vec_angle(a->axis, b->axis);
 
-    return rest ? way + turn * o->t->rule.radius * vec_angle(a->axis, b->axis) : way;
+    angle = rest ? angle : fmax(0, angle - easy);
+    return vec_distance(a->ball, b->ball) + turn * o->t->rule.radius * angle;
+}
+
+/* Parts may be cut from either end. */
+static bool may_turn(const struct orderer *o)
+{
+    return !o->t->rule.one_way && o->t->lift.axis.lead == 0;
 }
 
 /* The part, of this layer and a pass near by, that begins (or, turned round, ends) nearest to a
@@ -165,7 +172,7 @@ static size_t nearest_part(const struct orderer *o, size_t after, const struct r
                            double reach, bool *turned)
 {
     size_t best = o->parts->n, pass = pass_of(o, after);
-    bool may_turn = !o->t->rule.one_way && o->t->lift.axis.lead == 0, rest = is_rest(o, after);
+    bool rest = is_rest(o, after);
 
     reach = rest ? HUGE_VAL : reach;
 
@@ -176,13 +183,63 @@ static size_t nearest_part(const struct orderer *o, size_t after, const struct r
         if (o->done[k] || (other + PASSES_AWAY < pass && !rest) || (rest && !is_rest(o, k)) ||
             offset_of(o, k) != offset_of(o, after))
             continue;
-        for (int last = 0; last < (may_turn ? 2 : 1); last++) {
+        for (int last = 0; last < (may_turn(o) ? 2 : 1); last++) {
             double away = way_to(o, place, end_of(o, k, last), rest);
             if (away >= reach)
                 continue;
             reach = away;
             best = k;
             *turned = last;
+        }
+    }
+    return best;
+}
+
+/* An end of one part is within `reach` of an end of the other. */
+static bool are_near(const struct orderer *o, size_t a, size_t b, double reach)
+{
+    for (int i = 0; i < 4; i++)
+        if (way_to(o, end_of(o, a, i & 1), end_of(o, b, i & 2), false) < reach)
+            return true;
+    return false;
+}
+
+/* No part is left near this one in the passes before it, or none in those after it. */
+static bool is_end(const struct orderer *o, size_t k, double reach)
+{
+    bool before = false, after = false;
+    size_t pass = pass_of(o, k), m = k;
+
+    while (m > o->first && pass_of(o, m - 1) + PASSES_AWAY >= pass)
+        m--;
+    for (; m < o->parts->n && pass_of(o, m) <= pass + PASSES_AWAY && !(before && after); m++) {
+        bool *side = pass_of(o, m) < pass ? &before : &after;
+        if (!o->done[m] && !*side && pass_of(o, m) != pass && offset_of(o, k) == offset_of(o, m))
+            *side = are_near(o, k, m, reach);
+    }
+    return !(before && after);
+}
+
+/* Where nothing goes on: the part that begins nearest to where the last one ended, of those at which
+ * a region of passes begins or ends, so that none is begun in its middle. */
+static size_t next_region(const struct orderer *o, const struct toolpath_part *last, double reach,
+                          bool *turned)
+{
+    struct run run = toolpath_part_run(o->t, last);
+    size_t best = o->first;
+    double least = HUGE_VAL;
+
+    for (size_t k = o->first; k < o->parts->n; k++) {
+        if (o->done[k] || offset_of(o, k) != offset_of(o, o->first) ||
+            is_rest(o, k) != is_rest(o, o->first))
+            continue;
+        for (int end = 0; end < (may_turn(o) ? 2 : 1); end++) {
+            double away = way_to(o, &run.item[run.n - 1], end_of(o, k, end), true);
+            if (away >= least || !is_end(o, k, reach))
+                continue;
+            least = away;
+            best = k;
+            *turned = end;
         }
     }
     return best;
@@ -215,7 +272,8 @@ void toolpath_order(const struct toolpath *t, struct toolpath_parts *parts)
         if (next < parts->n)
             next = nearest_part(&o, next, end_of(&o, next, true), reach, &turned);
         if (next == parts->n)
-            next = o.first;
+            next = ordered.n > 0 ? next_region(&o, &ordered.item[ordered.n - 1], reach, &turned)
+                                 : o.first;
         if (turned)
             turn_round(toolpath_part_run(t, &parts->item[next]));
         *array_push(&ordered) = parts->item[next];
