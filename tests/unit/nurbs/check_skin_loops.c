@@ -1,7 +1,7 @@
 /*
- * skin_loops: two flat surfaces that lie apart by a wedge have two borders of known length, with the
- * largest distance between them; one surface alone has a border and no gap; a slit between two
- * surfaces that meet at its ends is one loop, as wide as the slit.
+ * skin_loops: two flat surfaces that lie apart have two borders of known length, with the largest
+ * distance between them; one surface alone has a border and no gap; a slit between surfaces that
+ * meet at its ends is one loop, as wide as the slit.
  */
 #include <check.h>
 #include <stdlib.h>
