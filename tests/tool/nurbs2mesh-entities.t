@@ -41,25 +41,6 @@ a 104 2 0.25,0,-1,0,0,-1,5,4,-1.7320508075688772,4,1.7320508075688772
 b 110 0 4,1.7320508075688772,5,4,-1.7320508075688772,5
 END
 model "104: a hyperbola" "$(calc '4 * sqrt(3) - 2 * log(2 + sqrt(3))')" - -e 0.0001 "$TMP/hyperbola.igs"
-# A plane whose border is a pointer of its own (form 1); its place moves both.  A hole (form -1)
-# belongs to another plane and is named.
-iges bounded108 <<'END'
-turn 124 0 0,-1,0,7,1,0,0,0,0,0,1,3
-ring 100 0 5,1,2,4,2,4,2
-face 108 1@turn 0,0,1,5,{ring},0,0,0,0
-END
-model "108: a plane with a border of its own" "$(calc '9 * p')" - -e 0.0002 "$TMP/bounded108.igs"
-nurbs2mesh -q -e 0.0002 -o "$TMP/x.ply" "$TMP/bounded108.igs"
-is "where the file places it" "2.000 -2.000 8.000 8.000 4.000 8.000" "$(vertex_box "$TMP/x.ply")"
-iges hole108 <<'END'
-ring 100 0 5,1,2,4,2,4,2
-hole 100 0 5,1,2,2,2,2,2
-face 108 1 0,0,1,5,{ring},0,0,0,0
-without 108 -1 0,0,1,5,{hole},0,0,0,0
-END
-status 3 "108: a hole of another plane is left out" nurbs2mesh -e 0.01 -o "$TMP/x.ply" "$TMP/hole108.igs"
-nurbs2mesh -e 0.01 "$TMP/hole108.igs" >/dev/null 2>"$TMP/report"
-has "and named" '1 surface of type 108 left out, the first is entity 7' "$TMP/report"
 iges spline112 <<'END'
 c 112 0 3,1,2,2,0,4,10,0,1,0,0,0,0,0.1,0,0,0,0,0,4,1,0,0,1.6,0.8,0.1,0,0,0,0,0,10,1,0,0,10,2,0.2,0,0,0,0,0
 face 122 0 {c},0,0,5

@@ -16,6 +16,6 @@ awk -F'[/,]' '/^RAPID/ { rapid = 1 }
 			if (d > far) far = d }
 		x = $2; y = $3; known = 1; rapid = 0 }
 	END { printf "%d %d\n", n, far + 0.5 }' plates.cl >jumps
-is "are cut one after the other, each from where it is near" "2 30" "$(cat jumps)"
+ok "are cut one after the other, each from where it is near" test "2 30" = "$(cat jumps)"
 
 done_testing
