@@ -11,7 +11,8 @@ closed() { # DESC GENUS ARGS...: every body is closed, and facets are turned ali
 	ok "$what: is read" test $? -eq 0
 	has "$what: is closed" "^nurbs2mesh: body [0-9]+: closed, genus $genus," "$TMP/report"
 	hasnt "$what: nothing is open" '^nurbs2mesh: (open: |body [0-9]*: open)' "$TMP/report"
-	hasnt "$what: nor turned against its neighbours" 'turned differently|more than two facets' "$TMP/report"
+	hasnt "$what: nor turned against its neighbours" \
+		'turned differently|more than two facets' "$TMP/report"
 }
 
 # An arc of which each face has other chords: their corners are off the other's by what chords are.
@@ -22,7 +23,8 @@ for x in -16 16 30; do
 	done
 done
 
-# A face that a representation names by itself, as for a tolerance, is a face of the shell, not another.
+# A face that a representation names by itself, as for a tolerance, is a face of the shell, not
+# another.
 {
 	dprism 44 16 6
 	echo "named SHAPE_REPRESENTATION('',({f2}),{CONTEXT})"
@@ -30,10 +32,12 @@ done
 closed "a face named once more" 0 -e 0.1 "$TMP/named.step"
 has "is read once" '4 surfaces in' "$TMP/report"
 
-# A box of which one side ends askew, so that a needle is open between it and its neighbour: narrower
+# A box of which one side ends askew, so that a needle is open between it and its neighbour:
+# narrower
 # than the gap, but long.  And a strip of the neighbour folded back along it.
 box_with() { # NAME Y: the side at y 0 is at Y where x is 30; the others are not
-	awk -v y="$2" 'function flat(t) { print "surface degree 1 1 poles 2 2 knots_u 0 0 1 1 knots_v 0 0 1 1 points " t }
+	awk -v y="$2" 'function flat(t) {
+		print "surface degree 1 1 poles 2 2 knots_u 0 0 1 1 knots_v 0 0 1 1 points " t }
 		BEGIN { print "nurbs 1"
 		flat("0 0 0 0 20 0 30 0 0 30 20 0"); flat("0 0 10 30 0 10 0 20 10 30 20 10")
 		flat("0 0 0 30 " y " 0 0 0 10 30 " y " 10"); flat("30 0 0 30 20 0 30 0 10 30 20 10")
