@@ -147,8 +147,8 @@ static const struct run_point *end_of(const struct orderer *o, size_t k, bool la
     return &run.item[last ? run.n - 1 : 0];
 }
 
-/* How far it is from one place to another, mm, with the turn of the axis: along rows only beyond what
- * a link turns on its way; to a rest pass, which may be anywhere, all of it. */
+/* How far it is from one place to another, mm, with the turn of the axis: along rows only beyond
+ * what a link turns on its way; to a rest pass, which may be anywhere, all of it. */
 static double way_to(const struct orderer *o, const struct run_point *a, const struct run_point *b,
                      bool rest)
 {
@@ -220,8 +220,8 @@ static bool is_end(const struct orderer *o, size_t k, double reach)
     return !(before && after);
 }
 
-/* Where nothing goes on: the part that begins nearest to where the last one ended, of those at which
- * a region of passes begins or ends, so that none is begun in its middle. */
+/* Where nothing goes on: the part that begins nearest to where the last one ended, of those at
+ * which a region of passes begins or ends, so that none is begun in its middle. */
 static size_t next_region(const struct orderer *o, const struct toolpath_part *last, double reach,
                           bool *turned)
 {

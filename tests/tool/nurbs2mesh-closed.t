@@ -33,8 +33,7 @@ closed "a face named once more" 0 -e 0.1 "$TMP/named.step"
 has "is read once" '4 surfaces in' "$TMP/report"
 
 # A box of which one side ends askew, so that a needle is open between it and its neighbour:
-# narrower
-# than the gap, but long.  And a strip of the neighbour folded back along it.
+# narrower than the gap, but long.  And a strip of the neighbour folded back along it.
 box_with() { # NAME Y: the side at y 0 is at Y where x is 30; the others are not
 	awk -v y="$2" 'function flat(t) {
 		print "surface degree 1 1 poles 2 2 knots_u 0 0 1 1 knots_v 0 0 1 1 points " t }
