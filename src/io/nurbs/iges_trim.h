@@ -20,8 +20,8 @@ struct iges_trimming {
 /*
  * Appends the loop of an entity 142, 141, 508 or 108 (form 1) to the patch: its curves in the
  * parameters, or those in space where the file prefers them or has no others.  One with curves that
- * are not read is counted in patch->ignored.  Where a 142 has both, and those in space are taken, the others go
- * to patch->told as the file has them.
+ * are not read is counted in patch->ignored.  Where a 142 has both, and those in space are taken,
+ * the others go to patch->told as the file has them.
  */
 int iges_trim(const struct iges_trimming *trimming, struct patch *patch,
               const struct iges_entity *entity, struct error *error);
