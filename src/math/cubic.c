@@ -6,6 +6,8 @@
 
 #include <string.h>
 
+#include "math/pair.h"
+
 enum { TERMS = 10, DEGREE = 3 };
 
 /* Part of a term that the terms before it must leave over. */
@@ -36,21 +38,20 @@ struct block {
 /* The sums by v^0 to v^2, in registers: two of them in each. */
 static void add_low(struct moments *m, const struct block *b)
 {
-    double s0[8], s1[6], s2[6];
+    pair s0[4], s1[3], s2[3];
     memcpy(s0, m->power[0], sizeof s0);
     memcpy(s1, m->power[1], sizeof s1);
     memcpy(s2, m->power[2], sizeof s2);
     for (size_t k = 0; k < b->n; k++) {
-        double up[8], u = b->u[k], v = b->v[k];
-        up[0] = b->part[k];
-        for (int i = 1; i < 8; i++)
-            up[i] = up[i - 1] * u;
-        for (int i = 0; i < 8; i++)
-            s0[i] += up[i];
-        for (int i = 0; i < 6; i++)
-            s1[i] += up[i] *= v;
-        for (int i = 0; i < 6; i++)
-            s2[i] += up[i] *= v;
+        double u = b->u[k], one = b->part[k] * u, two = one * u, three = two * u;
+        double four = three * u, five = four * u, six = five * u;
+        pair v = pair_both(b->v[k]);
+        pair p0 = {b->part[k], one}, p1 = {two, three}, p2 = {four, five}, p3 = {six, six * u};
+        s0[0] += p0, s0[1] += p1, s0[2] += p2, s0[3] += p3;
+        p0 *= v, p1 *= v, p2 *= v;
+        s1[0] += p0, s1[1] += p1, s1[2] += p2;
+        p0 *= v, p1 *= v, p2 *= v;
+        s2[0] += p0, s2[1] += p1, s2[2] += p2;
     }
     memcpy(m->power[0], s0, sizeof s0);
     memcpy(m->power[1], s1, sizeof s1);
@@ -60,41 +61,35 @@ static void add_low(struct moments *m, const struct block *b)
 /* The others. */
 static void add_high(struct moments *m, const struct block *b)
 {
-    double s3[4], s4[4], s5[2], s6[2], h[10];
+    pair s3[2], s4[2], s5, s6, h[5];
     memcpy(s3, m->power[3], sizeof s3);
     memcpy(s4, m->power[4], sizeof s4);
-    memcpy(s5, m->power[5], sizeof s5);
-    memcpy(s6, m->power[6], sizeof s6);
+    memcpy(&s5, m->power[5], sizeof s5);
+    memcpy(&s6, m->power[6], sizeof s6);
     memcpy(h, m->w, sizeof h);
     for (size_t k = 0; k < b->n; k++) {
-        double up[4], u = b->u[k], v = b->v[k], part = b->part[k], w = b->w[k];
-        up[0] = part;
-        for (int i = 1; i < 4; i++)
-            up[i] = up[i - 1] * u;
-        for (int i = 0; i < 4; i++)
-            s3[i] += up[i] = up[i] * v * v * v;
-        for (int i = 0; i < 4; i++)
-            s4[i] += up[i] *= v;
-        for (int i = 0; i < 2; i++)
-            s5[i] += up[i] *= v;
-        for (int i = 0; i < 2; i++)
-            s6[i] += up[i] *= v;
-        double u2 = u * u, v2 = v * v, pw = part * w;
-        h[0] += pw;
-        h[1] += pw * u;
-        h[2] += pw * v;
-        h[3] += pw * u2;
-        h[4] += pw * u * v;
-        h[5] += pw * v2;
-        h[6] += pw * u2 * u;
-        h[7] += pw * u2 * v;
-        h[8] += pw * u * v2;
-        h[9] += pw * v2 * v;
+        double u = b->u[k], part = b->part[k], one = part * u, two = one * u;
+        pair v = pair_both(b->v[k]), p0 = {part, one}, p1 = {two, two * u};
+        p0 = p0 * v * v * v, p1 = p1 * v * v * v;
+        s3[0] += p0, s3[1] += p1;
+        p0 *= v, p1 *= v;
+        s4[0] += p0, s4[1] += p1;
+        p0 *= v;
+        s5 += p0;
+        p0 *= v;
+        s6 += p0;
+        double pw = part * b->w[k], pwu = pw * u;
+        pair uv = {u, b->v[k]}, square = uv * uv, pws = pair_both(pw), second = pws * square;
+        h[0] += (pair){pw, pwu};
+        h[1] += (pair){pw * uv[1], second[0]};
+        h[2] += (pair){pwu * uv[1], second[1]};
+        h[3] += pair_both(second[0]) * uv;
+        h[4] += (pair){pwu, second[1]} * (pair){square[1], uv[1]};
     }
     memcpy(m->power[3], s3, sizeof s3);
     memcpy(m->power[4], s4, sizeof s4);
-    memcpy(m->power[5], s5, sizeof s5);
-    memcpy(m->power[6], s6, sizeof s6);
+    memcpy(m->power[5], &s5, sizeof s5);
+    memcpy(m->power[6], &s6, sizeof s6);
     memcpy(m->w, h, sizeof h);
 }
 
@@ -124,21 +119,23 @@ static size_t add_points(struct moments *m, const struct quadric *frame, double 
     return count;
 }
 
-/* The factor of the sums of products, in the upper half of a; -1 when a term depends on others. */
+/* The factor of the sums of products, in the upper half of a; -1 when a term depends on others.
+ * What is below the diagonal means nothing: two columns are worked on at a time. */
 static int factor(const struct moments *m, double a[TERMS][TERMS])
 {
     for (int i = 0; i < TERMS; i++)
-        for (int j = i; j < TERMS; j++)
+        for (int j = 0; j < TERMS; j++)
             a[i][j] = m->power[V[i] + V[j]][U[i] + U[j]];
     for (int k = 0; k < TERMS; k++) {
         if (!(a[k][k] > INDEPENDENT * m->power[2 * V[k]][2 * U[k]]))
             return -1;
-        a[k][k] = sqrt(a[k][k]);
-        for (int j = k + 1; j < TERMS; j++)
-            a[k][j] /= a[k][k];
+        double root = sqrt(a[k][k]);
+        for (int j = k & ~1; j < TERMS; j += 2)
+            pair_put(a[k] + j, pair_at(a[k] + j) / pair_both(root));
+        a[k][k] = root;
         for (int i = k + 1; i < TERMS; i++)
-            for (int j = i; j < TERMS; j++)
-                a[i][j] -= a[k][i] * a[k][j];
+            for (int j = i & ~1; j < TERMS; j += 2)
+                pair_put(a[i] + j, pair_at(a[i] + j) - pair_both(a[k][i]) * pair_at(a[k] + j));
     }
     return 0;
 }
@@ -151,11 +148,15 @@ enum { HEIGHTS, PICKED, SIDES = 4 };
 static void solve_forward(double a[TERMS][TERMS], double y[TERMS][SIDES])
 {
     for (int i = 0; i < TERMS; i++) {
-        for (int s = 0; s < SIDES; s++)
-            y[i][s] /= a[i][i];
-        for (int j = i + 1; j < TERMS; j++)
-            for (int s = 0; s < SIDES; s++)
-                y[j][s] -= a[i][j] * y[i][s];
+        pair low = pair_at(y[i]) / pair_both(a[i][i]);
+        pair high = pair_at(y[i] + 2) / pair_both(a[i][i]);
+        pair_put(y[i], low);
+        pair_put(y[i] + 2, high);
+        for (int j = i + 1; j < TERMS; j++) {
+            pair part = pair_both(a[i][j]);
+            pair_put(y[j], pair_at(y[j]) - part * low);
+            pair_put(y[j] + 2, pair_at(y[j] + 2) - part * high);
+        }
     }
 }
 

@@ -2,6 +2,9 @@
 #include "math/moment_fit.h"
 
 #include <stdbool.h>
+#include <string.h>
+
+#include "math/pair.h"
 
 enum { QUADRIC = 6, CUBIC = 10, POWERS = 28, FRAMES = 2 };
 
@@ -59,82 +62,101 @@ static bool gather(const struct point_grid *b, struct vec3 place, double radius,
     return ball->n >= MOMENT_FIT_LEAST;
 }
 
-/* Of u and v in units of the radius, and w in mm. */
+/* Of u and v in units of the radius, and w in mm.  The sums of u^i v^j and of v^i u^j are pairs. */
 static struct sums add_up(const struct quadric *frame, double radius, const struct ball *ball)
 {
-    struct sums s = {.ww = 0};
+    const pair none = {0, 0};
+    pair d1 = none, d2 = none, d3 = none, d21 = none, d4 = none, d31 = none, d5 = none;
+    pair d41 = none, d32 = none, d6 = none, d51 = none, d42 = none;
+    pair w1 = none, w2 = none, w3 = none, w21 = none, same = none, w0 = none;
+    double u3v3 = 0, ww = 0;
     struct vec3 along_u = vec_scale(1 / radius, frame->u),
                 along_v = vec_scale(1 / radius, frame->v);
-    double *p = s.power;
 
     for (size_t i = 0; i < ball->n; i++) {
-        double u = vec_dot(ball->d[i], along_u), v = vec_dot(ball->d[i], along_v);
-        double w = vec_dot(ball->d[i], frame->w);
-        double uu = u * u, uv = u * v, vv = v * v;
-        double u3 = uu * u, uuv = uu * v, uvv = u * vv, v3 = vv * v;
-        p[1] += u, p[2] += v;
-        p[3] += uu, p[4] += uv, p[5] += vv;
-        p[6] += u3, p[7] += uuv, p[8] += uvv, p[9] += v3;
-        p[10] += uu * uu, p[11] += u3 * v, p[12] += uu * vv, p[13] += u * v3, p[14] += vv * vv;
-        p[15] += u3 * uu, p[16] += u3 * uv, p[17] += u3 * vv;
-        p[18] += uu * v3, p[19] += uv * v3, p[20] += vv * v3;
-        p[21] += u3 * u3, p[22] += u3 * uuv, p[23] += u3 * uvv, p[24] += u3 * v3;
-        p[25] += uuv * v3, p[26] += uvv * v3, p[27] += v3 * v3;
-        s.w[0] += w, s.w[1] += u * w, s.w[2] += v * w;
-        s.w[3] += uu * w, s.w[4] += uv * w, s.w[5] += vv * w;
-        s.w[6] += u3 * w, s.w[7] += uuv * w, s.w[8] += uvv * w, s.w[9] += v3 * w;
-        s.ww += w * w;
+        pair e = {vec_dot(ball->d[i], along_u), vec_dot(ball->d[i], along_v)}, o = pair_swap(e);
+        double w = vec_dot(ball->d[i], frame->w), uv = e[0] * e[1];
+        pair e2 = e * e, e3 = e2 * e, e21 = e2 * o, h = pair_both(w);
+        d1 += e, d2 += e2, d3 += e3, d21 += e21, d4 += e2 * e2;
+        d31 += e3 * o, d5 += e3 * e2, d41 += e3 * pair_both(uv), d32 += e3 * pair_swap(e2);
+        d6 += e3 * e3, d51 += e3 * e21, d42 += e3 * pair_swap(e21);
+        w1 += e * h, w2 += e2 * h, w3 += e3 * h, w21 += e21 * h;
+        same += (pair){uv, e2[0] * e2[1]};
+        w0 += (pair){w, uv * w};
+        u3v3 += e3[0] * e3[1];
+        ww += w * w;
     }
-    p[0] = (double)ball->n;
-    return s;
+    return (struct sums){
+        .power = {(double)ball->n, d1[0],  d1[1],  d2[0],  same[0], d2[1],   d3[0],
+                  d21[0],          d21[1], d3[1],  d4[0],  d31[0],  same[1], d31[1],
+                  d4[1],           d5[0],  d41[0], d32[0], d32[1],  d41[1],  d5[1],
+                  d6[0],           d51[0], d42[0], u3v3,   d42[1],  d51[1],  d6[1]},
+        .w = {w0[0], w1[0], w1[1], w2[0], w0[1], w2[1], w3[0], w21[0], w21[1], w3[1]},
+        .ww = ww};
 }
 
 /* Powers of u and v in each term, in the order of quadric.c and cubic.c. */
 static const int U[CUBIC] = {0, 1, 0, 2, 1, 0, 3, 2, 1, 0};
 static const int V[CUBIC] = {0, 0, 1, 0, 1, 2, 0, 1, 2, 3};
 
-static double power_of(const struct sums *s, int i, int j)
+/* The products of a term of some degree and power of v with those of a degree, of which there are
+ * `most`, are sums that follow each other. */
+static inline void put_products(const struct sums *s, int degree, int v, int most, double *row)
 {
-    int degree = U[i] + V[i] + U[j] + V[j];
+    int of = degree + most - 1;
 
-    return s->power[degree * (degree + 1) / 2 + V[i] + V[j]];
+    memcpy(row, s->power + of * (of + 1) / 2 + v, (size_t)most * sizeof *row);
 }
 
 /* a' a = the sums of products, a upper triangular, with 1 / a[i][i] in inverse[]; -1 when a term
- * depends on those before it. */
+ * depends on those before it.  What is below the diagonal means nothing: two columns are worked on
+ * at a time. */
 static int factor(const struct sums *s, double a[CUBIC][CUBIC], double inverse[CUBIC])
 {
-    for (int i = 0; i < CUBIC; i++)
-        for (int j = i; j < CUBIC; j++)
-            a[i][j] = power_of(s, i, j);
+    double whole[CUBIC];
+
+    for (int i = 0; i < CUBIC; i++) {
+        put_products(s, U[i] + V[i], V[i], 1, a[i]);
+        put_products(s, U[i] + V[i], V[i], 2, a[i] + 1);
+        put_products(s, U[i] + V[i], V[i], 3, a[i] + 3);
+        put_products(s, U[i] + V[i], V[i], 4, a[i] + 6);
+        whole[i] = a[i][i];
+    }
     for (int k = 0; k < CUBIC; k++) {
-        if (!(a[k][k] > INDEPENDENT * power_of(s, k, k)))
+        if (!(a[k][k] > INDEPENDENT * whole[k]))
             return -1;
         inverse[k] = 1 / sqrt(a[k][k]);
         for (int j = k; j < CUBIC; j++)
             a[k][j] *= inverse[k];
         for (int i = k + 1; i < CUBIC; i++)
-            for (int j = i; j < CUBIC; j++)
-                a[i][j] -= a[k][i] * a[k][j];
+            for (int j = i & ~1; j < CUBIC; j += 2)
+                pair_put(a[i] + j, pair_at(a[i] + j) - pair_both(a[k][i]) * pair_at(a[k] + j));
     }
     return 0;
 }
 
-/* a' y = b */
+/* What is solved at once: the heights, and the unit vectors of the first three terms. */
+enum { HEIGHTS, PICKED, SIDES = 4 };
+
+/* a' y = b for all of them; y is b to begin with. */
 static void solve_forward(double a[CUBIC][CUBIC], const double inverse[CUBIC],
-                          const double b[CUBIC], double y[CUBIC])
+                          double y[CUBIC][SIDES])
 {
-    for (int i = 0; i < CUBIC; i++)
-        y[i] = b[i];
     for (int k = 0; k < CUBIC; k++) {
-        y[k] *= inverse[k];
-        for (int i = k + 1; i < CUBIC; i++)
-            y[i] -= a[k][i] * y[k];
+        pair low = pair_at(y[k]) * pair_both(inverse[k]);
+        pair high = pair_at(y[k] + 2) * pair_both(inverse[k]);
+        pair_put(y[k], low);
+        pair_put(y[k] + 2, high);
+        for (int i = k + 1; i < CUBIC; i++) {
+            pair part = pair_both(a[k][i]);
+            pair_put(y[i], pair_at(y[i]) - part * low);
+            pair_put(y[i] + 2, pair_at(y[i] + 2) - part * high);
+        }
     }
 }
 
 /* The coefficients of the surface with the first so many terms, in mm. */
-static void solve_back(double a[CUBIC][CUBIC], const double inverse[CUBIC], const double y[CUBIC],
+static void solve_back(double a[CUBIC][CUBIC], const double inverse[CUBIC], double y[CUBIC][SIDES],
                        int terms, double radius, double c[CUBIC])
 {
     double scale[4] = {1, 1 / radius, 0, 0};
@@ -144,7 +166,7 @@ static void solve_back(double a[CUBIC][CUBIC], const double inverse[CUBIC], cons
     for (int i = 0; i < CUBIC; i++)
         c[i] = 0;
     for (int i = terms - 1; i >= 0; i--) {
-        c[i] = y[i];
+        c[i] = y[i][HEIGHTS];
         for (int j = i + 1; j < terms; j++)
             c[i] -= a[i][j] * c[j];
         c[i] *= inverse[i];
@@ -154,18 +176,13 @@ static void solve_back(double a[CUBIC][CUBIC], const double inverse[CUBIC], cons
 }
 
 /* Of c0, and of c1 and c2 together, by the squares of the first so many terms. */
-static void find_variances(double a[CUBIC][CUBIC], const double inverse[CUBIC], double radius,
-                           struct moment_fit *fit)
+static void find_variances(double y[CUBIC][SIDES], double radius, struct moment_fit *fit)
 {
     double variance[3][2] = {{0}};
 
-    for (int term = 0; term < 3; term++) {
-        double pick[CUBIC] = {0}, y[CUBIC];
-        pick[term] = 1;
-        solve_forward(a, inverse, pick, y);
-        for (int i = 0; i < CUBIC; i++)
-            variance[term][i >= QUADRIC] += y[i] * y[i];
-    }
+    for (int i = 0; i < CUBIC; i++)
+        for (int term = 0; term < 3; term++)
+            variance[term][i >= QUADRIC] += y[i][PICKED + term] * y[i][PICKED + term];
     double radius2 = radius * radius, tilt = variance[1][0] + variance[2][0];
     fit->quadric.variance = variance[0][0];
     fit->quadric.tilt = tilt / radius2;
@@ -174,28 +191,33 @@ static void find_variances(double a[CUBIC][CUBIC], const double inverse[CUBIC], 
 }
 
 /* Spread of what a surface with so many terms leaves. */
-static double spread_of(const struct sums *s, const double y[CUBIC], int terms)
+static double spread_of(const struct sums *s, double y[CUBIC][SIDES], int terms)
 {
     double left = s->ww;
 
     for (int i = 0; i < terms; i++)
-        left -= y[i] * y[i];
+        left -= y[i][HEIGHTS] * y[i][HEIGHTS];
     return sqrt(fmax(left, 0) / fmax(s->power[0] - terms, 1));
 }
 
 static int fit_in_frame(struct vec3 place, struct vec3 w, double radius, const struct ball *ball,
                         struct moment_fit *fit)
 {
-    double a[CUBIC][CUBIC], inverse[CUBIC], y[CUBIC];
+    double a[CUBIC][CUBIC], inverse[CUBIC], y[CUBIC][SIDES];
 
     fit->cubic = fit->quadric = quadric_frame(place, w);
     struct sums s = add_up(&fit->cubic, radius, ball);
     if (factor(&s, a, inverse) < 0)
         return -1;
-    solve_forward(a, inverse, s.w, y);
+    for (int i = 0; i < CUBIC; i++) {
+        y[i][HEIGHTS] = s.w[i];
+        for (int k = PICKED; k < SIDES; k++)
+            y[i][k] = i == k - PICKED;
+    }
+    solve_forward(a, inverse, y);
     solve_back(a, inverse, y, CUBIC, radius, fit->cubic.c);
     solve_back(a, inverse, y, QUADRIC, radius, fit->quadric.c);
-    find_variances(a, inverse, radius, fit);
+    find_variances(y, radius, fit);
     fit->quadric_spread = spread_of(&s, y, QUADRIC);
     fit->cubic_spread = spread_of(&s, y, CUBIC);
     fit->lean = sqrt(s.power[1] * s.power[1] + s.power[2] * s.power[2]) / s.power[0];

@@ -8,8 +8,13 @@
 #include <stdlib.h>
 
 #include "base/array.h"
+#include "math/pair.h"
 
-enum { TERMS = 6, SOME = 256 /* points that are brought into the frame on the stack */ };
+enum {
+    TERMS = 6,
+    COLUMNS = 8,
+    SOME = 256 /* points that are brought into the frame on the stack */
+};
 
 /* Part of a term that the terms before it must leave over. */
 static const double INDEPENDENT = 0.02;
@@ -24,91 +29,82 @@ struct span {
 };
 
 /* The middle of the neighbourhood and its size. */
-static struct span span_of(const struct vec3 *local, const double *weight, size_t n)
+static inline struct span span_of(const struct vec3 *local, const double *weight, size_t n)
 {
-    double count = 0, uu = 0, uv = 0, vv = 0, su = 0, sv = 0;
+    double count = 0, uv = 0;
+    pair sum = {0, 0}, square = {0, 0};
     if (n == 0)
         return (struct span){0, 0, 0, 0};
-    struct vec3 first = local[0]; /* near the middle: no digits are lost */
+    pair first = pair_at(&local[0].x); /* near the middle: no digits are lost */
     for (size_t i = 0; i < n; i++) {
         double part = weight ? weight[i] : 1;
-        double u = local[i].x - first.x, v = local[i].y - first.y;
+        pair at = pair_at(&local[i].x) - first, parts = weight ? pair_both(part) * at : at;
         count += part;
-        su += part * u;
-        sv += part * v;
-        uu += part * u * u;
-        uv += part * u * v;
-        vv += part * v * v;
+        sum += parts;
+        square += parts * at;
+        uv += parts[0] * at[1];
     }
-    su /= count;
-    sv /= count;
-    uu -= count * su * su;
-    uv -= count * su * sv;
-    vv -= count * sv * sv;
+    pair mid = sum / pair_both(count);
+    square -= pair_both(count) * mid * mid;
+    uv -= count * mid[0] * mid[1];
     /* the eigenvalues of the sums are the squares of length and width */
-    double mean = (uu + vv) / 2, half = hypot((uu - vv) / 2, uv);
-    return (struct span){first.x + su, first.y + sv, sqrt((uu + vv) / count),
+    double mean = (square[0] + square[1]) / 2, half = hypot((square[0] - square[1]) / 2, uv);
+    return (struct span){first[0] + mid[0], first[1] + mid[1],
+                         sqrt((square[0] + square[1]) / count),
                          mean + half > 0 ? sqrt(fmax(mean - half, 0) / (mean + half)) : 0};
 }
 
-/* Sums of the products of all terms with each other and, in the last column, with w: the products
- * of two terms are powers u^i v^j of which many are the same. */
-static void add_up(struct span s, const struct vec3 *local, const double *weight, size_t n,
-                   double sum[TERMS][TERMS + 1])
+/* Sums of the products of all terms with each other and, beside them, with w: the products of two
+ * terms are powers u^i v^j of which many are the same; those of u^i v^j and v^i u^j are pairs. */
+static inline void add_up(struct span s, const struct vec3 *local, const double *weight, size_t n,
+                          double sum[TERMS][COLUMNS])
 {
-    double m[5][5] = {{0}}, mw[TERMS] = {0}, shrink = 1 / s.size;
+    const pair none = {0, 0}, middle = {s.u0, s.v0}, shrink = pair_both(1 / s.size);
+    pair d1 = none, d2 = none, d3 = none, d21 = none, d4 = none, d31 = none, w1 = none, w2 = none;
+    pair d0 = none, both = none;
+    double uuvv = 0;
     for (size_t k = 0; k < n; k++) {
-        struct vec3 at = local[k];
-        double part = weight ? weight[k] : 1, w = at.z;
-        double u = (at.x - s.u0) * shrink, v = (at.y - s.v0) * shrink;
-        double uu = part * u * u, uv = part * u * v, vv = part * v * v, u2 = u * u, v2 = v * v;
-        m[0][0] += part;
-        m[1][0] += part * u;
-        m[0][1] += part * v;
-        m[2][0] += uu;
-        m[1][1] += uv;
-        m[0][2] += vv;
-        m[3][0] += uu * u;
-        m[2][1] += uu * v;
-        m[1][2] += vv * u;
-        m[0][3] += vv * v;
-        m[4][0] += uu * u2;
-        m[3][1] += uv * u2;
-        m[2][2] += uu * v2;
-        m[1][3] += uv * v2;
-        m[0][4] += vv * v2;
-        mw[0] += part * w;
-        mw[1] += part * u * w;
-        mw[2] += part * v * w;
-        mw[3] += uu * w;
-        mw[4] += uv * w;
-        mw[5] += vv * w;
+        double part = weight ? weight[k] : 1, w = local[k].z;
+        pair e = (pair_at(&local[k].x) - middle) * shrink, e2 = e * e, h = pair_both(w);
+        pair p1 = weight ? pair_both(part) * e : e, p2 = p1 * e;
+        double uv = p1[0] * e[1];
+        d0 += (pair){part, weight ? part * w : w};
+        both += (pair){uv, uv * w};
+        d1 += p1, d2 += p2, d3 += p2 * e, d21 += p2 * pair_swap(e);
+        d4 += p2 * e2, d31 += pair_both(uv) * e2;
+        w1 += p1 * h, w2 += p2 * h;
+        uuvv += p2[0] * e2[1];
     }
+    const double m[5][5] = {{d0[0], d1[1], d2[1], d3[1], d4[1]},
+                            {d1[0], both[0], d21[1], d31[1]},
+                            {d2[0], d21[0], uuvv},
+                            {d3[0], d31[0]},
+                            {d4[0]}};
+    const double mw[TERMS] = {d0[1], w1[0], w1[1], w2[0], both[1], w2[1]};
     static const int power[TERMS][2] = {{0, 0}, {1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}};
     for (int i = 0; i < TERMS; i++) {
         for (int j = 0; j < TERMS; j++)
             sum[i][j] = m[power[i][0] + power[j][0]][power[i][1] + power[j][1]];
         sum[i][TERMS] = mw[i];
+        sum[i][TERMS + 1] = 0;
     }
 }
 
 /* Solves the symmetric system whose upper half and right side stand in `a`; -1 when a term depends
- * on the others. */
-static int solve(double a[TERMS][TERMS + 1], double x[TERMS])
+ * on the others.  What is below the diagonal means nothing: two columns are worked on at a time. */
+static int solve(double a[TERMS][COLUMNS], double x[TERMS])
 {
     for (int i = 0; i < TERMS; i++) {
         double whole = a[i][i];
         for (int k = 0; k < i; k++)
-            a[i][i] -= a[k][i] * a[k][i];
+            for (int j = i & ~1; j < COLUMNS; j += 2)
+                pair_put(a[i] + j, pair_at(a[i] + j) - pair_both(a[k][i]) * pair_at(a[k] + j));
         if (!(a[i][i] > INDEPENDENT * whole))
             return -1;
         double root = sqrt(a[i][i]);
-        for (int j = i; j <= TERMS; j++) {
-            if (j > i)
-                for (int k = 0; k < i; k++)
-                    a[i][j] -= a[k][i] * a[k][j];
-            a[i][j] = j > i ? a[i][j] / root : root;
-        }
+        for (int j = i & ~1; j < COLUMNS; j += 2)
+            pair_put(a[i] + j, pair_at(a[i] + j) / pair_both(root));
+        a[i][i] = root;
     }
     for (int i = TERMS - 1; i >= 0; i--) {
         x[i] = a[i][TERMS];
@@ -119,29 +115,31 @@ static int solve(double a[TERMS][TERMS + 1], double x[TERMS])
     return 0;
 }
 
-/* Variance of the sum of part[i] x[i]: |y|^2, U' y = part, where U' U are the sums of products; `a`
- * holds U, as solve leaves it. */
-static double variance_of(double a[TERMS][TERMS + 1], const double part[TERMS])
+/* Variances of the sums of part[i] x[i], of two at a time: |y|^2, U' y = part, where U' U are the
+ * sums of products; `a` holds U, as solve leaves it. */
+static pair variances_of(double a[TERMS][COLUMNS], const pair part[TERMS])
 {
-    double y[TERMS], sum2 = 0;
+    pair y[TERMS], sum2 = {0, 0};
     for (int i = 0; i < TERMS; i++) {
         y[i] = part[i];
         for (int k = 0; k < i; k++)
-            y[i] -= a[k][i] * y[k];
-        y[i] /= a[i][i];
+            y[i] -= pair_both(a[k][i]) * y[k];
+        y[i] /= pair_both(a[i][i]);
         sum2 += y[i] * y[i];
     }
     return sum2;
 }
 
 /* Of the surface over the origin, which is at u, v in units of size, and of its slopes there. */
-static void find_variances(double a[TERMS][TERMS + 1], struct span s, struct quadric *q)
+static void find_variances(double a[TERMS][COLUMNS], struct span s, struct quadric *q)
 {
     double u = -s.u0 / s.size, v = -s.v0 / s.size;
-    const double value[TERMS] = {1, u, v, u * u, u * v, v * v};
-    const double by_u[TERMS] = {0, 1, 0, 2 * u, v, 0}, by_v[TERMS] = {0, 0, 1, 0, u, 2 * v};
-    q->variance = variance_of(a, value);
-    q->tilt = (variance_of(a, by_u) + variance_of(a, by_v)) / (s.size * s.size);
+    const pair value[TERMS] = {{1, 1},         {u, u},         {v, v},
+                               {u * u, u * u}, {u * v, u * v}, {v * v, v * v}};
+    const pair slope[TERMS] = {{0, 0}, {1, 0}, {0, 1}, {2 * u, 0}, {v, u}, {0, 2 * v}};
+    pair tilt = variances_of(a, slope);
+    q->variance = variances_of(a, value)[0];
+    q->tilt = (tilt[0] + tilt[1]) / (s.size * s.size);
 }
 
 int quadric_fit(const struct vec3 *point, size_t n, struct vec3 origin, struct vec3 guess,
@@ -165,9 +163,10 @@ void quadric_local_all(const struct quadric *q, const struct vec3 *point, size_t
         local[i] = quadric_local(q, point[i]);
 }
 
-static int fit_local(const struct vec3 *local, const double *weight, size_t n, struct quadric *q)
+static inline int fit_sums(const struct vec3 *local, const double *weight, size_t n,
+                           struct quadric *q)
 {
-    double sum[TERMS][TERMS + 1], x[TERMS], *c = q->c;
+    double sum[TERMS][COLUMNS], x[TERMS], *c = q->c;
     if (n < TERMS)
         return -1;
     struct span s = span_of(local, weight, n);
@@ -187,6 +186,12 @@ static int fit_local(const struct vec3 *local, const double *weight, size_t n, s
     c[0] =
         x[0] - a * s.u0 - b * s.v0 + c[3] * s.u0 * s.u0 + c[4] * s.u0 * s.v0 + c[5] * s.v0 * s.v0;
     return 0;
+}
+
+/* Most points have no weights, and need not be multiplied by them. */
+static int fit_local(const struct vec3 *local, const double *weight, size_t n, struct quadric *q)
+{
+    return weight ? fit_sums(local, weight, n, q) : fit_sums(local, NULL, n, q);
 }
 
 int quadric_fit_local(const struct vec3 *local, size_t n, struct vec3 origin, struct vec3 guess,
