@@ -296,7 +296,8 @@ static bool stream_mesh(const struct cli *cli, const struct settings *s)
     if (cloud_prepare_place(&none, unit_name[s->unit], s->matrix, false, &origin, &error) < 0)
         die_error(&error);
     int status =
-        cloud_stream_begin(name, &origin.place, &s->meshing, cli->threads, &stream, &error);
+        cloud_stream_begin(name, &origin.place, &s->meshing, s->stream ? 0 : CLOUD_STREAM_KEEP,
+                           cli->threads, &stream, &error);
     if (status > 0)
         return false;
     if (status < 0)

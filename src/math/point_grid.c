@@ -8,6 +8,7 @@
 #include "math/elementary.h"
 #include "base/array.h"
 #include "base/parallel.h"
+#include "math/pair.h"
 
 static const double CELLS_WIDE = 3; /* a cell, in spacings */
 
@@ -312,16 +313,19 @@ struct some {
 static void gather(const struct point_grid *b, struct vec3 q, const struct around *a,
                    double within2, struct some *some)
 {
-    some->n = 0;
+    size_t n = 0;
+    const pair at = {q.x, q.y};
     for (size_t row = a->low; row <= a->high; row++) {
-        for (uint32_t i = row_begin(b, a, row), end = row_end(b, a, row); i < end; i++) {
-            struct vec3 d = vec_sub(b->point[i], q);
-            double d2 = vec_dot(d, d);
-            some->index[some->n] = i;
-            some->distance2[some->n] = d2;
-            some->n += d2 < within2;
+        uint32_t i = row_begin(b, a, row), end = row_end(b, a, row);
+        for (const struct vec3 *p = b->point + i; i < end; i++, p++) {
+            pair d = pair_at(&p->x) - at, squares = d * d;
+            double z = p->z - q.z, d2 = squares[0] + squares[1] + z * z;
+            some->index[n] = i;
+            some->distance2[n] = d2;
+            n += d2 < within2;
         }
     }
+    some->n = n;
 }
 
 /* The analyser does not see that the first n of these lists are set. */

@@ -10,6 +10,8 @@
 #include "cloudmesh_steps.h"
 #include "io/mesh/ply.h"
 
+enum { SHORT_ROW = 6 /* bytes */ };
+
 /* One look at all points. */
 struct look {
     void (*see)(struct look *look, const struct vec3 *point, size_t n); /* as placed */
@@ -44,7 +46,7 @@ static void take_block(void *context, const struct vec3 *point, size_t n)
     l->see(l, point, n);
 }
 
-/* Shows all points to `see`.  -1: also where they are others than before. */
+/* Shows all points to `see`, those that are kept or, where they are too many, the file's.  -1: also where they are others than before. */
 static int look_again(struct look *l,
                       void (*see)(struct look *look, const struct vec3 *point, size_t n),
                       struct error *error)
@@ -53,6 +55,10 @@ static int look_again(struct look *l,
     struct cloud_count count;
 
     l->see = see;
+    if (l->stream->kept.n > 0) {
+        see(l, l->stream->kept.item, l->stream->kept.n);
+        return 0;
+    }
     if (cloud_read_blocks(file, take_block, l, l->stream->threads, &count, error) < 0)
         return -1;
     if (count.points != l->stream->n)
@@ -70,6 +76,17 @@ static double distance2_xy(struct vec3 a, struct vec3 b)
     return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y);
 }
 
+/* Keeps the points of a small file, of which reading takes longer than all else. */
+static void keep_block(struct cloud_stream *s, const struct vec3 *point, size_t n)
+{
+    if (s->kept.n == s->n && n <= s->kept.cap - s->kept.n) {
+        memcpy(s->kept.item + s->kept.n, point, n * sizeof *point);
+        s->kept.n += n;
+    } else {
+        array_free(&s->kept);
+    }
+}
+
 static void see_extent(struct look *l, const struct vec3 *point, size_t n)
 {
     struct cloud_stream *s = l->stream;
@@ -79,6 +96,7 @@ static void see_extent(struct look *l, const struct vec3 *point, size_t n)
         low = high = point[0].z;
         l->from = l->far = point[0];
     }
+    keep_block(s, point, n);
     plan_extent_add(&s->flat, point, n);
     if (s->options.direction != 0)
         plan_extent_add(&s->turned, point, n);
@@ -198,10 +216,14 @@ int cloud_stream_nodes(struct cloud_stream *s, struct error *error)
     return status;
 }
 
-static bool is_regular(const char *file)
+/* A regular file, and how many points it may have at most. */
+static bool is_regular(const char *file, size_t *most)
 {
     struct stat st;
-    return strcmp(file, "-") != 0 && stat(file, &st) == 0 && S_ISREG(st.st_mode);
+    bool regular = strcmp(file, "-") != 0 && stat(file, &st) == 0 && S_ISREG(st.st_mode);
+
+    *most = regular ? (size_t)st.st_size / SHORT_ROW + 1 : 0;
+    return regular;
 }
 
 static int begin(struct look *l, struct error *error)
@@ -222,7 +244,7 @@ static int begin(struct look *l, struct error *error)
 }
 
 int cloud_stream_begin(const char *file, const struct transform *place,
-                       const struct cloudmesh_options *options, int threads,
+                       const struct cloudmesh_options *options, size_t keep, int threads,
                        struct cloud_stream *stream, struct error *error)
 {
     struct look look = {.stream = stream, .clumps = true, .line = true};
@@ -233,8 +255,10 @@ int cloud_stream_begin(const char *file, const struct transform *place,
                                     .threads = threads,
                                     .flat = plan_extent_begin(0),
                                     .turned = plan_extent_begin(options->direction)};
-    if (!is_regular(file))
+    size_t most;
+    if (!is_regular(file, &most))
         return 1;
+    array_reserve(&stream->kept, most < keep ? most : keep);
     int status = begin(&look, error);
     array_free(&look.placed);
     if (status != 0)
@@ -244,6 +268,7 @@ int cloud_stream_begin(const char *file, const struct transform *place,
 
 void cloud_stream_free(struct cloud_stream *stream)
 {
+    array_free(&stream->kept);
     reposition_free(&stream->nodes);
     holes_free(&stream->holes);
     grid_facets_free(&stream->facets);

@@ -87,8 +87,10 @@ START_TEST(looks)
     for (int placed = 0; placed < 2; placed++) {
         struct transform place = placed ? metres : transform_identity();
         double s = placed ? 1000 : 1;
-        ck_assert_int_eq(
-            cloud_stream_begin(file_of(points.n), &place, &options, 1, &stream, &error), 0);
+        ck_assert_int_eq(cloud_stream_begin(file_of(points.n), &place, &options,
+                                            placed ? 1 : points.n, 1, &stream, &error),
+                         0);
+        ck_assert_uint_eq(stream.kept.n, placed ? 0 : points.n);
         struct box box = {points.item[0], points.item[0]};
         for (size_t i = 0; i < points.n; i++) {
             struct vec3 p = points.item[i];
@@ -107,7 +109,7 @@ START_TEST(looks)
 END_TEST
 
 /* The mesh stream, read back, and what cloudmesh makes: vertex by vertex and facet by facet. */
-static void same_mesh(double spacing, double direction, int threads)
+static void same_mesh_of(double spacing, double direction, size_t keep, int threads)
 {
     struct cloudmesh_options options = usual();
     struct cloud_stream stream;
@@ -115,7 +117,7 @@ static void same_mesh(double spacing, double direction, int threads)
     options.spacing = spacing;
     options.direction = direction;
     ck_assert_int_eq(
-        cloud_stream_begin(file_of(points.n), &none, &options, threads, &stream, &error), 0);
+        cloud_stream_begin(file_of(points.n), &none, &options, keep, threads, &stream, &error), 0);
     ck_assert_int_eq(cloud_stream_nodes(&stream, &error), 0);
     const struct mesh_origin origin = {.ledger = NAN};
     struct out *out = out_open(scratch_name());
@@ -152,6 +154,14 @@ static void same_mesh(double spacing, double direction, int threads)
     array_free(&copy);
 }
 
+/* All points kept, too many to be kept, and none to be kept. */
+static void same_mesh(double spacing, double direction, int threads)
+{
+    same_mesh_of(spacing, direction, points.n, threads);
+    same_mesh_of(spacing, direction, points.n - 1, threads);
+    same_mesh_of(spacing, direction, 0, threads);
+}
+
 START_TEST(the_same_mesh)
 {
     scan();
@@ -168,7 +178,7 @@ static int begun(const char *file)
     struct cloudmesh_options options = usual();
     const struct transform none = transform_identity();
     struct cloud_stream stream;
-    int status = cloud_stream_begin(file, &none, &options, 1, &stream, &error);
+    int status = cloud_stream_begin(file, &none, &options, CLOUD_STREAM_KEEP, 1, &stream, &error);
     if (status == 0)
         cloud_stream_free(&stream);
     return status;
@@ -196,7 +206,7 @@ START_TEST(a_file_that_changes)
     struct cloud_stream stream;
     scan();
     const char *file = file_of(points.n);
-    ck_assert_int_eq(cloud_stream_begin(file, &none, &options, 1, &stream, &error), 0);
+    ck_assert_int_eq(cloud_stream_begin(file, &none, &options, 0, 1, &stream, &error), 0);
     file_of(points.n - 1);
     ck_assert_int_eq(cloud_stream_nodes(&stream, &error), -1);
     ck_assert_ptr_nonnull(strstr(error.text, "changes while it is read"));
@@ -211,7 +221,7 @@ START_TEST(no_facet)
     struct cloud_stream stream;
     scan();
     options.spacing = 100;
-    int status = cloud_stream_begin(file_of(points.n), &none, &options, 1, &stream, &error);
+    int status = cloud_stream_begin(file_of(points.n), &none, &options, 0, 1, &stream, &error);
     ck_assert_int_eq(status, 0);
     ck_assert_int_eq(cloud_stream_nodes(&stream, &error), -1);
     ck_assert_ptr_nonnull(strstr(error.text, "100"));
