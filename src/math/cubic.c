@@ -5,8 +5,7 @@
 #include "math/cubic.h"
 
 #include <string.h>
-
-#include "math/pair.h"
+#include "pair.h"
 
 enum { TERMS = 10, DEGREE = 3 };
 

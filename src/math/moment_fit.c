@@ -3,8 +3,7 @@
 
 #include <stdbool.h>
 #include <string.h>
-
-#include "math/pair.h"
+#include "pair.h"
 
 enum { QUADRIC = 6, CUBIC = 10, POWERS = 28, FRAMES = 2 };
 

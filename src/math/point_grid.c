@@ -8,7 +8,7 @@
 #include "math/elementary.h"
 #include "base/array.h"
 #include "base/parallel.h"
-#include "math/pair.h"
+#include "pair.h"
 
 static const double CELLS_WIDE = 3; /* a cell, in spacings */
 

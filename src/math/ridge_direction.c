@@ -51,14 +51,15 @@ enum { PARTS = 64 };
 /* Points as they lie about a place. */
 struct about {
     size_t n;
-    struct vec3 *off;
+    double *x, *y, *z;   /* from it, each by itself: two numbers fit a register */
     double *all2;        /* squares of their distance */
     double *value;       /* the same, along a way */
     unsigned char *part; /* of the range, in which that is */
     size_t *first;       /* the first ones of them, and room for one more */
     struct ranked *ranked;
     struct vec3 *local; /* in the frame of a surface */
-    struct vec3 few_off[SOME], few_local[SOME];
+    double few_x[SOME], few_y[SOME], few_z[SOME];
+    struct vec3 few_local[SOME];
     double few_all2[SOME], few_value[SOME];
     unsigned char few_part[SOME];
     size_t few_first[SOME + 1];
@@ -111,9 +112,12 @@ static void rank_along(const struct about *a, struct vec3 way, double aspect, si
     double most = -1, shorter = 1 - 1 / (aspect * aspect);
     size_t farthest = 0;
 
-    for (size_t i = 0; i < a->n; i++) {
-        double along = vec_dot(a->off[i], way), value = a->all2[i] - along * along * shorter;
-        a->value[i] = value > 0 ? value : 0;
+    const double *x = a->x, *y = a->y, *z = a->z, *all2 = a->all2;
+    double *restrict to = a->value;
+    for (size_t i = 0, n = a->n; i < n; i++) {
+        double along = x[i] * way.x + y[i] * way.y + z[i] * way.z;
+        double value = all2[i] - along * along * shorter;
+        to[i] = value > 0 ? value : 0;
     }
     rank_values(a, k);
     for (size_t i = 0; i < k; i++) {
@@ -132,7 +136,9 @@ static void about_begin(struct about *a, const struct vec3 *point, size_t n, str
     bool few = n <= SOME;
 
     a->n = n;
-    a->off = few ? a->few_off : mem_alloc(n, sizeof *a->off);
+    a->x = few ? a->few_x : mem_alloc(n, sizeof *a->x);
+    a->y = few ? a->few_y : mem_alloc(n, sizeof *a->y);
+    a->z = few ? a->few_z : mem_alloc(n, sizeof *a->z);
     a->local = few ? a->few_local : mem_alloc(n, sizeof *a->local);
     a->all2 = few ? a->few_all2 : mem_alloc(n, sizeof *a->all2);
     a->value = few ? a->few_value : mem_alloc(n, sizeof *a->value);
@@ -140,16 +146,19 @@ static void about_begin(struct about *a, const struct vec3 *point, size_t n, str
     a->first = few ? a->few_first : mem_alloc(n + 1, sizeof *a->first);
     a->ranked = few ? a->few_ranked : mem_alloc(n + 1, sizeof *a->ranked);
     for (size_t i = 0; i < n; i++) {
-        a->off[i] = vec_sub(point[i], at);
-        a->all2[i] = vec_dot(a->off[i], a->off[i]);
+        struct vec3 off = vec_sub(point[i], at);
+        a->x[i] = off.x, a->y[i] = off.y, a->z[i] = off.z;
+        a->all2[i] = vec_dot(off, off);
     }
 }
 
 static void about_end(struct about *a)
 {
-    if (a->off == a->few_off)
+    if (a->x == a->few_x)
         return;
-    free(a->off);
+    free(a->x);
+    free(a->y);
+    free(a->z);
     free(a->local);
     free(a->all2);
     free(a->value);
