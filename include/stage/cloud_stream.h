@@ -1,7 +1,7 @@
 /*
  * cloud_stream - the mesh of a cloud that is nowhere whole in memory: its file is read again for
- * each look at it, and what is kept goes with the nodes of the grid.  The points of a small file may
- * be kept, for to read them takes longer than to look at them.
+ * each look at it, and what is kept goes with the nodes of the grid.  The points of a small file
+ * may be kept, for to read them takes longer than to look at them.
  *
  * Nodes on points of the scan and normals of the facets (--normals facet) need no more: the same
  * mesh as cloudmesh.h makes, byte by byte.  The looks:
@@ -45,9 +45,8 @@ bool cloud_stream_serves(const struct cloudmesh_options *options);
 
 enum { CLOUD_STREAM_KEEP = (32 << 20) / sizeof(struct vec3) /* points that are no great matter */ };
 
-/* The first two looks, at a file whose points `place` puts into mm; they are kept where there are no
- * more than `keep`.  1: it is no regular file, or
- * its points carry no surface; -1: an error. */
+/* The first two looks, at a file whose points `place` puts into mm; they are kept where there are
+ * no more than `keep`.  1: it is no regular file, or its points carry no surface; -1: an error. */
 int cloud_stream_begin(const char *file, const struct transform *place,
                        const struct cloudmesh_options *options, size_t keep, int threads,
                        struct cloud_stream *stream, struct error *error);

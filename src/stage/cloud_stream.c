@@ -46,7 +46,8 @@ static void take_block(void *context, const struct vec3 *point, size_t n)
     l->see(l, point, n);
 }
 
-/* Shows all points to `see`, those that are kept or, where they are too many, the file's.  -1: also where they are others than before. */
+/* Shows all points to `see`: those that are kept or, where they are too many, the file's.  -1: also
+ * where they are others than before. */
 static int look_again(struct look *l,
                       void (*see)(struct look *look, const struct vec3 *point, size_t n),
                       struct error *error)
