@@ -35,6 +35,24 @@ cloud 500000000 5400000000 1 >metres.xyz
 status 0 "UTM coordinates in millimetres" cloud2mesh -q -t 4 -o metres.ply metres.xyz
 below "its mesh is the same one to 0.00001 mm" "$(apart near.ply metres.ply 500000000 5400000000)" 0.00001
 
+# ... and so is the path of it: where a decision about a micrometre falls otherwise, within a
+# quarter of the tolerance of 0.01
+meshnorm -q -r 2 -g near.xyz -o near.cl near.ply
+status 0 "a path at UTM coordinates" meshnorm -q -r 2 -g far.xyz -o far.cl far.ply
+moved=$(awk -F'[/,]' 'FNR == 1 { file++ }
+	/^ *GOTO/ { i = ++n[file]; x[file, i] = $2; y[file, i] = $3; z[file, i] = $4 }
+	END {
+		for (i = 1; i <= n[1]; i++) {
+			dx = x[2, i] - 500000 - x[1, i]; dy = y[2, i] - 5400000 - y[1, i]; dz = z[2, i] - z[1, i]
+			d = sqrt(dx * dx + dy * dy + dz * dz)
+			if (d > far) far = d
+			other += d > 0.0000021
+		}
+		printf "%.7f %.4f", (n[1] == n[2] && n[1] > 99 ? far : 9), other / n[1]
+	}' near.cl far.cl)
+below "it is the same one, within 0.0025 mm" "${moved% *}" 0.0025
+below "nine places of ten to the last digit written" "${moved#* }" 0.1
+
 # the longest line: any; a comment of 5 MB, a number of 200,000 digits
 {
 	awk 'BEGIN { printf "# "; for (i = 0; i < 500000; i++) printf "0123456789"; print "" }'
@@ -86,6 +104,9 @@ has "... is told" 'would cut 503 m .* at most 500 m' err
 # shellcheck disable=SC2086
 status 1 "far more, known from the areas" $bare -s 0.5 wide.ply
 has "... is told" 'would cut about 2008 m, expected at most 500 m' err
+plate 99.999 1 >many.ply
+# shellcheck disable=SC2086
+status 0 "100,000 planes" $bare -a 90 -s 0.001 many.ply
 plate 100.1 10 >many.ply
 # shellcheck disable=SC2086
 status 1 "100,100 planes" $bare -a 90 -s 0.001 many.ply
