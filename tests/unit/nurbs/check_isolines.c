@@ -80,6 +80,45 @@ START_TEST(bent)
 }
 END_TEST
 
+/* A twisted patch, z as x y: where its parameters begin, and how far they go, changes no place of a
+ * line. */
+START_TEST(any_range)
+{
+    static const struct {
+        double u0, u, v0, v;
+    } range[] = {{0, 1, 0, 1}, {100, 1, -3, 2}, {-0.5, 1, 7, 0.25}};
+    const struct isolines_border inner = {{false, false}, {false, false}};
+    struct doubles line[3][2] = {{{0}}};
+    for (int i = 0; i < 3; i++) {
+        struct patch p = known_flat(vec(0, 0, 0), vec(10, 0, 0), vec(0, 20, 0), vec(10, 20, 8));
+        struct isolines_bend bend = {0};
+        for (int k = 0; k < 4; k++) {
+            p.surface.u.knot[k] = range[i].u0 + (k > 1 ? range[i].u : 0);
+            p.surface.v.knot[k] = range[i].v0 + (k > 1 ? range[i].v : 0);
+        }
+        p.surface.u.from = range[i].u0, p.surface.u.to = range[i].u0 + range[i].u;
+        p.surface.v.from = range[i].v0, p.surface.v.to = range[i].v0 + range[i].v;
+        isolines_measure(&p.surface, &inner, &bend);
+        isolines_bent(&bend, 0.01, 1, &line[i][0], &line[i][1]);
+        isolines_bend_free(&bend);
+        rises(&line[i][0], &p.surface.u);
+        rises(&line[i][1], &p.surface.v);
+        ck_assert_uint_gt(line[i][0].n, 9); /* a cell rises from its facets by 8 / n^2 / 4 */
+        patch_free(&p);
+    }
+    for (int i = 1; i < 3; i++)
+        for (int side = 0; side < 2; side++) {
+            double from = side ? range[i].v0 : range[i].u0, by = side ? range[i].v : range[i].u;
+            ck_assert_uint_eq(line[i][side].n, line[0][side].n);
+            for (size_t k = 0; k < line[0][side].n; k++)
+                ck_assert_double_lt(
+                    fabs((line[i][side].item[k] - from) / by - line[0][side].item[k]), 1e-9);
+        }
+    for (int i = 0; i < 6; i++)
+        array_free(&line[i / 2][i % 2]);
+}
+END_TEST
+
 /* A disc is flat, so that lines through it bend for its rim alone: where that bounds the patch, and
  * from the end of the range that does, not from the other. */
 START_TEST(a_rim_that_bounds)
@@ -117,6 +156,7 @@ int main(void)
     tcase_add_test(tests, equal);
     tcase_add_test(tests, kinks_are_lines);
     tcase_add_test(tests, bent);
+    tcase_add_test(tests, any_range);
     tcase_add_test(tests, a_rim_that_bounds);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);

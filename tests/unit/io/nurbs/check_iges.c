@@ -350,6 +350,24 @@ START_TEST(refusals)
 }
 END_TEST
 
+/* What else IGES has than lines of 80 characters is told by the letter of the first one. */
+START_TEST(other_forms)
+{
+    static const char *const word[] = {"compressed", "binary"};
+    for (int i = 0; i < 2; i++) {
+        char text[100];
+        struct reader r;
+        struct iges iges;
+        struct error error = {.text = ""};
+        snprintf(text, sizeof text, "%-72s%c%7d\n", "", "CB"[i], 1);
+        ck_assert_int_eq(reader_open(&r, scratch_text(text), &error), 0);
+        ck_assert_int_eq(iges_read(&r, &iges, &error), -1);
+        reader_close(&r);
+        ck_assert_msg(strstr(error.text, word[i]) != NULL, "%s", error.text);
+    }
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("iges");
@@ -363,6 +381,7 @@ int main(void)
     tcase_add_test(tests, transformations);
     tcase_add_test(tests, trimming);
     tcase_add_test(tests, refusals);
+    tcase_add_test(tests, other_forms);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);
     int failed = srunner_ntests_failed(runner);

@@ -113,6 +113,33 @@ START_TEST(complex_instances)
 }
 END_TEST
 
+/* Each digit, sign and mark of an exponent; each blank, and a comment, between what stands there; in
+ * texts and in comments a ; ends nothing, and a / alone is no comment. */
+START_TEST(characters)
+{
+    static const char *const blank[] = {" ", "\t", "\r", "\n", "\f", "\v", "/* ;' */"};
+    ck_assert_int_eq(read_text("#1=A(-9876543210.,+.5,1.25e+2,-4.E-1,0.0625);\n"), 0);
+    values_of(1);
+    static const double want[] = {-9876543210., 0.5, 125, -0.4, 0.0625};
+    for (size_t i = 0; i < 5; i++)
+        ck_assert_double_eq(step_item(step_record(&values, "A"), i)->number, want[i]);
+    for (size_t i = 0; i < sizeof blank / sizeof *blank; i++) {
+        char text[200];
+        const char *b = blank[i];
+        teardown();
+        values = (struct step_values){0};
+        snprintf(text, sizeof text,
+                 "#1%s=%sA%s(%s3.%s,%s#2%s)%s;%s#2=B(\"a;/b\"/ 'c;''d');#3=C();\n", b, b, b, b, b,
+                 b, b, b, b);
+        ck_assert_msg(read_text(text) == 0, "%s", error.text);
+        ck_assert_uint_eq(step.instance.n, 3);
+        values_of(1);
+        ck_assert_double_eq(step_item(step_record(&values, "A"), 0)->number, 3);
+        ck_assert_double_eq(step_item(step_record(&values, "A"), 1)->number, 2);
+    }
+}
+END_TEST
+
 START_TEST(refused)
 {
     static const char *const bad[] = {"#1=A((1.);\n", "#1=A(1.,);\n", "#1=A('open);\n",
@@ -139,6 +166,7 @@ int main(void)
     tcase_add_test(tests, instances);
     tcase_add_test(tests, kinds);
     tcase_add_test(tests, complex_instances);
+    tcase_add_test(tests, characters);
     tcase_add_test(tests, refused);
     suite_add_tcase(suite, tests);
     SRunner *runner = srunner_create(suite);

@@ -95,6 +95,23 @@ START_TEST(wrong_arcs_of_catia)
 }
 END_TEST
 
+/* A number that is none, or beyond any, is no length and no place. */
+START_TEST(curves_of_no_numbers)
+{
+    static const char *const length[] = {"1E999", "nan", "X", "-50"};
+    for (size_t i = 0; i < sizeof length / sizeof *length; i++) {
+        char text[600];
+        snprintf(text, sizeof text,
+                 CATIA "BEGIN NURBS_SIEMENS(D=1,AXIS=VAR,LENGTH=%s);\n"
+                       "N0,XT=10,YT=0,ZT=0,XH=10,YH=0,ZH=50,DK=0,W=1;\n"
+                       "N1,XT=12,YT=0,ZT=0,XH=12,YH=0,ZH=50,DK=0,W=1;\nEND NURBS;\nFINI\n",
+                 length[i]);
+        ck_assert_msg(take(text) == -1, "%s", length[i]);
+        ck_assert_msg(strstr(error.text, ":7: ") != NULL, "%s", error.text);
+    }
+}
+END_TEST
+
 /* The guide's cubic of four poles is a Bezier curve; its knots are scaled to its length, 12. */
 START_TEST(curves_of_catia)
 {
@@ -251,6 +268,7 @@ int main(void)
     tcase_add_checked_fixture(tests, NULL, teardown);
     tcase_add_test(tests, arcs_of_catia);
     tcase_add_test(tests, wrong_arcs_of_catia);
+    tcase_add_test(tests, curves_of_no_numbers);
     tcase_add_test(tests, curves_of_catia);
     tcase_add_test(tests, wrong_curves_of_catia);
     tcase_add_test(tests, systems_of_nx);
