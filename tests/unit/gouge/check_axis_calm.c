@@ -225,6 +225,38 @@ START_TEST(a_link_in_the_air_loosens_no_row)
 }
 END_TEST
 
+/* A row leans over to the other side, through the upright axis in its middle, at 45 degrees from X
+ * before it and at 65 behind: there C has no direction of its own, and passes at one between. */
+START_TEST(over_the_pole)
+{
+    static struct rows r;
+    struct vec3s copy = {0};
+    struct gouge_check *guard = floor_and_wall(0, &copy);
+    struct axis_calm_options options = options_of(guard);
+    enum { MIDDLE = POINTS / 2 };
+
+    make_rows(&r);
+    for (int i = 0; i < POINTS; i++) {
+        struct run_point *p = &r.point[i];
+        double lean = RADIANS(10.0 * (i - MIDDLE) / MIDDLE), turn = RADIANS(i < MIDDLE ? 45 : 65);
+        p->axis = vec(sin(lean) * cos(turn), sin(lean) * sin(turn), cos(lean));
+        p->tip = vec_along(p->ball, -RADIUS, p->axis);
+        r.rule[i] = p->axis;
+    }
+    axis_calm_chain(&options, r.run, 1);
+    ck_assert_double_lt(hypot(r.point[MIDDLE].axis.x, r.point[MIDDLE].axis.y), 1e-9);
+    struct vec3 before = r.point[MIDDLE - 1].axis, behind = r.point[MIDDLE + 1].axis;
+    double from = atan2(-before.y, -before.x), to = atan2(behind.y, behind.x);
+    ck_assert_double_lt(fabs(from - to), RADIANS(1));
+    ck_assert_double_gt(from, RADIANS(45));
+    ck_assert_double_lt(to, RADIANS(65));
+    for (int i = 0; i < POINTS; i++)
+        ck_assert_double_le(vec_angle(r.point[i].axis, r.rule[i]), PLAY + SLACK);
+    gouge_free(guard);
+    array_free(&copy);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("axis_calm");
@@ -235,6 +267,7 @@ int main(void)
     tcase_add_test(tests, clear_of_wall);
     tcase_add_test(tests, slowly_past_a_wall);
     tcase_add_test(tests, a_link_in_the_air_loosens_no_row);
+    tcase_add_test(tests, over_the_pole);
     suite_add_tcase(suite, tests);
 
     SRunner *runner = srunner_create(suite);
