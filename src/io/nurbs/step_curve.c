@@ -165,8 +165,6 @@ static int read_trimmed(const struct step_source *s, struct error *error)
     double t[2];
     bool same = !step_is(step_own(s->v, s->record, 4), "F");
     size_t first = s->loop->n;
-    if (s->depth > STEP_DEPTH_MAX)
-        return step_refuse(s->place->step, s->v, "curves of curves without end", error);
     if (step_follow(s->place->step, s->v, step_own(s->v, s->record, 1), &v, error) < 0)
         return -1;
     struct step_source basis = {.place = s->place, .v = &v};
@@ -226,8 +224,6 @@ static int read_composite(const struct step_source *s, struct error *error)
     const struct step_value *list = step_own(s->v, s->record, 1);
     struct patch_loop pieces = {0};
     int got = list && list->kind == STEP_LIST ? 0 : 1;
-    if (s->depth > STEP_DEPTH_MAX)
-        return step_refuse(s->place->step, s->v, "curves of curves without end", error);
     for (const struct step_value *i = step_item(list, 0); i && got == 0; i = step_next(list, i)) {
         struct step_values v = {0};
         size_t first = pieces.n;
@@ -272,8 +268,6 @@ static int read_offset_curve(const struct step_source *s, struct error *error)
     struct patch_loop pieces = {0};
     struct step_values v = {0};
     struct offset o = {0};
-    if (s->depth > STEP_DEPTH_MAX)
-        return step_refuse(s->place->step, s->v, "curves of curves without end", error);
     if (step_number(s->place->step, s->v, step_own(s->v, s->record, 2), 1e12, &o.distance, error) <
             0 ||
         step_axis_direction(s, step_own(s->v, s->record, 4), &o.normal, error) < 0 ||

@@ -152,8 +152,6 @@ int step_pcurve(const struct step_source *s, struct error *error)
     struct step_parametric on = {0};
     struct patch_loop plane = {0};
     bool bounded = false;
-    if (s->depth > STEP_DEPTH_MAX)
-        return step_refuse(s->place->step, s->v, "curves of curves without end", error);
     int got = step_parametric(s->place, s->v, step_own(s->v, s->record, 1), &on, error);
     if (got == 0)
         got = plane_curve(s, &on, &plane, &bounded, error);

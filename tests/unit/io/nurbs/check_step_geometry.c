@@ -280,6 +280,30 @@ START_TEST(composites)
 }
 END_TEST
 
+/* Curves of curves, each kind 20 deep about a circle, are read; one more is refused. */
+START_TEST(curves_of_curves)
+{
+    static const char *const outer[] = {
+        "COMPOSITE_CURVE('',(#%d),.F.);\n#%d=COMPOSITE_CURVE_SEGMENT(.CONTINUOUS.,.T.,#%d)",
+        "OFFSET_CURVE_3D('',#%d,0.01,.F.,#3)", "SURFACE_CURVE('',#%d,(),.CURVE_3D.)"};
+    for (int kinds = 0; kinds < 3; kinds++)
+        for (int deep = 20; deep <= 21; deep++) {
+            char data[3500] = "#100=CIRCLE('',#6,2.);\n";
+            size_t n = strlen(data);
+            for (int i = 1; i <= deep; i++) {
+                n += (size_t)snprintf(data + n, sizeof data - n, "#%d=", 100 + i);
+                n += (size_t)snprintf(data + n, sizeof data - n, outer[kinds],
+                                      kinds == 0 ? 200 + i : 99 + i, 200 + i, 99 + i);
+                n += (size_t)snprintf(data + n, sizeof data - n, ";\n");
+            }
+            snprintf(data + n, sizeof data - n, "#90=X(#%d);\n", 100 + deep);
+            read_data(data);
+            ck_assert_int_eq(curve(NULL), deep > 20 ? -1 : 0);
+            ck_assert(deep == 20 || strstr(error.text, "without end"));
+        }
+}
+END_TEST
+
 static double off_torus(struct vec3 p)
 {
     double x = p.y / MM, y = (100 - p.x) / MM, z = p.z / MM;
@@ -350,6 +374,7 @@ int main(void)
     tcase_add_test(tests, other_conics);
     tcase_add_test(tests, splines);
     tcase_add_test(tests, composites);
+    tcase_add_test(tests, curves_of_curves);
     tcase_add_test(tests, surfaces);
     tcase_add_test(tests, rectangles);
     suite_add_tcase(suite, tests);
