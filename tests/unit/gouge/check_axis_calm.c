@@ -257,6 +257,50 @@ START_TEST(over_the_pole)
 }
 END_TEST
 
+/* A needle of points in the air, midway between two stations 12 mm apart: upright, the flute would
+ * be clear of it at both and meet it on the way.  Axes that lean away there must go on to do so. */
+START_TEST(clear_on_the_way)
+{
+    enum { N = 8, BEFORE = 3 };
+    struct vec3s needle = {0}, scan = {0};
+    struct run_point point[N];
+    struct vec3 rule[N];
+    struct axis_calm_run run = {point, rule, N, false};
+    double deep = -HUGE_VAL;
+
+    for (int k = 0; k <= 40; k++) {
+        *array_push(&needle) = vec(0, 2, 15 + k * 0.25);
+        *array_push(&scan) = vec(0, 2, 15 + k * 0.25);
+    }
+    struct gouge_check *guard = gouge_new(needle, 1);
+    struct axis_calm_options options = options_of(guard);
+    options.play = RADIANS(40);
+    for (int i = 0; i < N; i++) {
+        bool away = i == BEFORE || i == BEFORE + 1;
+        struct run_point p = {.contact = vec(12 * (i - BEFORE) - 6, 0, 0), .normal = vec(0, 0, 1)};
+        p.ball = vec_along(p.contact, RADIUS, p.normal);
+        p.axis = vec_unit(vec(0, -tan(RADIANS(away ? 30 : 1)), 1));
+        p.tip = vec_along(p.ball, -RADIUS, p.axis);
+        point[i] = p;
+        rule[i] = vec_unit(vec(0, -tan(RADIANS(1)), 1));
+        ck_assert_double_lt(deepest(&scan, &p), 0);
+    }
+    struct run_point upright = point[BEFORE];
+    upright.axis = vec(0, 0, 1);
+    ck_assert_double_lt(deepest(&scan, &upright), 0);
+    axis_calm_chain(&options, &run, 1);
+    for (int i = 0; i + 1 < N; i++)
+        for (int k = 0; k <= 100; k++) {
+            struct run_point p = {.ball = vec_mix(point[i].ball, point[i + 1].ball, k / 100.0)};
+            p.axis = vec_unit(vec_mix(point[i].axis, point[i + 1].axis, k / 100.0));
+            deep = fmax(deep, deepest(&scan, &p));
+        }
+    ck_assert_double_le(deep, TOLERANCE / 2 + SLACK);
+    gouge_free(guard);
+    array_free(&scan);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("axis_calm");
@@ -268,6 +312,7 @@ int main(void)
     tcase_add_test(tests, slowly_past_a_wall);
     tcase_add_test(tests, a_link_in_the_air_loosens_no_row);
     tcase_add_test(tests, over_the_pole);
+    tcase_add_test(tests, clear_on_the_way);
     suite_add_tcase(suite, tests);
 
     SRunner *runner = srunner_create(suite);
