@@ -43,7 +43,9 @@ moved=$(awk -F'[/,]' 'FNR == 1 { file++ }
 	/^ *GOTO/ { i = ++n[file]; x[file, i] = $2; y[file, i] = $3; z[file, i] = $4 }
 	END {
 		for (i = 1; i <= n[1]; i++) {
-			dx = x[2, i] - 500000 - x[1, i]; dy = y[2, i] - 5400000 - y[1, i]; dz = z[2, i] - z[1, i]
+			dx = x[2, i] - 500000 - x[1, i]
+			dy = y[2, i] - 5400000 - y[1, i]
+			dz = z[2, i] - z[1, i]
 			d = sqrt(dx * dx + dy * dy + dz * dz)
 			if (d > far) far = d
 			other += d > 0.0000021

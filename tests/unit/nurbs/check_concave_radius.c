@@ -76,7 +76,7 @@ START_TEST(no_place_is_more_hollow)
         struct nurbs_place q = nurbs_place(&p.surface, h.at);
         ck_assert_double_lt(fabs(h.curvature - (flipped ? -q.k2 : q.k1)), 1e-9);
         ck_assert_double_lt(vec_distance(q.point, h.point), 1e-9);
-        /* inside, or on the border, whose 100 sides are chords of a circle of 1.5 about the middle */
+        /* inside, or on the border, of 100 chords of a circle of 1.5 about the middle */
         double out = hypot(h.at.u - middle, h.at.v - middle), side = 2 * PI / 100;
         double turned = atan2(h.at.v - middle, h.at.u - middle),
                along = remainder(turned - side / 2, side);

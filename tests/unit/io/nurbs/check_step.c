@@ -113,8 +113,8 @@ START_TEST(complex_instances)
 }
 END_TEST
 
-/* Each digit, sign and mark of an exponent; each blank, and a comment, between what stands there; in
- * texts and in comments a ; ends nothing, and a / alone is no comment. */
+/* Each digit, sign and mark of an exponent; each blank, and a comment, between what stands there;
+ * in texts and in comments a ; ends nothing, and a / alone is no comment. */
 START_TEST(characters)
 {
     static const char *const blank[] = {" ", "\t", "\r", "\n", "\f", "\v", "/* ;' */"};
