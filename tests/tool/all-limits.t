@@ -4,11 +4,13 @@
 cd "$TMP" || exit 1
 
 cloud() { # X0 Y0 SCALE: a shallow bowl of 21 x 16 points there, with all digits
-	awk -v x0="$1" -v y0="$2" -v s="$3" 'BEGIN { for (i = 0; i <= 20; i++) for (k = 0; k <= 15; k++) {
-		x = 2 * i; y = 2 * k
-		printf "%.9f %.9f %.9f\n", x0 + s * x, y0 + s * y, s * ((x - 20) ^ 2 + (y - 15) ^ 2) / 300 } }'
+	awk -v x0="$1" -v y0="$2" -v s="$3" 'BEGIN {
+		for (i = 0; i <= 20; i++) for (k = 0; k <= 15; k++) {
+			x = 2 * i; y = 2 * k; z = ((x - 20) ^ 2 + (y - 15) ^ 2) / 300
+			printf "%.9f %.9f %.9f\n", x0 + s * x, y0 + s * y, s * z } }'
 }
-# apart FILE FILE X0 Y0: the largest distance of the vertices of the second, moved back, from the first's
+# apart FILE FILE X0 Y0: the largest distance of the vertices of the second, moved back, from those
+# of the first
 apart() {
 	awk -v x0="$3" -v y0="$4" 'FNR == 1 { body = 0; file++ }
 		/^end_header/ { body = 1; next }
@@ -30,10 +32,12 @@ cloud 0 0 1 >near.xyz
 cloud 500000 5400000 1 >far.xyz
 status 0 "a cloud at the origin" cloud2mesh -q -t 4 -o near.ply near.xyz
 status 0 "a cloud at UTM coordinates" cloud2mesh -q -t 4 -o far.ply far.xyz
-below "its mesh is the same one, to the last digit written" "$(apart near.ply far.ply 500000 5400000)" 0.0000021
+below "its mesh is the same one, to the last digit written" \
+	"$(apart near.ply far.ply 500000 5400000)" 0.0000021
 cloud 500000000 5400000000 1 >metres.xyz
 status 0 "UTM coordinates in millimetres" cloud2mesh -q -t 4 -o metres.ply metres.xyz
-below "its mesh is the same one to 0.00001 mm" "$(apart near.ply metres.ply 500000000 5400000000)" 0.00001
+below "its mesh is the same one to 0.00001 mm" \
+	"$(apart near.ply metres.ply 500000000 5400000000)" 0.00001
 
 # ... and so is the path of it: where a decision about a micrometre falls otherwise, within a
 # quarter of the tolerance of 0.01
