@@ -2,6 +2,7 @@
 #include "mesh/mesh.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 /* Below this part of its longest edge's square, twice a facet's area is rounding, no direction. */
 static const double AREA_OF_NOTHING = 1e-12;
@@ -134,22 +135,22 @@ static int *edge_ends(const struct mesh *mesh, size_t *start)
 size_t mesh_normals_seen(struct mesh *mesh)
 {
     size_t n = mesh->normal.n, down = 0;
-    struct vec3s own = {0};
 
+    for (size_t v = 0; v < n; v++)
+        down += mesh->normal.item[v].z < 0;
+    if (down == 0)
+        return 0;
+    struct vec3 *own = mem_alloc(n, sizeof *own);
+    memcpy(own, mesh->normal.item, n * sizeof *own);
+    mesh_normals_facet(mesh);
     for (size_t v = 0; v < n; v++) {
-        *array_push(&own) = mesh->normal.item[v];
-        down += own.item[v].z < 0;
-    }
-    if (down > 0)
-        mesh_normals_facet(mesh);
-    for (size_t v = 0; v < n && down > 0; v++) {
         struct vec3 *normal = &mesh->normal.item[v];
-        if (own.item[v].z >= 0)
-            *normal = own.item[v];
+        if (own[v].z >= 0)
+            *normal = own[v];
         else if (!(normal->z > 0))
             *normal = vec(0, 0, 1);
     }
-    array_free(&own);
+    free(own);
     return down;
 }
 

@@ -64,9 +64,15 @@ static void number_vertices(const struct grid *grid, const size_t *chosen, const
     size_t nodes = grid_nodes(grid);
     unsigned char *used = mem_alloc(nodes, 1);
     int *number = mem_alloc(nodes, sizeof *number);
+    size_t vertices = mesh->vertex.n;
     for (size_t f = 0; f < mesh->face.n; f++)
         for (int i = 0; i < 3; i++)
             used[mesh->face.item[f].v[i]] = 1;
+    for (size_t i = 0; i < nodes; i++)
+        vertices += chosen[i] != NO_POINT && (used[i] || alone_too);
+    array_reserve(&mesh->vertex, vertices);
+    array_reserve(&mesh->row, vertices);
+    array_reserve(&mesh->col, vertices);
     for (size_t i = 0; i < nodes; i++) {
         if (chosen[i] == NO_POINT)
             continue;
