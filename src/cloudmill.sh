@@ -231,7 +231,7 @@ base=${output%.*}
 run ncplot ${machine:+-m "$machine"} --cut -o "$base.svg" "$mesh" "$output"
 # What is deepest: the path by its tolerance, and motions fitted to it by another.
 [ "$guard" != "$mesh" ] || unit=
-run ncverify -g "$guard" ${unit:+-u "$unit"} ${control:+-c "$control"} ${machine:+-m "$machine"} \
+run ncverify --accept -g "$guard" ${unit:+-u "$unit"} ${control:+-c "$control"} ${machine:+-m "$machine"} \
 	$partial -r "$radius" -e "$(awk -v e="$tolerance" 'BEGIN { print 2 * e }')" --report "$base.html" "$output"
 [ -z "$dry" ] || exit 0
 if [ "$code" -eq 3 ]; then

@@ -23,7 +23,7 @@
 struct settings {
     int unit;
     bool radius_given, flute_given, band_given, left_given, tolerance_given, scallop_given;
-    bool ball_only, partial, centre;
+    bool ball_only, partial, centre, accept;
     struct machine_options machine;
     const char *map, *path, *page, *holder, *stock;
     struct cli_list part;
@@ -162,6 +162,10 @@ static void read_options(struct settings *s, struct cli *cli, int argc, char **a
          "with --partial: points more than this below the ball are outside of\n"
          "the region cut (default: a quarter of the radius)",
          CLI_NUMBER, &s->band, CLI_POSITIVE, 1e4, 0, &s->band_given},
+        {0, "accept", NULL,
+         "judge the program alone, whatever its head says, as UNMET, that could not\n"
+         "be kept (default: that gives exit status 3)",
+         CLI_FLAG, &s->accept, 0, 0, 0, NULL},
         {0, "noise", "MM",
          "noise of the scan, one standard deviation, that is taken out of it\n"
          "(default: measured); 0: every point is believed as it is",
@@ -307,6 +311,8 @@ static struct verify_program read_program(const struct settings *s, const struct
                                    .motion = motion,
                                    .ball = head->ball,
                                    .made_for = head->machine,
+                                   .unmet = s->accept ? 0 : head->unmet,
+                                   .unmet_first = head->unmet_first,
                                    .contact_feed = head->contact_feed,
                                    .post = head->post,
                                    .axis = head->axis};

@@ -77,7 +77,9 @@ void cli_parse(struct cli *cli, int argc, char **argv);
 /* The name of this tool: "cloudmill" before cli_parse. */
 const char *cli_tool(void);
 
-/* One line on standard error after `tool: `.  say: unless -q; note: only with -v. */
+/* One line on standard error after `tool: `.  warn: always, for what -q must not hide: that
+ * something is not guarded; say: unless -q; note: only with -v. */
+void warn(const char *format, ...) __attribute__((format(printf, 1, 2)));
 void say(const char *format, ...) __attribute__((format(printf, 1, 2)));
 void note(const char *format, ...) __attribute__((format(printf, 1, 2)));
 

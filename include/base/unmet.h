@@ -1,7 +1,7 @@
 /*
  * unmet - what was asked for and is not kept, stage by stage, so that no pipe loses it: the tool
  * that finds it says it, writes it into its stream and ends with EXIT_UNMET; each later stage
- * carries it, and the last one ends with EXIT_UNMET too.
+ * carries it, and the fitters, ncpost and ncverify end with EXIT_UNMET too.
  */
 #ifndef CLOUDMILL_UNMET_H
 #define CLOUDMILL_UNMET_H
@@ -21,6 +21,10 @@ struct unmets {
 /* Says the line with say() and keeps it under the name of this tool; NULL: it is accepted, and only
  * said. */
 void unmet_say(struct unmets *unmets, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+/* The same with warn(): said under -q, too. */
+void unmet_warn(struct unmets *unmets, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
 /* Adds what another stage could not keep; bytes below a blank become `?`. */

@@ -55,6 +55,8 @@ struct ncread_head {
     struct transform place;              /* from the numbers of its file to mm of the program */
     int place_rows;                      /* bits of its rows that are said; 7: all */
     char set[NCREAD_HEAD_NAME];          /* keys of --set, as far as they are there */
+    size_t unmet;                        /* statements of what could not be kept, ... */
+    char unmet_first[NCREAD_HEAD_TEXT];  /* ... and how the first of them begins */
 };
 
 struct ncread_options {

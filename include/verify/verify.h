@@ -78,6 +78,8 @@ struct verify_program {
     bool contact_feed;    /* feeds are those of the contact point */
     double post, axis;    /* off the path by, mm and degrees; below zero: not said */
     const char *made_for; /* the machine; "": not said */
+    size_t unmet;         /* what its makers could not keep, and the first of it */
+    const char *unmet_first;
 };
 
 struct verify_options {

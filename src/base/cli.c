@@ -61,6 +61,14 @@ static void print_line(const char *format, va_list args)
     pthread_mutex_unlock(&lines);
 }
 
+void warn(const char *format, ...)
+{
+    va_list args;
+    va_start(args, format);
+    print_line(format, args);
+    va_end(args);
+}
+
 void say(const char *format, ...)
 {
     if (state.quiet)

@@ -46,6 +46,19 @@ void unmet_say(struct unmets *unmets, const char *format, ...)
         unmets_add(unmets, cli_tool(), text);
 }
 
+void unmet_warn(struct unmets *unmets, const char *format, ...)
+{
+    char text[TEXT_MAX];
+    va_list args;
+
+    va_start(args, format);
+    vsnprintf(text, sizeof text, format, args);
+    va_end(args);
+    warn("%s", text);
+    if (unmets)
+        unmets_add(unmets, cli_tool(), text);
+}
+
 int unmets_status(const struct unmets *unmets)
 {
     return unmets->n > 0 ? EXIT_UNMET : EXIT_DONE;

@@ -29,6 +29,7 @@ struct fit_ahead {
 
     /* What the other thread makes of it; ours once it has ended. */
     struct path head; /* without items */
+    size_t said;      /* what was unmet in it before */
     double work;
     struct gouge_refit_options gouge;
     struct guard_scan *scan;
@@ -133,6 +134,7 @@ static void begin(struct fit_ahead *a, const struct path *path)
         return;
     a->head.name = path->name;
     path_head_copy(&a->head.head, &path->head);
+    a->said = a->head.head.unmet.n;
     a->off = a->fitter->prepare(a->fitter->settings, &a->head, &a->error) != 0;
     if (a->off)
         return;
@@ -204,6 +206,9 @@ static int take_scan(struct fit_ahead *a, struct path *in, struct error *error)
     }
     scan_sources_free(&in->head.scan);
     in->head.scan = scan_sources_copy(&a->head.head.scan);
+    for (size_t i = a->said; i < a->head.head.unmet.n; i++)
+        unmets_add(&in->head.unmet, a->head.head.unmet.item[i].stage,
+                   a->head.head.unmet.item[i].text);
     return 0;
 }
 

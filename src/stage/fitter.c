@@ -113,6 +113,13 @@ static void write_path(const char *file, struct path *path, struct path_part par
     out_close(o);
 }
 
+/* Whoever sees this tool's status alone is told of the stages before, too; in parts, by the one
+ * that has their statements (write_path). */
+static int status_of(const struct path *path, struct path_part part, const struct unmets *unmet)
+{
+    return unmets_status(path_part_last(part) ? &path->head.unmet : unmet);
+}
+
 /* The part that is asked for, as items of the path. */
 static struct range range_of(struct path_part part, const struct path *in)
 {
@@ -185,7 +192,7 @@ int fitter_run(const struct fitter *fitter, const struct cli *cli, struct error 
         note("points lifted by at most %.4f mm where motions went too deep between them", lift);
     path_check_conclude(&check, &unmet);
     write_path(cli->output, &out, options->part, &unmet);
-    int status = unmets_status(&unmet);
+    int status = status_of(&out, options->part, &unmet);
     unmets_free(&unmet);
     gouge_refit_free(&gouge);
     free_runs(fitter, &runs);

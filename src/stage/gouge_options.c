@@ -39,7 +39,7 @@ static int find_scan(const struct gouge_options *options, struct path *path, boo
                                       .place = path->head.scan.place};
 
     if (guard_scan_read(&options->scan, paper ? &none : &path->head.scan, "the path",
-                        "what is fitted is not checked", scan, error) != 0)
+                        "what is fitted is not checked", scan, &path->head.unmet, error) != 0)
         return -1;
     scan_sources_free(&path->head.scan);
     path->head.scan = scan_sources_copy(&scan->source);

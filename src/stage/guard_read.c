@@ -62,17 +62,29 @@ static int read_named(const struct scan_source *source, struct vec3s *points, st
     return 0;
 }
 
+/* Whoever pipes a scan in knows that it is nowhere; whoever named a file is told that it is not
+ * what it was, and does not go on with 0. */
+static void say_unguarded(const struct scan_source *source, const char *stream, const char *instead,
+                          const char *why, struct unmets *unmet)
+{
+    const char *told = "the scan that %s names does not guard: %s; %s (-g FILE names it)";
+
+    if (strcmp(source->name, "-") == 0)
+        say(told, stream, why, instead);
+    else
+        unmet_warn(unmet, told, stream, why, instead);
+}
+
 /* The files that a stream names, all of them or none; -1: one is there and cannot be read. */
 static int read_all_named(const struct scan_sources *named, const char *stream, const char *instead,
-                          struct guard_scan *scan, struct error *why)
+                          struct guard_scan *scan, struct unmets *unmet, struct error *why)
 {
     for (size_t f = 0; f < named->n; f++)
         if (read_named(&named->item[f], &scan->point, why) != 0) {
             array_free(&scan->point);
             if (why->system)
                 return -1;
-            say("the scan that %s names does not guard: %s; %s (-g FILE names it)", stream,
-                why->text, instead);
+            say_unguarded(&named->item[f], stream, instead, why->text, unmet);
             break;
         }
     scan->source = scan_sources_copy(named);
@@ -81,12 +93,12 @@ static int read_all_named(const struct scan_sources *named, const char *stream, 
 
 int guard_scan_read(const struct guard_choice *choice, const struct scan_sources *named,
                     const char *stream, const char *instead, struct guard_scan *scan,
-                    struct error *error)
+                    struct unmets *unmet, struct error *error)
 {
     *scan = (struct guard_scan){.point = {0}};
     if (choice->none)
         return 0;
-    if ((choice->files.n == 0 ? read_all_named(named, stream, instead, scan, error)
+    if ((choice->files.n == 0 ? read_all_named(named, stream, instead, scan, unmet, error)
                               : read_given(&choice->files, scan, error)) != 0)
         return -1;
     scan->source.placed = named->placed;

@@ -21,11 +21,12 @@ struct guard_scan {
  * Reads it.  Files are placed as `named` says that the mesh was (turned, shifted, or from other
  * units), those of -g too.  If the scan that `stream` ("the mesh") names was piped in, can't be
  * read, or is not what it was (number and hash of its points), this is said, with what guards
- * `instead`, and there are no points.  -1: a file of -g can't be read or has no points.
+ * `instead`, and there are no points; but for a piped one it is unmet, and said under -q, too.
+ * -1: a file of -g can't be read or has no points.
  */
 int guard_scan_read(const struct guard_choice *choice, const struct scan_sources *named,
                     const char *stream, const char *instead, struct guard_scan *scan,
-                    struct error *error);
+                    struct unmets *unmet, struct error *error);
 
 void guard_scan_free(struct guard_scan *scan);
 

@@ -601,9 +601,18 @@ static void judge_touches(struct verdict *v)
     kdtree_free(part);
 }
 
+/* What its makers knew of and this judge may not: as where a scan has no point on an edge. */
+static void judge_unmet(struct verdict *v)
+{
+    if (v->program.unmet > 0)
+        add_remark(v, true, "its head says UNMET: %.130s%s", v->program.unmet_first,
+                   v->program.unmet > 1 ? ", and more" : "");
+}
+
 static void find_faults(struct verdict *v)
 {
     sum_pieces(v);
+    judge_unmet(v);
     judge_remarks(v);
     if (v->program.path)
         judge_path(v);

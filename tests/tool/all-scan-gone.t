@@ -15,6 +15,15 @@ told() { # WHAT TOOL: its standard error is in err
 		grep -qx 1
 	result $? "$2 tells it in one line: $1"
 }
+unguarded() { # WHAT TOOL [ARGUMENTS]: -q does not hide it
+	why=$1
+	shift
+	tool=$1
+	shift
+	status 3 "$tool -q does not end with 0: $why" "$tool" -q -o out.cl "$@"
+	told "$why" "$tool"
+	has "$tool: it is in the path" "^..-> UNMET/$tool,the scan that " out.cl
+}
 for why in 'cannot open' 'found other points' 'found 624 points'; do
 	case $why in
 	*other*) sed '3s/ 9/ 8/;3s/ 10/ 11/' ../scan.xyz >scan.xyz ;;
@@ -25,12 +34,14 @@ for why in 'cannot open' 'found other points' 'found 624 points'; do
 		told "$why" $tool
 		grep -q 'guarded by the mesh alone' "$TMP/err"
 		result $? "$tool guards by the mesh"
+		unguarded "$why" $tool -r 3 --scallop 0.1 ../mesh.ply
 	done
 	for tool in biarcfit bsplfit; do
 		run $tool -e 0.01 ../path.cl
 		told "$why" $tool
 		grep -q 'what is fitted is not checked' "$TMP/err"
 		result $? "$tool checks nothing, and says so"
+		unguarded "$why" $tool -e 0.01 ../path.cl
 	done
 done
 cp ../scan.xyz . || exit 1
@@ -39,4 +50,7 @@ for tool in meshnorm planecut; do
 	grep 'does not guard' "$TMP/err" >"$TMP/found"
 	empty "$tool: there again, it guards" "$TMP/found"
 done
+cat scan.xyz | cloud2mesh -q -t 2 -o piped.ply
+status 0 "a scan that was piped in is no fault" meshnorm -q -r 3 --scallop 0.1 -o out.cl piped.ply
+empty "and -q is quiet of it" "$TMP/err"
 done_testing

@@ -12,7 +12,7 @@ status 3 "a ball that does not fit" meshnorm -r 6 --spindle 9000 --tool 1 -o tro
 has "the path says it before its end" '^\$\$-> UNMET/meshnorm,the ball ' trough.cl
 ok "FINI is the last line still" test "$(tail -n 1 trough.cl)" = FINI
 for fitter in biarcfit bsplfit; do
-	$fitter -q -e 0.01 -o fitted.cl trough.cl
+	status 3 "$fitter ends with 3, too" $fitter -q -e 0.01 -o fitted.cl trough.cl
 	ok "$fitter carries it" test "$(grep -c UNMET/meshnorm fitted.cl)" = "$(grep -c UNMET trough.cl)"
 	for control in fanuc siemens heidenhain linuxcnc; do
 		status 3 "$fitter, $control: the last of the pipe ends with 3" \
@@ -22,6 +22,10 @@ for fitter in biarcfit bsplfit; do
 	done
 done
 status 0 "unless it is accepted" ncpost --accept -c siemens -o q.nc fitted.cl
+status 3 "ncverify refuses it" ncverify -g trough.xyz -o verdict p.nc
+has "by its head" '^fault .* UNMET: (MESHNORM|meshnorm): (THE BALL|the ball)' verdict
+status 0 "unless it is accepted" ncverify -q --accept -g trough.xyz -o verdict p.nc
+hasnt "and its head does not count" 'UNMET' verdict
 ncpost -q -c siemens -o p.nc fitted.cl
 same "which changes nothing else" p.nc q.nc
 status 0 "accepted in meshnorm: nothing is unmet" \
