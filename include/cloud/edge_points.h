@@ -24,7 +24,9 @@
  *      kept off whatever may be there.  Only flanks are continued that are certain:
  *      their points are off them by no more than noise, or than a ball may sink.
  *   5. The tip of a cone is put where its straight lines, continued, meet (cone_tip.h), and places
- *      round it as far as all neighbours know.
+ *      round it as far as all neighbours know.  Where sides are so narrow, or bend so much, that
+ *      none is certain, both sides of a crest are fitted together (crest_fit.h), and places put on
+ *      it and on them.
  *   6. Where two neighbours make a sharp corner with a point, as seen from outside, and neither its
  *      surface nor a place of an edge is known, the part may go on in front of it: this is counted,
  *      if there are two such points near each other, the scan goes on round them, and the surface

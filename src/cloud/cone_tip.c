@@ -204,20 +204,31 @@ static bool is_pointed(const struct cone_tip *tip)
     return true;
 }
 
-int cone_tip_fit(const struct vec3 *point, size_t n, double rms, struct cone_tip *tip)
+/* The same with heights along `up` (unit). */
+static int fit_along(const struct vec3 *point, size_t n, struct vec3 up, double rms,
+                     struct cone_tip *tip)
 {
-    struct vec3 local[CONE_POINTS], up = plane_normal(point, n);
+    struct vec3 local[CONE_POINTS];
     double far = vec_distance(point[n - 1], point[0]), spacing = far * sqrt(PI / (double)n);
 
-    *tip = (struct cone_tip){.frame = quadric_frame(point[0], up.z < 0 ? vec_scale(-1, up) : up)};
-    if (n < 2 * CONE_TERMS + 2 || n > CONE_POINTS)
-        return -1;
+    *tip = (struct cone_tip){.frame = quadric_frame(point[0], up)};
     for (size_t k = 0; k < n; k++)
         local[k] = quadric_local(&tip->frame, point[k]);
     if (!search(local, n, spacing, rms, tip) || !is_pointed(tip))
         return -1;
     tip->reach = find_reach(local, n, tip);
-    return tip->reach > ROUND * spacing ? 0 : -1;
+    return tip->reach > ROUND * spacing / hypot(1, tip->c[1]) ? 0 : -1;
+}
+
+int cone_tip_fit(const struct vec3 *point, size_t n, double rms, struct cone_tip *tip)
+{
+    if (n < 2 * CONE_TERMS + 2 || n > CONE_POINTS)
+        return -1;
+    /* The plane nearest to the points of a slender one is upright. */
+    struct vec3 up = plane_normal(point, n);
+    if (fit_along(point, n, up.z < 0 ? vec_scale(-1, up) : up, rms, tip) == 0)
+        return 0;
+    return fit_along(point, n, vec(0, 0, 1), rms, tip);
 }
 
 struct vec3 cone_tip_at(const struct cone_tip *tip, double r, double t)

@@ -11,17 +11,30 @@
 
 /* ---- tips of cones */
 
-/* No point about stands higher, seen along the normal of the neighbourhood. */
-static bool is_top(const struct edge_hood *near)
+/* No point about stands higher, seen along `up`. */
+static bool is_top_along(const struct edge_hood *near, struct vec3 up)
 {
-    struct vec3 up = plane_normal(near->point, near->n);
-
-    if (up.z < 0)
-        up = vec_scale(-1, up);
     for (size_t k = 1; k < EDGE_ABOUT; k++)
         if (vec_dot(up, vec_sub(near->point[k], near->point[0])) > 0)
             return false;
     return true;
+}
+
+/* Along the normal of the neighbourhood, which of a slender cone is none, or from above. */
+static bool is_top(const struct edge_hood *near)
+{
+    struct vec3 up = plane_normal(near->point, near->n);
+
+    return is_top_along(near, up.z < 0 ? vec_scale(-1, up) : up) ||
+           is_top_along(near, vec(0, 0, 1));
+}
+
+static bool fit_cone(const struct edge_work *work, const struct vec3 *point, size_t n,
+                     double spacing, struct cone_tip *tip)
+{
+    double least = edge_within(work, spacing) + EDGE_SIGMAS * EDGE_EVEN * spacing;
+
+    return cone_tip_fit(point, n, edge_even(work, spacing), tip) == 0 && tip->worst <= least;
 }
 
 /* The cone about its tip; with noise a cubic may do as well. */
@@ -29,15 +42,36 @@ static bool find_cone(const struct edge_work *work, const struct edge_hood *near
                       const struct edge_flank *flank, struct cone_tip *tip)
 {
     const double better = 0.75;
-    double least = edge_within(work, near->spacing) + EDGE_SIGMAS * EDGE_EVEN * near->spacing;
     struct quadric cubic;
 
-    if (cone_tip_fit(near->point, near->n, edge_even(work, near->spacing), tip) != 0 ||
-        tip->worst > least)
+    if (!fit_cone(work, near->point, near->n, near->spacing, tip))
         return false;
     return flank->rough || (cubic_fit(near->point, NULL, near->n, near->point[0],
                                       quadric_normal(&flank->q), &cubic) == 0 &&
                             tip->rms < better * quadric_spread(&cubic, near->point, near->n, 10));
+}
+
+/* As far as it goes: no flank is known of a point near the tip of a cone. */
+static void widen_cone(const struct edge_work *work, const struct edge_hood *near,
+                       struct cone_tip *tip)
+{
+    static const size_t more[] = {CONE_POINTS, 112, 96, 80, 64, 52};
+    const struct point_grid *b = work->options->point_grid;
+    uint32_t index[CONE_POINTS];
+    double distance2[CONE_POINTS];
+    struct vec3 point[CONE_POINTS];
+    size_t n = point_grid_nearest(b, near->point[0], CONE_POINTS, index, distance2);
+
+    for (size_t k = 0; k < n; k++)
+        point[k] = b->point[index[k]];
+    for (size_t i = 0; i < sizeof more / sizeof *more; i++) {
+        struct cone_tip wide;
+        if (more[i] > n || !fit_cone(work, point, more[i], near->spacing, &wide) ||
+            wide.reach < tip->reach)
+            continue;
+        *tip = wide;
+        return;
+    }
 }
 
 /* The tip of a cone about a point of it, and places round it as far as all neighbours know. */
@@ -50,6 +84,7 @@ static void add_cone(const struct edge_work *work, const struct edge_hood *near,
 
     if (!find_cone(work, near, flank, &tip))
         return;
+    widen_cone(work, near, &tip);
     *array_push(edge) = cone_tip_at(&tip, 0, 0);
     double down = pitch / hypot(1, tip.c[1]);
     for (int ring = 1; ring * down < tip.reach; ring++) {
@@ -153,6 +188,8 @@ size_t edge_points(const struct edge_points_options *options, struct vec3s *to,
     }
     edge_flanks_find(&work);
     parallel_for(options->threads, n, find_edges, &work);
+    if (options->fill)
+        edge_crests_add(&work);
     parallel_for(options->threads, n, find_unknown, &work);
     work.wide = work.lines;
     if (options->fill)

@@ -102,11 +102,20 @@ void edge_meet_add(const struct edge_work *work, const struct edge_hood *near, s
 
 double edge_cliff_add(const struct edge_work *work, size_t i, struct vec3s *to);
 
+/* ---- edge_crest: appends the places of crests (crest_fit.h) about points whose own sides are not
+ * certain to work->found, and of both their sides to work->between, as dense as those of edges are:
+ * each about the nearest point that has one. */
+
+void edge_crests_add(const struct edge_work *work);
+
 /* ---- edge_unknown: how far the part may go on in front of point i, mm, where its neighbours to
  * two sides make less than 120 degrees, none is in front, and no guard was found there, though no
  * surface is known of it, but of most about it; else 0. */
 
 double edge_unknown_depth(const struct edge_work *work, size_t i);
+
+/* The surface of a third of the points about is known: the scan is even, but for an edge. */
+bool edge_on_known(const struct edge_work *work, size_t i);
 
 /* There is one more such point near (work->unknown): a single one may be astray. */
 bool edge_unknown_counts(const struct edge_work *work, size_t i);

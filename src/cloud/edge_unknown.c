@@ -78,8 +78,7 @@ static bool is_at_border(const struct edge_hood *near)
     return false;
 }
 
-/* The surface of a third of the points about is known: the scan is even, but for the edge. */
-static bool is_on_known(const struct edge_work *work, size_t i)
+bool edge_on_known(const struct edge_work *work, size_t i)
 {
     enum { MANY = 4 * EDGE_NEAR };
     const struct point_grid *b = work->options->point_grid;
@@ -108,7 +107,7 @@ double edge_unknown_depth(const struct edge_work *work, size_t i)
         return 0;
     edge_hood_find(work, i, &near);
     double least = APART * near.spacing, reach = BESIDE * near.spacing;
-    if (!is_on_known(work, i) || is_at_border(&near))
+    if (!edge_on_known(work, i) || is_at_border(&near))
         return 0;
     for (size_t j = 1; j < near.n && near.distance2[j] < reach * reach; j++)
         for (size_t k = j + 1; k < near.n && near.distance2[k] < reach * reach; k++) {

@@ -44,9 +44,12 @@ static void write_floor(void)
     free(text);
 }
 
+static struct unmets unmet;
+
 static int read_scan(const struct guard_choice *choice, const struct scan_sources *named)
 {
-    return guard_scan_read(choice, named, "the mesh", "the mesh guards", &scan, &error);
+    unmets_free(&unmet);
+    return guard_scan_read(choice, named, "the mesh", "the mesh guards", &scan, &unmet, &error);
 }
 
 /* The file that a stream names, as long as it is the same; what is asked for comes before it. */
@@ -109,6 +112,7 @@ START_TEST(another_scan)
         ck_assert_msg(strstr(text, says[k]) != NULL, "%s", text);
         ck_assert_ptr_nonnull(strstr(text, "the mesh guards"));
         ck_assert_uint_eq(scan.point.n, 0);
+        ck_assert_uint_eq(unmet.n, k != 2); /* whoever pipes a scan in knows */
         ck_assert_uint_eq(scan.source.n, 1); /* it is named on */
         guard_scan_free(&scan);
         scan_sources_free(&named);

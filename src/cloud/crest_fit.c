@@ -1,0 +1,415 @@
+/* crest_fit - see crest_fit.h. */
+#include "crest_fit.h"
+
+#include "math/band.h"
+
+/* Terms: off, turn, bend, and those of the heights; those that the nearest points tell. */
+enum {
+    SHAPE = 3,
+    ALL = SHAPE + CREST_TERMS,
+    TURNS = 20,
+    FEWEST = 8,
+    BEGUN = 3,
+    AT_FIRST = 10,
+    NEAREST = 16,
+    MOST = 10
+};
+
+/* Spacings: about the point, to begin with; for a first crest; for all of it; between first crests
+ * tried, and the farthest of them. */
+static const double BEGIN = 2.3, FIRST = 2.6, STEP = 0.5, FARTHEST = 1.5;
+
+/* In spacings: points of a side are spread over so much of it at least, the crest is so long;
+ * points as near to the first are explained. */
+static const double ACROSS = 0.6, CLOSE = 0.6, LONG = 2.2, NEXT = 2;
+
+static const double MUCH = 3;     /* of the first points so many times as are on a first crest */
+static const double SHARP = 0.94; /* cosine of the sides' normals: 20 degrees */
+
+bool crest_fit_local(const struct crest_fit *fit, double x, double y, double *s, double *d)
+{
+    double dx = x - fit->origin.x, dy = y - fit->origin.y;
+    double u = dy * fit->way_x - dx * fit->way_y - fit->off;
+
+    *s = dx * fit->way_x + dy * fit->way_y;
+    double q = 2 * u + fit->bend * (u * u + *s * *s), root = 1 + fit->bend * q;
+    *d = q / (1 + sqrt(fmax(0, root)));
+    return root > 0;
+}
+
+static double height(const struct crest_fit *fit, double s, double d)
+{
+    const double *c = fit->c, *side = d > 0 ? c + 5 : c + 3;
+
+    return c[0] + s * (c[1] + s * c[2]) - (side[0] + side[1] * s) * fabs(d);
+}
+
+bool crest_fit_at(const struct crest_fit *fit, double s, double d, struct vec3 *place)
+{
+    double k = fit->bend, r = 1 + k * d, root2 = r * r - k * k * s * s;
+
+    if (r <= 0 || root2 < 0.1 * r * r)
+        return false;
+    double root = sqrt(root2), u = (2 * d + k * d * d - k * s * s) / (1 + root) + fit->off;
+    *place = vec(fit->origin.x + s * fit->way_x - u * fit->way_y,
+                 fit->origin.y + s * fit->way_y + u * fit->way_x, height(fit, s, d));
+    return true;
+}
+
+/* How far a point is off its side, across it; below it: negative. */
+static double distance(const struct crest_fit *fit, struct vec3 p, double *s, double *d)
+{
+    const double *c = fit->c;
+
+    if (!crest_fit_local(fit, p.x, p.y, s, d))
+        return HUGE_VAL;
+    double slope = *d > 0 ? c[5] + c[6] * *s : c[3] + c[4] * *s;
+    return (p.z - height(fit, *s, *d)) / sqrt(1 + slope * slope);
+}
+
+/* The crest with a step made in one of its terms. */
+static struct crest_fit stepped(struct crest_fit fit, int term, double step)
+{
+    double x = fit.way_x, y = fit.way_y;
+
+    if (term == 0)
+        fit.off += step;
+    if (term == 1) {
+        double across = hypot(1, step);
+        fit.way_x = (x - step * y) / across;
+        fit.way_y = (y + step * x) / across;
+    }
+    if (term == 2)
+        fit.bend += step;
+    if (term >= SHAPE)
+        fit.c[term - SHAPE] += step;
+    return fit;
+}
+
+/* What the distances of points change by with the terms, summed. */
+struct equations {
+    int n, of[ALL];
+    double a[ALL][ALL], b[ALL], sum2, count;
+};
+
+static void set_terms(struct equations *e, const int *term, int n)
+{
+    e->n = n;
+    for (int i = 0; i < n; i++)
+        e->of[i] = term[i];
+}
+
+/* What a point's distance changes by with each of all terms, its slope's own part left out. */
+static void slopes_at(const struct crest_fit *fit, struct vec3 p, double s, double d, double x[ALL])
+{
+    const double *c = fit->c, k = fit->bend;
+    double beside = (p.y - fit->origin.y) * fit->way_x - (p.x - fit->origin.x) * fit->way_y;
+    double u = beside - fit->off, g = u * u + s * s, q = 2 * u + k * g;
+    double root = sqrt(fmax(1 + k * q, 1e-6)), one = 1 + root;
+    double d_u = (1 + k * u) / root, d_s = k * s / root;
+    double d_bend = g / one - q * (q + k * g) / (2 * root * one * one);
+    const double *side = d > 0 ? c + 5 : c + 3;
+    double slope = side[0] + side[1] * s, across = sqrt(1 + slope * slope);
+    double h_d = (d > 0 ? -slope : slope) / across;
+    double h_s = (c[1] + 2 * c[2] * s - side[1] * fabs(d)) / across;
+
+    for (int i = SHAPE; i < ALL; i++)
+        x[i] = 0;
+    x[0] = h_d * d_u;
+    x[1] = -h_s * beside - h_d * (d_s * beside - d_u * s);
+    x[2] = -h_d * d_bend;
+    x[3] = -1 / across;
+    x[4] = -s / across;
+    x[5] = -s * s / across;
+    x[d > 0 ? 8 : 6] = fabs(d) / across;
+    x[d > 0 ? 9 : 7] = s * fabs(d) / across;
+}
+
+static void add_point(const struct crest_fit *fit, struct vec3 p, double off, double s, double d,
+                      struct equations *e)
+{
+    double x[ALL];
+
+    slopes_at(fit, p, s, d, x);
+    for (int i = 0; i < e->n; i++) {
+        double by = x[e->of[i]];
+        for (int j = 0; j <= i; j++)
+            e->a[i][j] += by * x[e->of[j]];
+        e->b[i] -= by * off;
+    }
+}
+
+/* Those within `least` of the crest; the others count as if they were so far off.  The equations
+ * only if `slopes`. */
+static void sum_points(const struct crest_fit *fit, const struct vec3 *point, size_t n,
+                       double least, bool slopes, struct equations *e)
+{
+    double s, d;
+
+    e->sum2 = e->count = 0;
+    for (int i = 0; i < e->n; i++) {
+        e->b[i] = 0;
+        for (int j = 0; j <= i; j++)
+            e->a[i][j] = 0;
+    }
+    for (size_t k = 0; k < n; k++) {
+        double off = distance(fit, point[k], &s, &d);
+        double part = fmin(fabs(off), least);
+        e->sum2 += part * part;
+        e->count += fabs(off) < least;
+        if (slopes && fabs(off) < least)
+            add_point(fit, point[k], off, s, d, e);
+    }
+}
+
+static bool solve(const struct equations *e, double damp, double *x)
+{
+    struct band a = band_new((size_t)e->n, (size_t)e->n - 1);
+
+    for (int i = 0; i < e->n; i++) {
+        x[i] = e->b[i];
+        for (int j = 0; j <= i; j++)
+            *band_at(&a, (size_t)i, (size_t)j) = e->a[i][j] * (i == j ? 1 + damp : 1);
+    }
+    bool solved = band_factor(&a);
+    if (solved)
+        band_solve(&a, x, 1);
+    band_free(&a);
+    return solved;
+}
+
+/* Steps that make the sum less, of points within `least` of where they begin. */
+static void settle(struct crest_fit *fit, const struct vec3 *point, size_t n, double least,
+                   struct equations *e)
+{
+    double damp = 1e-4, x[ALL];
+
+    sum_points(fit, point, n, least, true, e);
+    for (int turn = 0; turn < TURNS; turn++) {
+        struct crest_fit next = *fit;
+        struct equations then = *e;
+        if (e->count < e->n || !solve(e, damp, x))
+            return;
+        for (int i = 0; i < e->n; i++)
+            next = stepped(next, e->of[i], x[i]);
+        sum_points(&next, point, n, least, false, &then);
+        if (!(then.sum2 < e->sum2)) {
+            damp *= 20;
+            continue;
+        }
+        bool done = then.sum2 > 0.999 * e->sum2;
+        damp /= 10;
+        *fit = next;
+        if (done)
+            return;
+        sum_points(fit, point, n, least, true, e);
+    }
+}
+
+/* How many of n points, nearest first, are as near as that to the first, as seen from above; `some`
+ * at least. */
+static size_t count_near(const struct vec3 *point, size_t n, double reach, size_t some)
+{
+    some = some < n ? some : n;
+
+    while (some < n &&
+           hypot_compare(point[some].x - point[0].x, point[some].y - point[0].y, reach) <= 0)
+        some++;
+    return some;
+}
+
+static bool is_sharp(const struct crest_fit *fit)
+{
+    double a = fit->c[3], b = fit->c[5];
+
+    return a + b > 0 && (1 - a * b) < SHARP * sqrt((1 + a * a) * (1 + b * b));
+}
+
+/* The straight crest along a direction and beside the first point that the nearest fit best. */
+static struct crest_fit begin_along(const struct vec3 *point, size_t n, double spacing, double turn)
+{
+    static const int some[] = {3, 4, 6, 8};
+    struct crest_fit best = {.rms = HUGE_VAL};
+
+    for (double off = -FARTHEST; off <= FARTHEST; off += STEP) {
+        struct crest_fit fit = {.origin = point[0],
+                                .way_x = cos(turn),
+                                .way_y = sin(turn),
+                                .off = off * spacing,
+                                .c = {point[0].z}};
+        struct equations e;
+        double x[ALL];
+        set_terms(&e, some, 4);
+        sum_points(&fit, point, n, HUGE_VAL, true, &e);
+        if (!solve(&e, 1e-9, x))
+            continue;
+        for (int i = 0; i < e.n; i++)
+            fit = stepped(fit, some[i], x[i]);
+        sum_points(&fit, point, n, spacing / 4, false, &e);
+        fit.rms = e.sum2;
+        if (fit.c[3] + fit.c[5] > 0 && fit.rms < best.rms)
+            best = fit;
+    }
+    return best;
+}
+
+/* Those of all directions, the BEGUN best of them, best first. */
+static void begin(const struct vec3 *point, size_t n, double spacing, struct crest_fit *best)
+{
+    enum { WAYS = 12 };
+
+    for (int k = 0; k < BEGUN; k++)
+        best[k].rms = HUGE_VAL;
+    for (int way = 0; way < WAYS; way++) {
+        struct crest_fit fit = begin_along(point, n, spacing, PI * way / WAYS);
+        for (int k = 0; k < BEGUN; k++)
+            if (fit.rms < best[k].rms) {
+                struct crest_fit other = best[k];
+                best[k] = fit;
+                fit = other;
+            }
+    }
+}
+
+void crest_fit_roles(const struct crest_fit *fit, const struct vec3 *point, size_t n,
+                     double spacing, double within, enum crest_role *role)
+{
+    double s, d;
+
+    for (size_t k = 0; k < n; k++) {
+        double off = distance(fit, point[k], &s, &d);
+        role[k] = CREST_OTHER;
+        if (off > within && fabs(d) > spacing)
+            role[k] = CREST_FOOT;
+        if (fabs(off) <= within)
+            role[k] = CREST_SIDE;
+    }
+}
+
+/* How far it goes by its points; false: it has too few, or they are not near it, or there are too
+ * many others. */
+static bool measure(struct crest_fit *fit, const struct vec3 *point, size_t n, double spacing,
+                    const enum crest_role *role)
+{
+    size_t count[2] = {0, 0}, other = 0;
+    double near[2] = {HUGE_VAL, HUGE_VAL}, sum2 = 0, s, d;
+
+    fit->far[0] = fit->far[1] = fit->from = fit->to = 0;
+    for (size_t k = 0; k < n; k++) {
+        double off = distance(fit, point[k], &s, &d);
+        int side = d > 0;
+        other += role[k] == CREST_OTHER;
+        if (role[k] != CREST_SIDE)
+            continue;
+        sum2 += off * off;
+        count[side]++;
+        near[side] = fmin(near[side], fabs(d));
+        fit->far[side] = fmax(fit->far[side], fabs(d));
+        fit->from = fmin(fit->from, s);
+        fit->to = fmax(fit->to, s);
+    }
+    for (int side = 0; side < 2; side++)
+        if (count[side] < FEWEST || fit->far[side] - near[side] < ACROSS * spacing ||
+            near[side] > CLOSE * spacing)
+            return false;
+    fit->rms = sqrt(sum2 / ((double)(count[0] + count[1]) - ALL + 1));
+    return MOST * other <= n && fit->to - fit->from > LONG * spacing;
+}
+
+/* A crest that is begun, of the points next to it alone, bent to all of them; false: it explains
+ * not all that are next to it. */
+static bool finish(struct crest_fit *fit, bool follows, const struct vec3 *point, size_t n,
+                   double spacing, double within, double even, enum crest_role *role)
+{
+    static const int all[] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9};
+    static const double then[] = {0.2, 0.1, 0.05};
+    size_t next = count_near(point, n, NEXT * spacing, 1);
+    struct equations e;
+
+    set_terms(&e, all, ALL);
+    for (int k = 0; k < 3 && !follows; k++)
+        settle(fit, point, n, then[k] * spacing, &e);
+    settle(fit, point, n, within, &e);
+    crest_fit_roles(fit, point, n, spacing, within, role);
+    if (!is_sharp(fit) || fabs(fit->off) > FARTHEST * spacing ||
+        !measure(fit, point, n, spacing, role) || fit->rms > even)
+        return false;
+    for (size_t k = 0; k < next; k++)
+        if (role[k] == CREST_OTHER)
+            return false;
+    return true;
+}
+
+static bool finish_any(const struct crest_fit *begun, bool follows, const struct vec3 *point,
+                       size_t n, double spacing, double within, double even, struct crest_fit *fit,
+                       enum crest_role *role)
+{
+    static const double reach[] = {4, 3.2};
+
+    for (int i = 0; i < 2; i++) {
+        *fit = *begun;
+        if (finish(fit, follows, point, count_near(point, n, reach[i] * spacing, 1), spacing,
+                   within, even, role))
+            return true;
+    }
+    return false;
+}
+
+/* Of the crest as it is where the place is beside it. */
+static bool move_origin(struct crest_fit *fit, struct vec3 to)
+{
+    const struct crest_fit old = *fit;
+    double s, d, *c = fit->c;
+
+    if (!crest_fit_local(&old, to.x, to.y, &s, &d))
+        return false;
+    double turn = -old.bend * s, upright = 1 - turn * turn;
+    if (!(upright > 0.1))
+        return false;
+    upright = sqrt(upright);
+    fit->origin = to;
+    fit->way_x = upright * old.way_x - turn * old.way_y;
+    fit->way_y = upright * old.way_y + turn * old.way_x;
+    fit->off = -d;
+    c[0] += s * (c[1] + s * c[2]);
+    c[1] += 2 * s * c[2];
+    c[3] += s * c[4];
+    c[5] += s * c[6];
+    return true;
+}
+
+int crest_fit_follow(const struct vec3 *point, size_t n, double spacing, double within, double even,
+                     const struct crest_fit *from, struct crest_fit *fit, enum crest_role *role)
+{
+    struct crest_fit begun = *from;
+
+    return move_origin(&begun, point[0]) &&
+                   finish_any(&begun, true, point, n, spacing, within, even, fit, role)
+               ? 0
+               : -1;
+}
+
+int crest_fit_find(const struct vec3 *point, size_t n, double spacing, double within, double even,
+                   struct crest_fit *fit, enum crest_role *role)
+{
+    static const int straight[] = {0, 1, 3, 4, 6, 8};
+    static const double first[] = {0.5, 0.25, 0.12};
+    size_t nearest = count_near(point, n, BEGIN * spacing, NEAREST);
+    size_t some = count_near(point, n, FIRST * spacing, NEAREST + NEAREST / 4);
+    struct crest_fit begun[BEGUN];
+    struct equations e;
+
+    if (nearest < AT_FIRST)
+        return -1;
+    begin(point, nearest, spacing, begun);
+    set_terms(&e, straight, 6);
+    for (int k = 0; k < BEGUN && begun[k].rms < HUGE_VAL; k++) {
+        for (int i = 0; i < 3; i++)
+            settle(&begun[k], point, some, first[i] * spacing, &e);
+        if (e.count < AT_FIRST || MUCH * e.count < (double)some || !is_sharp(&begun[k]))
+            continue;
+        if (finish_any(&begun[k], false, point, n, spacing, within, even, fit, role))
+            return 0;
+    }
+    return -1;
+}

@@ -1,0 +1,148 @@
+/* crest_fit: the crest of a ring found again, of a leaning roof, from points on both sides
+ * and from a neighbour's crest; none on a sphere or a rounded ridge. */
+#include <check.h>
+#include <stdlib.h>
+
+#include "cloud/crest_fit.h"
+#include "noisy.h"
+
+enum { N = 60 };
+
+static const double SPACING = 0.5, WITHIN = 0.01, EVEN = 0.006;
+
+static struct vec3 point[N];
+static enum crest_role role[N];
+
+static int compare(const void *pa, const void *pb)
+{
+    const struct vec3 *a = pa, *b = pb;
+    double da = hypot(a->x - point[0].x, a->y - point[0].y);
+    double db = hypot(b->x - point[0].x, b->y - point[0].y);
+    return (da > db) - (da < db);
+}
+
+/* Points as dense as SPACING says about (x, y), the first of them there. */
+static void make(double (*height)(double x, double y), double x, double y)
+{
+    double radius = SPACING * sqrt(N / PI);
+
+    point[0] = vec(x, y, height(x, y));
+    for (int i = 1; i < N;) {
+        double u = radius * (2 * noisy_uniform() - 1), v = radius * (2 * noisy_uniform() - 1);
+        if (hypot(u, v) < radius)
+            point[i++] = vec(x + u, y + v, height(x + u, y + v));
+    }
+    qsort(point + 1, N - 1, sizeof *point, compare);
+}
+
+static double ring(double x, double y)
+{
+    return fmax(0, 4 - 4 * fabs(hypot(x, y) - 6));
+}
+
+static double leaning(double x, double y)
+{
+    double d = x - 0.3 * y;
+    return 5 + 0.2 * y - (d > 0 ? 2 : 0.1) * fabs(d);
+}
+
+static double sphere(double x, double y)
+{
+    return sqrt(100 - x * x - y * y);
+}
+
+static double rounded(double x, double y)
+{
+    (void)y;
+    return fabs(x) < 0.8 ? 5 - x * x / 1.6 : 5.4 - fabs(x);
+}
+
+static int find(struct crest_fit *fit)
+{
+    return crest_fit_find(point, N, SPACING, WITHIN, EVEN, fit, role);
+}
+
+/* Far from its points it is no better than they are: to ten times these. */
+static void is_on(const struct crest_fit *fit, double (*height)(double x, double y), double across)
+{
+    for (double s = -0.8; s <= 0.8; s += 0.1)
+        for (double d = -across; d <= across; d += 0.05) {
+            struct vec3 at;
+            double along, beside;
+            if (fabs(d) > fit->far[d > 0])
+                continue;
+            ck_assert(crest_fit_at(fit, s, d, &at));
+            ck_assert(crest_fit_local(fit, at.x, at.y, &along, &beside));
+            ck_assert_double_eq_tol(along, s, 1e-9);
+            ck_assert_double_eq_tol(beside, d, 1e-9);
+            ck_assert_double_eq_tol(at.z, height(at.x, at.y), 10 * WITHIN);
+        }
+}
+
+START_TEST(of_a_ring)
+{
+    struct crest_fit fit, other;
+    int found = 0, followed = 0;
+
+    noisy_seed(1);
+    for (int k = 0; k < 20; k++) {
+        make(ring, 6.1, 0.3);
+        if (find(&fit) != 0)
+            continue;
+        found++;
+        ck_assert_double_le(fit.rms, EVEN);
+        is_on(&fit, ring, 0.6);
+        make(ring, 5.9, -0.7);
+        if (crest_fit_follow(point, N, SPACING, WITHIN, EVEN, &fit, &other, role) != 0)
+            continue;
+        followed++;
+        is_on(&other, ring, 0.6);
+    }
+    ck_assert_int_ge(found, 10);
+    ck_assert_int_ge(followed, found / 2);
+}
+END_TEST
+
+START_TEST(of_a_leaning_roof)
+{
+    struct crest_fit fit;
+
+    noisy_seed(2);
+    for (int k = 0; k < 10; k++) {
+        make(leaning, 0.1, 0);
+        ck_assert_int_eq(find(&fit), 0);
+        is_on(&fit, leaning, 1);
+        for (size_t i = 0; i < N; i++)
+            ck_assert_int_eq(role[i], CREST_SIDE);
+    }
+}
+END_TEST
+
+START_TEST(of_nothing_else)
+{
+    struct crest_fit fit;
+
+    noisy_seed(4);
+    for (int k = 0; k < 20; k++) {
+        make(sphere, 1, 2);
+        ck_assert_int_eq(find(&fit), -1);
+        make(rounded, 0.1, 0);
+        ck_assert_int_eq(find(&fit), -1);
+    }
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("crest_fit");
+    TCase *tests = tcase_create("crest_fit");
+    SRunner *runner = srunner_create(suite);
+    tcase_add_test(tests, of_a_ring);
+    tcase_add_test(tests, of_a_leaning_roof);
+    tcase_add_test(tests, of_nothing_else);
+    suite_add_tcase(suite, tests);
+    srunner_run_all(runner, CK_ENV);
+    int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed > 0;
+}
