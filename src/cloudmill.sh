@@ -224,15 +224,18 @@ run ncpost ${control:+-c "$control"} ${machine:+-m "$machine"} -o "$output" "$fi
 # Of a part of the part, gouges are judged: beside its border the ball's flank leaves material.
 partial=
 for option; do
-	case $option in --box* | --region* | --faces* | --steep*) partial="--partial --left 1000" ;; esac
+	case $option in
+	--box* | --region* | --faces* | --steep*) partial="--partial --left 1000" ;;
+	esac
 done
 base=${output%.*}
 [ -n "${base##*/}" ] || base=$output
 run ncplot ${machine:+-m "$machine"} --cut -o "$base.svg" "$mesh" "$output"
 # What is deepest: the path by its tolerance, and motions fitted to it by another.
 [ "$guard" != "$mesh" ] || unit=
-run ncverify --accept -g "$guard" ${unit:+-u "$unit"} ${control:+-c "$control"} ${machine:+-m "$machine"} \
-	$partial -r "$radius" -e "$(awk -v e="$tolerance" 'BEGIN { print 2 * e }')" --report "$base.html" "$output"
+run ncverify --accept -g "$guard" ${unit:+-u "$unit"} ${control:+-c "$control"} \
+	${machine:+-m "$machine"} $partial -r "$radius" \
+	-e "$(awk -v e="$tolerance" 'BEGIN { print 2 * e }')" --report "$base.html" "$output"
 [ -z "$dry" ] || exit 0
 if [ "$code" -eq 3 ]; then
 	echo "cloudmill: $output is written, but ncverify refuses it:" \

@@ -15,7 +15,9 @@ static int compare_near(const void *pa, const void *pb)
 {
     const struct vec3 *a = pa, *b = pb;
 
-    return (a->z > b->z) - (a->z < b->z);
+    if (a->z != b->z)
+        return a->z < b->z ? -1 : 1;
+    return (a->x > b->x) - (a->x < b->x);
 }
 
 /* The points about point i as seen from above, nearest first; returns how many. */

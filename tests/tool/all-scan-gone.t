@@ -1,6 +1,7 @@
 #!/bin/sh
-# all-scan-gone.t - a scan that a mesh or path names by a relative name, and that is gone or has other
-# points, is told in one line by each tool that would guard by it, with what it does instead.
+# all-scan-gone.t - a scan that a mesh or path names by a relative name, and that is gone or has
+# other points, is told in one line by each tool that would guard by it, with what it does instead;
+# under -q, too, and with exit status 3.
 . "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
 cd "$TMP" || exit 1
 

@@ -13,7 +13,8 @@ has "the path says it before its end" '^\$\$-> UNMET/meshnorm,the ball ' trough.
 ok "FINI is the last line still" test "$(tail -n 1 trough.cl)" = FINI
 for fitter in biarcfit bsplfit; do
 	status 3 "$fitter ends with 3, too" $fitter -q -e 0.01 -o fitted.cl trough.cl
-	ok "$fitter carries it" test "$(grep -c UNMET/meshnorm fitted.cl)" = "$(grep -c UNMET trough.cl)"
+	ok "$fitter carries it" test "$(grep -c UNMET/meshnorm fitted.cl)" = \
+		"$(grep -c UNMET trough.cl)"
 	for control in fanuc siemens heidenhain linuxcnc; do
 		status 3 "$fitter, $control: the last of the pipe ends with 3" \
 			ncpost -c $control -o p.nc fitted.cl
