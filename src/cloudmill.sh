@@ -130,16 +130,19 @@ doctor() {
 			print "suggested " (other ? "cloudmill doctor " scan " -u " other : "another unit (-u)")
 			exit
 		}
-		for (i = 1; i <= n; i++) list = list sprintf("%s R %g: %g %%", i > 1 ? "," : "", ball[i], share[i])
+		for (i = 1; i <= n; i++)
+			list = list sprintf("%s R %g: %g %%", i > 1 ? "," : "", ball[i], share[i])
 		print "balls     share of the surface whose hollows a ball fits:" list
-		# Hollows narrower than the mesh are not known, and a ball for the last of them takes all day:
-		# then the one for most of the surface, and what it leaves is for a smaller one.
+		# Hollows narrower than the mesh are not known, and a ball for the last of them takes all
+		# day: then the one for most of the surface, and what it leaves is for a smaller one.
 		k = !most && main > least ? main : least ? least : n
 		r = most >= spacing ? most : ball[k]
 		if (whole >= spacing && 2 * whole >= r) r = whole
 		if (whole) print "          the largest usual ball that fits everywhere: R " whole
-		else print "          none of these fits everywhere; the others leave material there (--avoid)"
-		print "suggested cloudmill " scan unit move " -r " r " -c CONTROL -o part.nc" (whole >= r ? "" : " -- --avoid")
+		else print "          none of these fits everywhere; the others leave material there" \
+			" (--avoid)"
+		print "suggested cloudmill " scan unit move " -r " r " -c CONTROL -o part.nc" \
+			(whole >= r ? "" : " -- --avoid")
 		if (r != most && r != whole) {
 			printf "          R %s fits %s %% of the surface; ", r, share[k]
 			print "what it leaves is for a smaller ball"
@@ -182,7 +185,8 @@ while [ $# -gt 0 ]; do
 	shift 2
 done
 [ -n "$scan" ] || { usage >&2 && exit 2; }
-[ -n "$radius" ] || die 2 "found no radius of the ball, expected -r MM (cloudmill doctor $scan suggests one)"
+[ -n "$radius" ] ||
+	die 2 "found no radius of the ball, expected -r MM (cloudmill doctor $scan suggests one)"
 [ -n "$control$machine" ] || die 2 "found no control, expected -c CONTROL"
 [ -n "$output" ] || die 2 "found no name of the program, expected -o PROGRAM"
 case $fit in
@@ -205,8 +209,8 @@ case $scan in
 *.[iI][gG][sS] | *.[iI][gG][eE][sS] | *.[sS][tT][pP] | *.[sS][tT][eE][pP] | *.nurbs)
 	[ -z "$origin" ] || die 2 "found -O with a model, expected it with a scan"
 	run nurbs2mesh -e "$tolerance" ${unit:+-u "$unit"} -o "$mesh" "$scan"
-	run planecut -r "$radius" -e "$tolerance" --scallop "${scallop:-0.02}" ${machine:+-m "$machine"} \
-		"$@" -o "$path" "$mesh"
+	run planecut -r "$radius" -e "$tolerance" --scallop "${scallop:-0.02}" \
+		${machine:+-m "$machine"} "$@" -o "$path" "$mesh"
 	guard=$mesh
 	;;
 *)
