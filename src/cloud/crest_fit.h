@@ -19,8 +19,8 @@
 
 enum { CREST_POINTS = 128, CREST_TERMS = 7 };
 
-/* What a point is to a crest: on a side; on what begins at the foot of a side; or on something else,
- * which the crest does not explain. */
+/* What a point is to a crest: on a side; on what begins at the foot of a side; or on something
+ * else, which the crest does not explain. */
 enum crest_role { CREST_SIDE, CREST_FOOT, CREST_OTHER };
 
 struct crest_fit {
