@@ -395,9 +395,10 @@ static int check_items(const struct model *m, const struct step_values *v, struc
     static const char *const solid[] = {"MANIFOLD_SOLID_BREP", "BREP_WITH_VOIDS", "FACETED_BREP"};
     const struct step_value *list = NULL, *one = NULL;
     for (size_t i = 0; i < 3; i++) {
-        const struct step_value *a = step_record(v, shell[i]), *b = step_record(v, solid[i]);
-        list = a && step_item(a, 1) ? step_item(a, 1) : list;
-        one = b && step_item(b, 1) ? step_item(b, 1) : one;
+        const struct step_value *a = step_item(step_record(v, shell[i]), 1);
+        const struct step_value *b = step_item(step_record(v, solid[i]), 1);
+        list = a ? a : list;
+        one = b ? b : one;
     }
     if (list && list->kind == STEP_LIST && !step_item(list, 0))
         return step_refuse(m->step, v, "a shell without faces, expected some", error);

@@ -86,6 +86,24 @@ START_TEST(twice_in_one_place)
 }
 END_TEST
 
+/* From its other end a row is the same one. */
+START_TEST(from_either_end)
+{
+    static struct vec3 back[N];
+    static double other[N];
+
+    make(0.03, 1);
+    for (int i = 0; i < N; i++)
+        back[i] = point[N - 1 - i];
+    smooth_aside(point, side, LENGTH, 0.1, N, move);
+    smooth_aside(back, side, LENGTH, 0.1, N, other);
+    ck_assert_double_gt(fabs(move[1]), 1e-6);
+    ck_assert_double_gt(fabs(move[N - 2]), 1e-6);
+    for (int i = 0; i < N; i++)
+        ck_assert_double_lt(fabs(move[i] - other[N - 1 - i]), 1e-6);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("smooth_aside");
@@ -95,6 +113,7 @@ int main(void)
     tcase_add_test(tests, no_move_is_larger_than_it_may_be);
     tcase_add_test(tests, what_has_no_side_stays);
     tcase_add_test(tests, twice_in_one_place);
+    tcase_add_test(tests, from_either_end);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);
     int failed = srunner_ntests_failed(runner);

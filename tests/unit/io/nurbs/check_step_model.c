@@ -359,6 +359,20 @@ static void refused(const char *data, const char *words)
 
 START_TEST(hostile)
 {
+    static const char *const shell[] = {"CLOSED_SHELL", "OPEN_SHELL", "CONNECTED_FACE_SET"};
+    static const char *const solid[] = {"MANIFOLD_SOLID_BREP", "BREP_WITH_VOIDS", "FACETED_BREP"};
+    for (int i = 0; i < 3; i++) {
+        char data[300];
+        snprintf(data, sizeof data, "#100=SHAPE_REPRESENTATION('',(#101),#1);\n#101=%s('',());\n",
+                 shell[i]);
+        refused(data, "a shell without faces");
+        snprintf(data, sizeof data, "#100=SHAPE_REPRESENTATION('',(#101),#1);\n#101=%s('',(1.));\n",
+                 shell[i]);
+        refused(data, "no face where one belongs");
+        snprintf(data, sizeof data, "#100=SHAPE_REPRESENTATION('',(#101),#1);\n#101=%s('',1.);\n",
+                 solid[i]);
+        refused(data, "no shell where one belongs");
+    }
     refused("#100=SHAPE_REPRESENTATION('',(#5),#1);\n", "no face");
     refused("#100=SHAPE_REPRESENTATION('',(#101),#1);\n", "that there is");
     refused("#100=SHAPE_REPRESENTATION('',(#101),#1);\n#101=MAPPED_ITEM('',#102,#5);\n"
