@@ -99,6 +99,26 @@ START_TEST(a_turn_stays_within_its_travel_or_not)
 }
 END_TEST
 
+/* Ends 1.2 degrees apart, whose way is looked at in its middle alone: there it leans more than they
+ * do, by half of what is left to the limit before. */
+START_TEST(the_middle_of_a_short_way)
+{
+    struct machine machine = machine_default();
+    struct error error;
+
+    ck_assert_int_eq(machine_finish(&machine, &error), 0);
+    for (int within = 0; within < 2; within++) {
+        double half = RADIANS(0.7), bulge = PI - atan(fabs(tan(RADIANS(120))) * cos(half)),
+               lean = RADIANS(120) - (within ? 2 : 0.5) * (bulge - RADIANS(120));
+        struct vec3 a = leaning(lean, 1 - half), b = leaning(lean, 1 + half);
+        ck_assert_double_gt(vec_angle(a, b), RADIANS(1));
+        ck_assert_double_lt(vec_angle(a, b), RADIANS(2));
+        ck_assert(rotary_reaches(&machine.chain, a) && rotary_reaches(&machine.chain, b));
+        ck_assert_int_eq(rotary_reaches_between(&machine.chain, a, b), within);
+    }
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("rotary_cost");
@@ -108,6 +128,7 @@ int main(void)
     tcase_add_test(tests, leans_are_off_the_normal_by_what_was_asked);
     tcase_add_test(tests, a_way_past_the_pole_turns_beside_it);
     tcase_add_test(tests, a_turn_stays_within_its_travel_or_not);
+    tcase_add_test(tests, the_middle_of_a_short_way);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);
     int failed = srunner_ntests_failed(runner);

@@ -220,6 +220,8 @@ static const struct {
     {SIEMENS, "BSPLINE SD=3 X1 PL=2\n", "BSPLINE with tool vectors or PL"},
     {SIEMENS, "BSPLINE SD=3 X1 A3=0 B3=0 C3=1\n", "BSPLINE with tool vectors or PL"},
     {SIEMENS, "SUPA G0 Z0\n", "TRAORI"},
+    {HEIDENHAIN, "L X+00000000000000000000000000000000000010 F500\n", "too long"},
+    {HEIDENHAIN, "L X+1 Y+1 Z+1 A+1 C+1 R0 F1 R0 R0 R0 R0 R0 R0 R0 R0 R0 R0\n", "too long"},
     {HEIDENHAIN, "L X10 F500\n", "sign"},
     {HEIDENHAIN, "L X+10 X+11 F500\n", "twice"},
     {HEIDENHAIN, "L X+10 F0\n", "feed"},
