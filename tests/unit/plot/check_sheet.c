@@ -1,5 +1,5 @@
-/* sheet: the scale bar is the longest of 1, 2 and 5 times a power of ten that its room holds, and as
- * long in the picture as it says; the legend names what there is in the scene and nothing else. */
+/* sheet: the scale bar is the longest of 1, 2 and 5 times a power of ten that its room holds, and
+ * as long in the picture as it says; the legend names what there is in the scene and no more. */
 #include <check.h>
 #include <stdio.h>
 #include <stdlib.h>
