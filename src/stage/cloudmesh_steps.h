@@ -6,7 +6,16 @@
 
 #include "stage/cloudmesh.h"
 
-/* The default spacing, three mean spacings of the points, mm; says so. */
+/* The cloud as wall_points_part put it in order. */
+struct cloud_parts {
+    double mean; /* spacing of the points, mm */
+    size_t flat; /* so many of them lie on no wall */
+};
+
+/* Three mean spacings of the points, mm, to three digits: so that -t can say the same. */
+double cloudmesh_three_spacings(double mean);
+
+/* The same as the default spacing; says so. */
 double cloudmesh_default_spacing(double mean);
 
 /* No facet came of it: the spacing, and the width and height of the points. */
@@ -21,6 +30,41 @@ int cloudmesh_normals(const struct cloudmesh_options *options, struct vec3 *poin
 /* Noisy points moved onto the surface that they stand for; how far, mm, in *spent. */
 int cloudmesh_smooth_points(const struct cloudmesh_options *options, struct vec3s *points,
                             double noise, int threads, double *spent, struct error *error);
+
+/* The grid's mesh of the points, without normals.  -1: as cloudmesh_make. */
+int cloudmesh_place_nodes(const struct cloudmesh_options *options, const struct cloud_parts *parts,
+                          const struct vec3s *points, struct mesh *mesh, struct cloudmesh *result,
+                          struct error *error);
+
+/* Creases and walls put into a mesh that has normals; these to the side that is seen. */
+void cloudmesh_add_features(const struct cloudmesh_options *options,
+                            const struct cloud_parts *parts, const struct vec3s *points,
+                            double noise, int threads, struct mesh *mesh, struct cloudmesh *result);
+
+/* Is there a wall between two nodes of a grid? */
+bool cloudmesh_grid_has_walls(const struct cloudmesh_options *options,
+                              const struct cloud_parts *parts, const struct vec3s *points,
+                              double noise, int threads);
+
+/* Two meshes, and what came of them, change places: always, or where the other is closer to the
+ * points (squares, every so many of them). */
+void cloudmesh_swap(struct mesh *other, struct cloudmesh *other_result, struct mesh *mesh,
+                    struct cloudmesh *result);
+void cloudmesh_keep_closer(const struct cloudmesh_options *options, const struct vec3s *points,
+                           int threads, struct mesh *other, struct cloudmesh *other_result,
+                           struct mesh *mesh, struct cloudmesh *result);
+
+/* Of a mesh that was only tried. */
+void cloudmesh_drop(struct mesh *mesh, struct cloudmesh *result);
+
+/* The mesh by a grid; result->edge is for the caller to free. */
+int cloudmesh_on_grid(const struct cloudmesh_options *asked, struct vec3s *points, double noise,
+                      int threads, struct mesh *mesh, struct cloudmesh *result,
+                      struct error *error);
+
+/* The mesh within an error; the same. */
+int cloudmesh_within(const struct cloudmesh_options *options, struct vec3s *points, double noise,
+                     int threads, struct mesh *mesh, struct cloudmesh *result, struct error *error);
 
 /* The mesh by one of the ways that paper 1 reviews: options->method (cloudmesh_ways.c). */
 int cloudmesh_by_way(const struct cloudmesh_options *options, struct vec3s *points, double noise,
