@@ -14,7 +14,7 @@
  *        minimax.h       Gauss-Newton steps of poles and knots for p-norms rising towards the
  *                        largest distance
  *        footpoints.h    distances at the foot points and the normal equations' parts
- *      grown_knots.h  where there is little time for each point: knots put in and taken out
+ *      grown_knots.h  uneven data, or little time for each point: knots put in and taken out
  *   4. spline_bound.h  each candidate rounded to its printed digits and proven on them, as an upper
  *                      bound of the distance both ways
  *   5. a polyline with a pole at each point, where nothing else serves
@@ -126,9 +126,11 @@ void splinefit_paper(const struct reference *reference, const struct splinefit_o
                      struct splinefit *fit);
 
 /*
- * The default: a straight line; else, with less than half of the usual `work`, what grown_knots_fit
- * finds, or the polyline; else what free_knots_search finds.  Where that finds nothing, where
- * it was cut short and this is better, and when `params` or `knots` are given: 5, 10, 15 ... poles
+ * The default: a straight line; else what grown_knots_fit finds where that has many poles with few
+ * points for each, for the data are uneven then and a search would end by its bound with more; and
+ * with less than half of the usual `work` in any case, or the polyline; else what free_knots_search
+ * finds, if it has fewer poles.  Where that finds nothing, where it was cut short and this is
+ * better, and when `params` or `knots` are given: 5, 10, 15 ... poles
  * (from 40 on a quarter more each time) until a combination keeps the tolerance, then the
  * least count above the last that failed, by bisection.  Degree 1 with a pole at each point when
  * nothing else serves.

@@ -28,6 +28,7 @@ static const double CLOSER = 0.98;   /* of that, when the proof finds more */
 static const double HOPELESS = 4;    /* times the tolerance, by the proof */
 static const double SHORTEST = 1.05; /* of the least length, for a span before it is printed */
 static const double FLOOR = 0.02;    /* mm: no span is made shorter, if there is a least length */
+static const double LOWER = 0.7;     /* of that length, each time that it does not do */
 
 struct inner_knot {
     double u;
@@ -168,21 +169,23 @@ static void add_knot(struct inner_knots *knots, double u)
     *array_push(knots) = (struct inner_knot){.u = u};
 }
 
-/* Parts for a span that holds so many points. */
-static size_t parts_of(const struct growth *g, double worst, double length, size_t points)
+/* Parts for a span that holds so many points; none shorter than `floor`. */
+static size_t parts_of(const struct growth *g, double floor, double worst, double length,
+                       size_t points)
 {
     size_t parts = worst <= g->goal ? 1 : worst > FAR_OFF ? QUARTER : 2;
 
     parts = parts > points ? points : parts;
     while (parts > 2 && length < (double)parts * SHORTEST * g->options->least)
         parts--;
-    if (length < (double)parts * FLOOR && g->options->least > 0)
+    if (length < (double)parts * floor)
         parts = 1;
     return parts > 1 ? parts : 1;
 }
 
-/* Divides the spans that are too far off; false if there is none that can be. */
-static bool divide_spans(struct growth *g)
+/* Divides the spans that are too far off, none into parts shorter than `floor`; false if there is
+ * none that can be. */
+static bool divide_spans(struct growth *g, double floor)
 {
     const struct reference *t = g->reference;
     size_t degree = (size_t)g->options->degree, spans = g->curve.poles - degree, k = 0;
@@ -193,7 +196,7 @@ static bool divide_spans(struct growth *g)
         size_t first = k;
         while (k < t->n && t->length[k] < to)
             k++;
-        size_t parts = parts_of(g, g->worst[s], to - from, k - first);
+        size_t parts = parts_of(g, floor, g->worst[s], to - from, k - first);
         for (size_t i = 1; i < parts; i++) {
             size_t at = first + i * (k - first) / parts;
             double u = at > first ? (t->length[at - 1] + t->length[at]) / 2 : from;
@@ -224,6 +227,18 @@ static void spread_worst(struct growth *g)
     }
 }
 
+/* The same with spans as long as asked for if that does; else shorter, at last as short as is
+ * bearable. */
+static bool divide_spans_soon(struct growth *g)
+{
+    double floor = SHORTEST * g->options->least;
+
+    for (; floor > FLOOR; floor *= LOWER)
+        if (divide_spans(g, floor))
+            return true;
+    return divide_spans(g, g->options->least > 0 ? FLOOR : 0);
+}
+
 /* A curve with so many inner knots has fewer poles than there are points. */
 static bool has_room(const struct growth *g, size_t inner)
 {
@@ -239,11 +254,11 @@ static bool grow(struct growth *g)
             return true;
         if (!isfinite(worst))
             return false;
-        if (!divide_spans(g)) {
-            spread_worst(g);
-            if (!divide_spans(g))
-                return false;
-        }
+        if (divide_spans_soon(g))
+            continue;
+        spread_worst(g);
+        if (!divide_spans_soon(g))
+            return false;
     }
     return false;
 }
@@ -420,14 +435,21 @@ static void begin_where_stuck(struct growth *g, const struct inner_knots *stuck)
         add_knot(&g->inner, scale * stuck->item[i].u);
 }
 
-static struct growth growth_new(const struct reference *whole, const struct reference *places,
-                                const struct free_knots_options *options)
-{
-    size_t room = whole->n + places->n + (size_t)options->degree + 8;
+/* What growths on other places have in common: as in struct growth. */
+struct growth_start {
+    const struct reference *whole;
+    const struct free_knots_options *options;
+    bool between;
+};
 
-    return (struct growth){.whole = whole,
+static struct growth growth_new(const struct growth_start *start, const struct reference *places)
+{
+    size_t room = start->whole->n + places->n + (size_t)start->options->degree + 8;
+
+    return (struct growth){.whole = start->whole,
                            .reference = places,
-                           .options = options,
+                           .options = start->options,
+                           .between = start->between,
                            .head = places->turns ? spline_heads(places) : NULL,
                            .worst = mem_alloc(room, sizeof(double)),
                            .goal = GOAL};
@@ -457,63 +479,56 @@ static void grow_and_prove(struct growth *g, struct free_knots_result *found)
     }
 }
 
-/* The points themselves; *stuck: the knots that it came to where it finds nothing. */
-static bool fit_points(const struct reference *whole, const struct free_knots_options *options,
+/*
+ * Fits `places` of the whole, the points themselves or places between them, too.  Begins with the
+ * knots of the curve before; else with those that a growth came to no further, *stuck; else evenly.
+ * False: it finds nothing; *stuck, where it had none, is what it came to.
+ */
+static bool fit_places(const struct growth_start *start, const struct reference *places,
                        const struct bspline *before, struct inner_knots *stuck,
                        struct free_knots_result *found)
 {
-    struct growth g = growth_new(whole, whole, options);
+    struct growth g = growth_new(start, places);
 
-    g.between = true;
     if (before)
         begin_again(&g, before);
+    else if (stuck->item)
+        begin_where_stuck(&g, stuck);
     else
         begin_evenly(&g);
     grow_and_prove(&g, found);
-    *stuck = g.inner;
-    g.inner = (struct inner_knots){0};
+    if (!stuck->item) {
+        *stuck = g.inner;
+        g.inner = (struct inner_knots){0};
+    }
     growth_free(&g);
     return found->curve.poles > 0;
 }
 
-/* Places between them, from the curve before or from the knots that the points came to.  So close
- * to each other nobody need look between them, as a rule: the proof does. */
-static bool fit_places(const struct reference *whole, const struct reference *places,
-                       const struct free_knots_options *options, const struct bspline *before,
-                       const struct inner_knots *stuck, bool between,
-                       struct free_knots_result *found)
-{
-    struct growth g = growth_new(whole, places, options);
-
-    g.between = between;
-    if (before)
-        begin_again(&g, before);
-    else
-        begin_where_stuck(&g, stuck);
-    grow_and_prove(&g, found);
-    growth_free(&g);
-    return found->curve.poles > 0;
-}
-
+/* The points alone first, looked at between them; then more places than points, for knots may be
+ * closer there: so close to each other that nobody need look between them, as a rule, for the proof
+ * does. */
 struct free_knots_result grown_knots_fit(const struct reference *reference,
                                          const struct free_knots_options *options,
                                          const struct bspline *before)
 {
+    struct growth_start start = {reference, options, true};
     struct inner_knots stuck = {0};
     struct free_knots_result found;
 
-    if (!fit_points(reference, options, before, &stuck, &found)) {
-        /* more places than points: knots may be closer */
+    bool done = fit_places(&start, reference, before, &stuck, &found);
+    if (!done) {
         struct reference places = reference_sample(reference, PLACES * reference->n);
-        bool done =
-            before && fit_places(reference, &places, options, before, &stuck, false, &found);
-        done = done || fit_places(reference, &places, options, NULL, &stuck, false, &found);
+        start.between = false;
+        done = (before && fit_places(&start, &places, before, &stuck, &found)) ||
+               fit_places(&start, &places, NULL, &stuck, &found);
         reference_free(&places);
-        if (!done) {
-            places = reference_sample(reference, MORE * reference->n);
-            fit_places(reference, &places, options, NULL, &stuck, true, &found);
-            reference_free(&places);
-        }
+    }
+    if (!done) {
+        struct reference places = reference_sample(reference, MORE * reference->n);
+        start.between = true;
+        fit_places(&start, &places, NULL, &stuck, &found);
+        reference_free(&places);
     }
     array_free(&stuck);
     return found;

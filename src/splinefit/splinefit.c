@@ -17,6 +17,9 @@ enum { PARAMS = 3, KNOTS = 2, START = 5, STEP = 5, WIDER = 40 };
 
 static const double HURRIED = 0.5; /* of the usual work: searches would take minutes */
 
+/* More poles than EVEN_MOST with fewer points for each than EVEN_POINTS follow noise. */
+enum { EVEN_MOST = 24, EVEN_POINTS = 12 };
+
 struct search {
     const struct reference *reference;
     const struct splinefit_options *options;
@@ -237,15 +240,28 @@ static bool fit_free_knots(const struct search *s, size_t known, const struct bs
     return take_found(found, fit);
 }
 
-static bool is_hurried(const struct splinefit_options *options)
+/* Knots and parameters are not prescribed: the knots may as well be free. */
+static bool is_open(const struct splinefit_options *options)
 {
-    return options->work > 0 && options->work < HURRIED && options->params < 0 &&
-           options->knots < 0;
+    return options->params < 0 && options->knots < 0;
 }
 
-/* In a time that is linear in the data: knots where it asks for them, or the data's own polyline.
+static bool is_hurried(const struct splinefit_options *options)
+{
+    return options->work > 0 && options->work < HURRIED && is_open(options);
+}
+
+/* The curve follows the noise of its data: a search would end by its bound, with more poles. */
+static bool is_uneven(const struct search *s, const struct splinefit *fit)
+{
+    size_t poles = fit->curve.poles;
+
+    return poles > EVEN_MOST && poles * EVEN_POINTS > s->reference->n;
+}
+
+/* In a time that is linear in the data: knots where it asks for them.  False: it finds nothing.
  * `before` as above. */
-static void fit_grown_knots(const struct search *s, const struct bspline *before,
+static bool fit_grown_knots(const struct search *s, const struct bspline *before,
                             struct splinefit *fit)
 {
     const struct splinefit_options *o = s->options;
@@ -254,7 +270,15 @@ static void fit_grown_knots(const struct search *s, const struct bspline *before
     bool alike = before && before->degree == o->degree && before->poles < s->reference->n;
 
     *fit = (struct splinefit){.kind = SPLINEFIT_GROWN, .within = true};
-    if (!take_found(grown_knots_fit(s->reference, &options, alike ? before : NULL), fit))
+    bool found = take_found(grown_knots_fit(s->reference, &options, alike ? before : NULL), fit);
+    fit->cut = true;
+    return found;
+}
+
+/* The same where there is no time for more: if need be the data's own polyline. */
+static void fit_hurried(const struct search *s, const struct bspline *before, struct splinefit *fit)
+{
+    if (!fit_grown_knots(s, before, fit))
         set_polyline(s, fit);
     fit->cut = true;
 }
@@ -314,42 +338,34 @@ static void search_with(const struct reference *reference, const struct splinefi
                         struct splinefit *fit)
 {
     struct search s = search_new(reference, options, false);
+    struct splinefit squares = {0};
+    bool turns = reference->turns; /* there the search is long: it is good to know before */
 
-    *fit = (struct splinefit){0};
-    bool straight = try_straight(&s, fit);
-    if (!straight && is_hurried(options)) {
-        fit_grown_knots(&s, NULL, fit);
-    } else if (!straight) {
-        struct splinefit squares = {0};
-        bool turns = reference->turns; /* there the search is long: it is good to know before */
-        if (turns)
-            fit_by_least_squares(&s, &squares);
-        bool found = fit_free_knots(&s, squares.within ? squares.curve.poles : 0, NULL, fit),
-             cut = fit->cut;
-        if (!turns && (!found || cut))
-            fit_by_least_squares(&s, &squares);
-        if (!found)
-            *fit = squares;
-        else if (turns || cut)
-            keep_fewer(fit, &squares);
-        fit->cut = cut;
-    }
+    if (turns)
+        fit_by_least_squares(&s, &squares);
+    bool found = fit_free_knots(&s, squares.within ? squares.curve.poles : 0, NULL, fit),
+         cut = fit->cut;
+    if (!turns && (!found || cut))
+        fit_by_least_squares(&s, &squares);
+    if (!found)
+        *fit = squares;
+    else if (turns || cut)
+        keep_fewer(fit, &squares);
+    fit->cut = cut;
     set_paper_error(&s, fit);
     search_free(&s);
 }
 
-/* With knot spans of any length first: as a rule none of them is too short.  Knots that grow look
- * to it themselves. */
-void splinefit_search(const struct reference *reference, const struct splinefit_options *options,
-                      struct splinefit *fit)
+/* With knot spans of any length first: as a rule none of them is too short. */
+static void search_spans(const struct reference *reference, const struct splinefit_options *options,
+                         struct splinefit *fit)
 {
     struct splinefit_options any = *options;
     struct splinefit longer;
 
-    any.least = is_hurried(options) ? options->least : 0;
+    any.least = 0;
     search_with(reference, &any, fit);
-    if (any.least > 0 || fit->kind == SPLINEFIT_POLYLINE || fit->kind == SPLINEFIT_STRAIGHT ||
-        !bspline_has_short_span(&fit->curve, options->least))
+    if (fit->kind == SPLINEFIT_POLYLINE || !bspline_has_short_span(&fit->curve, options->least))
         return;
     search_with(reference, options, &longer);
     if (longer.kind == SPLINEFIT_POLYLINE) { /* the tolerance forbids it */
@@ -360,6 +376,41 @@ void splinefit_search(const struct reference *reference, const struct splinefit_
     *fit = longer;
 }
 
+/* What is found in little time; *done: more time would be spent in vain, or there is none. */
+static void search_soon(const struct reference *reference, const struct splinefit_options *options,
+                        struct splinefit *fit, bool *done)
+{
+    struct search s = search_new(reference, options, false);
+
+    *fit = (struct splinefit){0};
+    *done = try_straight(&s, fit);
+    if (!*done && is_hurried(options)) {
+        fit_hurried(&s, NULL, fit);
+        *done = true;
+    } else if (!*done && is_open(options) && fit_grown_knots(&s, NULL, fit)) {
+        *done = is_uneven(&s, fit);
+    }
+    if (fit->curve.poles > 0)
+        set_paper_error(&s, fit);
+    search_free(&s);
+}
+
+void splinefit_search(const struct reference *reference, const struct splinefit_options *options,
+                      struct splinefit *fit)
+{
+    struct splinefit soon;
+    bool done;
+
+    search_soon(reference, options, &soon, &done);
+    if (done) {
+        *fit = soon;
+        return;
+    }
+    search_spans(reference, options, fit);
+    if (soon.curve.poles > 0)
+        keep_fewer(fit, &soon);
+}
+
 void splinefit_again(const struct reference *reference, const struct splinefit_options *options,
                      const struct splinefit *before, struct splinefit *fit)
 {
@@ -368,7 +419,9 @@ void splinefit_again(const struct reference *reference, const struct splinefit_o
     bool found = true;
 
     if (is_hurried(options))
-        fit_grown_knots(&s, &before->curve, fit);
+        fit_hurried(&s, &before->curve, fit);
+    else if (before->kind == SPLINEFIT_GROWN)
+        found = fit_grown_knots(&s, &before->curve, fit);
     else
         found = fit_free_knots(&s, 0, &before->curve, fit);
     if (found)

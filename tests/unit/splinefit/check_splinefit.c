@@ -43,6 +43,32 @@ START_TEST(within_by_brute_force)
 }
 END_TEST
 
+/* A wave with a ripple of three tolerances on it, seven points long: no search by free knots, which
+ * would follow it to its bound; knots grow where the data asks for them.  Without it the search is
+ * done. */
+START_TEST(ripple_is_not_searched)
+{
+    for (int rippled = 0; rippled < 2; rippled++) {
+        struct run run = {.radius = 5};
+        for (int k = 0; k < 240; k++) {
+            double ripple = rippled * 3 * ALL.tolerance * sin(0.9 * k);
+            struct vec3 tip = vec(0.4 * k, 0, 3 * sin(k / 15.0) + ripple);
+            *array_push(&run) = (struct run_point){
+                .tip = tip, .ball = vec_along(tip, 5, vec(0, 0, 1)), .axis = vec(0, 0, 1)};
+        }
+        struct reference t = reference_distinct(&run, false);
+        struct splinefit fit;
+        splinefit_search(&t, &ALL, &fit);
+        ck_assert(fit.within);
+        ck_assert_int_eq(fit.kind, rippled ? SPLINEFIT_GROWN : SPLINEFIT_FREE);
+        ck_assert_double_le(trial_brute_force(&fit.curve, &t, false), ALL.tolerance);
+        splinefit_free(&fit);
+        reference_free(&t);
+        array_free(&run);
+    }
+}
+END_TEST
+
 /* The published search stops at a multiple of 5; C1 is as eq 7 says, at the points alone. */
 START_TEST(as_published)
 {
@@ -230,6 +256,7 @@ int main(void)
     TCase *tests = tcase_create("splinefit");
 
     tcase_add_test(tests, within_by_brute_force);
+    tcase_add_test(tests, ripple_is_not_searched);
     tcase_add_test(tests, as_published);
     tcase_add_test(tests, one_combination_alone);
     tcase_add_test(tests, a_cubic_needs_four_poles);
