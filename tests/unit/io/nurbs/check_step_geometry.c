@@ -304,6 +304,133 @@ START_TEST(curves_of_curves)
 }
 END_TEST
 
+/* A straight line in the parameters of a surface, from x, y along dx, dy; angles are degrees. */
+static void read_line_on(const char *on, double x, double y, double dx, double dy)
+{
+    char data[1500];
+    snprintf(data, sizeof data,
+             "#20=%s;\n#29=PCURVE('',#20,#30);\n#30=DEFINITIONAL_REPRESENTATION('',(#31),#1);\n"
+             "#31=LINE('',#32,#33);\n#32=CARTESIAN_POINT('',(%.12f,%.12f));\n"
+             "#33=VECTOR('',#34,1.);\n#34=DIRECTION('',(%.12f,%.12f));\n#90=X(#29);\n",
+             on, x, y, dx, dy);
+    read_data(data);
+}
+
+static struct vec3 on_cylinder(double u, double v)
+{
+    return placed(2 * cos(RADIANS(u)), 2 * sin(RADIANS(u)), v);
+}
+
+static struct vec3 on_torus(double u, double v)
+{
+    double r = 5 + cos(RADIANS(v));
+    return placed(r * cos(RADIANS(u)), r * sin(RADIANS(u)), sin(RADIANS(v)));
+}
+
+static struct vec3 on_plane(double u, double v)
+{
+    return placed(u, v, 0);
+}
+
+/* Two knots of u and three of v, corners 0,0,0 4,0,0 0,6,0 4,6,8, lines between. */
+static struct vec3 on_saddle(double u, double v)
+{
+    return placed(4 * u, 6 * v, 8 * u * v);
+}
+
+static const struct {
+    const char *on;
+    struct vec3 (*at)(double u, double v);
+    double from[2], to[2]; /* the ends of the edge */
+    double shift;          /* the line begins so much of its way before them */
+} line_on[] = {
+    {"PLANE('',#6)", on_plane, {1, 2}, {4, 6}, 0.3},
+    {"PLANE('',#6)", on_plane, {4, 6}, {1, 2}, -0.5},
+    {"CYLINDRICAL_SURFACE('',#6,2.)", on_cylinder, {10, 0}, {100, 1}, 0},
+    {"CYLINDRICAL_SURFACE('',#6,2.)", on_cylinder, {100, 1}, {10, 3}, 0.2},
+    {"CYLINDRICAL_SURFACE('',#6,2.)", on_cylinder, {300, 1}, {400, 2}, 0.2}, /* over the seam */
+    {"CYLINDRICAL_SURFACE('',#6,2.)", on_cylinder, {-20, 1}, {-200, 1}, 0},
+    {"CYLINDRICAL_SURFACE('',#6,2.)", on_cylinder, {30, 1}, {390, 1}, 0}, /* all round */
+    {"CYLINDRICAL_SURFACE('',#6,2.)", on_cylinder, {30, -1}, {30, 5}, 0.1},
+    {"CYLINDRICAL_SURFACE('',#6,2.)", on_cylinder, {390, 1}, {450, 40}, 0.2}, /* a turn on */
+    {"CYLINDRICAL_SURFACE('',#6,2.)", on_cylinder, {-390, 1}, {-330, -40}, 0.2},
+    {"TOROIDAL_SURFACE('',#6,5.,1.)", on_torus, {20, 350}, {20, 380}, 0},
+    {"TOROIDAL_SURFACE('',#6,5.,1.)", on_torus, {350, 40}, {375, 40}, 0.1},
+    {"B_SPLINE_SURFACE_WITH_KNOTS('',1,1,((#1,#50),(#51,#52)),.UNSPECIFIED.,.F.,.F.,.F.,(2,2),"
+     "(2,2),(0.,1.),(0.,1.),.UNSPECIFIED.);\n#50=CARTESIAN_POINT('',(0.,6.,0.));\n"
+     "#51=CARTESIAN_POINT('',(4.,0.,0.));\n#52=CARTESIAN_POINT('',(4.,6.,8.))",
+     on_saddle,
+     {0.2, 0.1},
+     {0.7, 0.9},
+     0.1},
+};
+
+START_TEST(lines_in_parameters)
+{
+    const double *from = line_on[_i].from, *to = line_on[_i].to, shift = line_on[_i].shift;
+    double du = to[0] - from[0], dv = to[1] - from[1];
+    struct vec3 ends[2] = {line_on[_i].at(from[0], from[1]), line_on[_i].at(to[0], to[1])};
+    double u = from[0] - shift * du, v = from[1] - shift * dv;
+    read_line_on(line_on[_i].on, u, v, shift < 0 ? -du : du, shift < 0 ? -dv : dv);
+    if (shift < 0) { /* against the line: it has no part from the first to the second */
+        ck_assert_int_eq(curve(ends), 1);
+        return;
+    }
+    ck_assert_int_eq(curve(ends), 0);
+    ck_assert_double_lt(vec_distance(at(0, 0), ends[0]), 1e-5);
+    ck_assert_double_lt(vec_distance(at(loop.n - 1, 1), ends[1]), 1e-5);
+    /* all of it on the line, whole and without a leap */
+    struct vec3 last = ends[0];
+    double way = 0, whole = 0;
+    for (int i = 1; i <= 1000; i++)
+        whole += vec_distance(
+            line_on[_i].at(from[0] + du * (i - 1) / 1000, from[1] + dv * (i - 1) / 1000),
+            line_on[_i].at(from[0] + du * i / 1000, from[1] + dv * i / 1000));
+    for (size_t k = 0; k < loop.n; k++)
+        for (int i = 0; i <= 50; i++) {
+            struct vec3 p = at(k, i / 50.0);
+            double least = HUGE_VAL;
+            for (int j = 0; j <= 4000; j++)
+                least = fmin(least, vec_distance(p, line_on[_i].at(from[0] + du * j / 4000,
+                                                                   from[1] + dv * j / 4000)));
+            ck_assert_double_lt(least, whole / 4000);
+            way += vec_distance(last, p);
+            last = p;
+        }
+    ck_assert_double_lt(fabs(way - whole), 2e-3 * whole);
+    ck_assert_int_eq(curve(NULL), 1); /* without ends */
+}
+END_TEST
+
+/* Another curve than a line there has ends of its own; its numbers are parameters, no lengths. */
+START_TEST(curves_in_parameters)
+{
+    read_data("#20=CYLINDRICAL_SURFACE('',#6,2.);\n#29=PCURVE('',#20,#30);\n"
+              "#30=DEFINITIONAL_REPRESENTATION('',(#31),#1);\n#31=POLYLINE('',(#32,#33,#34));\n"
+              "#32=CARTESIAN_POINT('',(10.,0.));\n#33=CARTESIAN_POINT('',(60.,0.));\n"
+              "#34=CARTESIAN_POINT('',(60.,3.));\n#90=X(#29);\n");
+    ck_assert_int_eq(curve(NULL), 0);
+    ck_assert_double_lt(vec_distance(at(0, 0), on_cylinder(10, 0)), 1e-5);
+    ck_assert_double_lt(vec_distance(at(loop.n - 1, 1), on_cylinder(60, 3)), 1e-5);
+    double way = 0;
+    for (size_t k = 0; k < loop.n; k++)
+        for (int i = 0; i < 100; i++)
+            way += vec_distance(at(k, i / 100.0), at(k, (i + 1) / 100.0));
+    ck_assert_double_eq_tol(way, MM * (2 * RADIANS(50) + 3), 1e-3);
+}
+END_TEST
+
+/* Knots belong to a B-spline: the entity that only holds the poles is none. */
+START_TEST(poles_without_knots)
+{
+    read_data("#10=B_SPLINE_CURVE('',1,(#1,#2),.UNSPECIFIED.,.F.,.F.);\n#90=X(#10);\n");
+    ck_assert_int_eq(curve(NULL), 1);
+    read_data("#10=(B_SPLINE_CURVE(1,(#1,#2),.UNSPECIFIED.,.F.,.F.)BOUNDED_CURVE()CURVE());\n"
+              "#90=X(#10);\n");
+    ck_assert_int_eq(curve(NULL), 1);
+}
+END_TEST
+
 static double off_torus(struct vec3 p)
 {
     double x = p.y / MM, y = (100 - p.x) / MM, z = p.z / MM;
@@ -375,6 +502,9 @@ int main(void)
     tcase_add_test(tests, splines);
     tcase_add_test(tests, composites);
     tcase_add_test(tests, curves_of_curves);
+    tcase_add_loop_test(tests, lines_in_parameters, 0, (int)(sizeof line_on / sizeof *line_on));
+    tcase_add_test(tests, curves_in_parameters);
+    tcase_add_test(tests, poles_without_knots);
     tcase_add_test(tests, surfaces);
     tcase_add_test(tests, rectangles);
     suite_add_tcase(suite, tests);
