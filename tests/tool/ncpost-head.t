@@ -44,4 +44,20 @@ for control in fanuc siemens heidenhain linuxcnc; do
 	has "$control: the ball alone" '^TOOL: BALL R5 BALL-ONLY$' head.txt
 done
 
+# ---- names of programs, the shortest and the longest, and what is none
+printf 'UNITS/MM\nGOTO/0,0,9\nGOTO/5,0,9\nFINI\n' >bare.cl
+names() { # CONTROL STATUS NAME...
+	control=$1 want=$2
+	shift 2
+	for name; do
+		status "$want" "$control: the name $name" \
+			ncpost -q --no-spindle -c $control --program "$name" bare.cl
+	done
+}
+names siemens 0 AB ABCDEFGHIJKLMNOPQRSTUVWX
+names siemens 2 A A1 AB- 12A ABCDEFGHIJKLMNOPQRSTUVWXY
+names heidenhain 0 A 12A AB- ABCDEFGHIJKLMNOPQRSTUVWX
+names heidenhain 2 A+ ABCDEFGHIJKLMNOPQRSTUVWXY
+names fanuc 0 1 99999999
+names fanuc 2 0 A 100000000
 done_testing

@@ -274,6 +274,8 @@ static const struct {
     {HEIDENHAIN, "PLANE SPATIAL SPA+0 SPB+0 TURN F500\n", ""},
     {HEIDENHAIN, "L X+1 F-500\n", "feed"},
     {LINUXCNC, "G1 X1 X2\n", "twice"},
+    {LINUXCNC, "o100 sub\n", "a subprogram or a loop"},
+    {LINUXCNC, "N10 O<name> call\n", "a subprogram or a loop"},
     {LINUXCNC, "M2\nG1 X1\n", "expected % after M2"},
     {LINUXCNC, "G2 X10 Y0 I5.1 J0\n", "one distance"},
     {LINUXCNC, "G2 X30 Y0 R10\n", "diameter"},

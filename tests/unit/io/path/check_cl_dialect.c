@@ -209,6 +209,15 @@ START_TEST(systems_of_nx)
     ends_at(2, vec(98, 1, 3), vec(0, 1, 0));
     ck_assert_str_eq(path.head.tool_name, "BALL_10");
     ck_assert_uint_eq(path.tool.n, 0); /* the same again */
+    /* each path begins upright, whatever the last one ended with */
+    taken(NX "GOTO/1,2,3,0,0.6,0.8\nEND-OF-PATH\nTOOL PATH/FINE,TOOL,BALL_10\n"
+             "TLDATA/MILL,10,5,75,0,0\nMSYS/0,0,0,1,0,0,0,1,0\nGOTO/4,5,6\nEND-OF-PATH\n");
+    ends_at(1, vec(1, 2, 3), vec(0, 0.6, 0.8));
+    ends_at(2, vec(4, 5, 6), UP);
+    ck_assert_int_eq(take("TOOL PATH/A,TOOL,B\nTLDATA/MILL,10,5,75,0,0\nNURBS\nEND-OF-PATH\n"), -1);
+    ck_assert_ptr_nonnull(strstr(error.text, "before any position"));
+    ck_assert_int_eq(take(NX "CYCLE/DRILL,RAPTO,3,FEDTO,-10,MMPM,100\nNURBS\nEND-OF-PATH\n"), -1);
+    ck_assert_ptr_nonnull(strstr(error.text, "among the holes"));
     ck_assert_int_eq(take(NX "MSYS/0,0,0,1,0,0,0.1,1,0\nEND-OF-PATH\n"), -1);
     ck_assert_ptr_nonnull(strstr(error.text, "not square"));
     ck_assert_int_eq(take("TOOL PATH/A,TOOL,B\nTLDATA/MILL,0,5\nEND-OF-PATH\n"), -1);
