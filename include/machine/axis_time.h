@@ -11,7 +11,7 @@
 #ifndef CLOUDMILL_AXIS_TIME_H
 #define CLOUDMILL_AXIS_TIME_H
 
-#include <stddef.h>
+#include "base/array.h"
 
 enum { AXIS_TIME_AXES = 5 };
 
@@ -27,9 +27,27 @@ struct axis_time_place {
     double feed; /* of the way up to here, a second */
 };
 
-/* Seconds over n places; step[i], if not NULL: of those from place i - 1 to i. */
+/* Seconds over n places; step[i]: of those from place i - 1 to i. */
 double axis_time_run(const struct axis_time_limits *limits, const struct axis_time_place place[],
                      size_t n, double step[]);
+
+/* The same of a way of millions of places while it is being made, of which those are kept from
+ * which the axes cannot stop before the next one.  Starts as all zero but for the limits. */
+struct axis_time_way {
+    struct axis_time_limits limits;
+    size_t n, cap; /* places that are kept: from the second on they count */
+    struct axis_time_place *item;
+    struct doubles speed; /* at each of them ... */
+    size_t from, known;   /* ... the first that counts; before this one they are known */
+    double seconds;       /* up to that place */
+};
+
+/* A place more. */
+void axis_time_add(struct axis_time_way *way, const struct axis_time_place *place);
+
+/* Seconds over all of them; then another way may begin. */
+double axis_time_end(struct axis_time_way *way);
+void axis_time_free(struct axis_time_way *way);
 
 /* Seconds of a straight way of all axes from standstill to standstill, as fast as they can. */
 double axis_time_rapid(const struct axis_time_limits *limits, const double from[],

@@ -1,7 +1,9 @@
 /* axis_time - see axis_time.h. */
 #include "machine/axis_time.h"
 
+#include <stdbool.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/array.h"
 #include "math/elementary.h"
@@ -141,14 +143,14 @@ static double step_seconds(const struct axis_time_limits *limits, const struct a
     return (2 * top - v0 - v1) / change + fmax(length - ramps, 0) / top;
 }
 
-/* The speeds at all places, 0 at both ends, with no more than what was before them in mind: a way
- * that is no slower at the place before bounds nothing. */
+/* The speeds at the places from `first` on but the last, with no more than what was before them in
+ * mind: a way that is no slower at the place before bounds nothing. */
 static void speeds_forth(const struct axis_time_limits *limits,
-                         const struct axis_time_place place[], size_t n, double v[])
+                         const struct axis_time_place place[], size_t first, size_t n, double v[])
 {
-    struct slopes before = slopes_to(&place[1]);
+    struct slopes before = slopes_to(&place[first]);
 
-    for (size_t i = 1; i + 1 < n; i++) {
+    for (size_t i = first; i + 1 < n; i++) {
         struct slopes after = slopes_to(&place[i + 1]);
         struct rates r = rates_between(limits, &place[i], before, after);
         v[i] = speed_at(limits, &r, smaller(place[i].feed, place[i + 1].feed));
@@ -160,35 +162,113 @@ static void speeds_forth(const struct axis_time_limits *limits,
     }
 }
 
-/* And with what comes after them; each becomes the seconds from the place before. */
-static void seconds_back(const struct axis_time_limits *limits,
-                         const struct axis_time_place place[], size_t n, double v[])
+/* And with what comes after them, from the speed at `to` back to that at `from`, which stays; each
+ * becomes the seconds from the place before.  Returns their sum with the seconds before. */
+static double seconds_back(const struct axis_time_limits *limits,
+                           const struct axis_time_place place[], size_t n, size_t from, size_t to,
+                           double v[], double sum)
 {
-    for (size_t i = n; i-- > 1;) {
+    for (size_t i = to; i > from; i--) {
         if (v[i - 1] > v[i]) {
             struct rates r = rates_at(limits, place, i, n);
             v[i - 1] = speed_after(limits, &r, v[i], place[i].way - place[i - 1].way, v[i - 1]);
         }
         v[i] = step_seconds(limits, &place[i], v[i - 1], v[i]);
     }
+    for (size_t i = from + 1; i <= to; i++)
+        sum += v[i];
+    return sum;
 }
 
 double axis_time_run(const struct axis_time_limits *limits, const struct axis_time_place place[],
                      size_t n, double step[])
 {
-    double *v = mem_alloc(n + 1, sizeof *v), sum = 0;
+    if (n < 2)
+        return 0;
+    step[0] = step[n - 1] = 0;
+    speeds_forth(limits, place, 1, n, step);
+    return seconds_back(limits, place, n, 0, n - 1, step, 0);
+}
 
-    if (n > 1) {
-        speeds_forth(limits, place, n, v);
-        seconds_back(limits, place, n, v);
+/* ---- the same while the way is being made */
+
+enum { BLOCK = 2048 }; /* places: they stay near */
+
+/* Whatever comes, the speed at a place is not lowered by it: from there the axes come to any speed
+ * up to the next one's before the next place.  The square of the speed that they may have is linear
+ * in the next one's, in parts: it is least where these end. */
+static bool is_settled(const struct axis_time_limits *limits, const struct axis_time_place place[],
+                       size_t i, size_t n, const double v[])
+{
+    const double surely = 1 + 1e-9;
+    struct rates r = rates_at(limits, place, i + 1, n);
+    double length = place[i + 1].way - place[i].way;
+    double wanted = surely * v[i] * v[i], most = v[i + 1] * v[i + 1];
+
+    for (int k = 0; k < AXIS_TIME_AXES; k++) {
+        if (!(r.slope[k] > 0))
+            continue;
+        double a = limits->acceleration[k], b = bend_of(&r, k), twice = 2 * length / r.slope[k];
+        double stop = twice * a, on = most + twice * fmax(0, a - b * most);
+        if (stop < wanted || on < wanted || (a < b * most && a < b * wanted))
+            return false;
     }
-    for (size_t i = 1; i < n; i++) {
-        if (step)
-            step[i] = v[i];
-        sum += v[i];
+    return true;
+}
+
+/* The way up to the last settled place is done with. */
+static void settle(struct axis_time_way *w)
+{
+    size_t n = w->n, last = n - 3;
+
+    speeds_forth(&w->limits, w->item, w->known, n, w->speed.item);
+    w->known = n - 1;
+    while (last > w->from && !is_settled(&w->limits, w->item, last, n, w->speed.item))
+        last--;
+    if (last <= w->from)
+        return;
+    double v = w->speed.item[last];
+    w->seconds = seconds_back(&w->limits, w->item, n, w->from, last, w->speed.item, w->seconds);
+    w->speed.item[last] = v;
+    w->n -= last - 1;
+    w->known -= last - 1;
+    w->from = 1;
+    memmove(w->item, w->item + last - 1, w->n * sizeof *w->item);
+    memmove(w->speed.item, w->speed.item + last - 1, w->n * sizeof *w->speed.item);
+}
+
+void axis_time_add(struct axis_time_way *w, const struct axis_time_place *place)
+{
+    if (w->n == w->cap) {
+        if (w->n > 0)
+            settle(w);
+        array_reserve(w, w->n + w->n / 2 + BLOCK); /* half of them again, or it were square */
+        array_reserve(&w->speed, w->cap);
     }
-    free(v);
+    if (w->n == 0)
+        w->known = 1;
+    w->speed.item[w->n] = 0;
+    w->item[w->n++] = *place;
+}
+
+double axis_time_end(struct axis_time_way *w)
+{
+    double sum = w->seconds;
+
+    if (w->n > 1) {
+        speeds_forth(&w->limits, w->item, w->known, w->n, w->speed.item);
+        w->speed.item[w->n - 1] = 0;
+        sum = seconds_back(&w->limits, w->item, w->n, w->from, w->n - 1, w->speed.item, sum);
+    }
+    w->n = w->from = 0;
+    w->seconds = 0;
     return sum;
+}
+
+void axis_time_free(struct axis_time_way *w)
+{
+    array_free(w);
+    array_free(&w->speed);
 }
 
 double axis_time_rapid(const struct axis_time_limits *limits, const double from[],

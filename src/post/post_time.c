@@ -14,17 +14,18 @@ enum { LOOKS_MOST = 400, TURNED_ON_MOST = 64 };
 static const double STEP = 0.2;        /* mm: between places on curves and where the tool turns */
 static const double PER_DEGREE = 0.05; /* mm of way for each degree that the tool turns */
 
-struct places {
-    size_t n, cap;
-    struct axis_time_place *item;
-};
-
 struct timing {
     struct nc_plan *plan;
     const struct machine *machine;
     struct axis_time_limits limits;
-    struct places places; /* of the run at feed */
-    struct sizes move;    /* of each place, for feeds as times: the move that leads to it */
+    struct axis_time_way way; /* of the run at feed */
+    struct {
+        size_t n, cap;
+        struct axis_time_place *item;
+    } places;             /* for feeds as times: the same, all of it, ... */
+    struct sizes move;    /* ... and of each place the move that leads to it */
+    size_t n;             /* places of the run */
+    double reached;       /* how far along the way the last of them is */
     double wished;        /* seconds of the run at its feeds */
     double q[ROTARY_MAX]; /* of the last place, ... */
     struct turned turned; /* ... and its cosines and sines, ... */
@@ -112,9 +113,14 @@ static void add_place(struct timing *t, const double axis[], double way, double 
     struct axis_time_place place = {.way = way, .feed = feed};
     for (int k = 0; k < AXIS_TIME_AXES; k++)
         place.axis[k] = axis[k];
-    *array_push_inline(&t->places) = place;
-    if (t->plan->ability.feeds == NC_FEEDS_INVERSE)
-        *array_push(&t->move) = move;
+    t->n++;
+    t->reached = way;
+    if (t->plan->ability.feeds != NC_FEEDS_INVERSE) {
+        axis_time_add(&t->way, &place);
+        return;
+    }
+    *array_push(&t->places) = place;
+    *array_push(&t->move) = move;
 }
 
 /* fmax for what is a number, in one instruction. */
@@ -138,11 +144,11 @@ static void add_move(struct timing *t, size_t index, const struct block_pose *fr
     int n = even ? 1 : (int)fmin(LOOKS_MOST, fmax(1, ceil(way * unit / STEP)));
     if (!(way > 0) || !(seconds > 0))
         return;
-    if (t->places.n == 0) {
+    if (t->n == 0) {
         axes_at(t, from->p, from->q, axis);
         add_place(t, axis, 0, way / seconds, index);
     }
-    double start = t->places.item[t->places.n - 1].way;
+    double start = t->reached;
     for (int i = 1; i <= n; i++) {
         double s = (double)i / n;
         double q[ROTARY_MAX] = {from->q[0] + s * (to->q[0] - from->q[0]),
@@ -170,19 +176,25 @@ static void set_inverse(struct timing *t, const double step[])
     }
 }
 
+/* Seconds of the run. */
+static double run_seconds(struct timing *t)
+{
+    if (t->plan->ability.feeds != NC_FEEDS_INVERSE)
+        return axis_time_end(&t->way);
+    double *step = mem_alloc(t->places.n, sizeof *step);
+    double seconds = axis_time_run(&t->limits, t->places.item, t->places.n, step);
+    if (t->n > 1)
+        set_inverse(t, step);
+    free(step);
+    return seconds;
+}
+
 static void end_run(struct timing *t)
 {
-    size_t n = t->places.n;
-    if (n > 1) {
-        bool inverse = t->plan->ability.feeds == NC_FEEDS_INVERSE;
-        double *step = inverse ? mem_alloc(n, sizeof *step) : NULL;
-        double seconds = axis_time_run(&t->limits, t->places.item, n, step);
+    double seconds = run_seconds(t);
+    if (t->n > 1)
         t->plan->total.minutes += fmax(0, seconds - t->wished) / 60;
-        if (inverse)
-            set_inverse(t, step);
-        free(step);
-    }
-    t->places.n = t->move.n = 0;
+    t->n = t->places.n = t->move.n = 0;
     t->wished = 0;
 }
 
@@ -204,7 +216,7 @@ void post_time(struct nc_plan *plan, const struct machine *machine)
                        .turned_on = TURNED_ON_MOST};
     const struct nc_move *last = NULL;
     struct block_pose at = {.a = vec(0, 0, 1)};
-    array_reserve(&t.places, plan->move.n + plan->move.n / 2 + 1); /* most moves have one */
+    t.way.limits = t.limits;
     for (size_t i = 0; i < plan->move.n; i++) {
         const struct nc_move *move = &plan->move.item[i];
         if (!nc_moves(move)) {
@@ -228,6 +240,7 @@ void post_time(struct nc_plan *plan, const struct machine *machine)
         last = move;
     }
     end_run(&t);
+    axis_time_free(&t.way);
     array_free(&t.places);
     array_free(&t.move);
 }

@@ -3,6 +3,8 @@
 
 #include <check.h>
 #include <math.h>
+#include <stdbool.h>
+#include <stdlib.h>
 
 static const struct axis_time_limits usual = {.speed = {500, 500, 500, 120, 120},
                                               .acceleration = {3000, 3000, 3000, 1000, 1000},
@@ -15,7 +17,8 @@ static double straight(double length, double feed, int n)
     struct axis_time_place place[200] = {{{0}, 0, 0}};
     for (int i = 0; i <= n; i++)
         place[i] = (struct axis_time_place){{length * i / n}, length * i / n, feed};
-    return axis_time_run(&usual, place, (size_t)n + 1, NULL);
+    double step[200];
+    return axis_time_run(&usual, place, (size_t)n + 1, step);
 }
 
 START_TEST(a_line_speeds_up_and_slows_down)
@@ -56,6 +59,54 @@ START_TEST(a_corner_of_an_axis_slows_down)
 }
 END_TEST
 
+static unsigned long long seed = 11;
+
+/* 0 <= x < 1 */
+static double chance(void)
+{
+    seed = seed * 6364136223846793005u + 1442695040888963407u;
+    return (double)(seed >> 11) / 9007199254740992.0;
+}
+
+enum { MANY = 30000 };
+
+/* Of random ways, smooth or all corners, slow or so fast that the axes need many places to stop: to
+ * the bit what they take when all places are known at once; and few are kept where they need not
+ * be. */
+START_TEST(a_way_that_is_being_made)
+{
+    static struct axis_time_place place[MANY];
+    static double step[MANY];
+    struct axis_time_way way = {.limits = usual};
+    for (int round = 0; round < 24; round++) {
+        bool slow = round % 3 == 0;
+        double apart = 0.05 + 0.3 * chance(), feed = slow ? 10 : 20 + 600 * chance();
+        double bend = round % 4 == 1 ? 1 : 0.02, turn = 0, tilt = 0;
+        for (int i = 0; i < MANY; i++) {
+            double length = apart * (0.5 + chance());
+            feed = i % 700 == 0 && !slow ? 20 + 600 * chance() : feed;
+            turn += bend * (chance() - 0.5);
+            tilt += 0.5 * bend * (chance() - 0.5);
+            place[i] = (struct axis_time_place){.way = i > 0 ? place[i - 1].way + length : 0,
+                                                .feed = feed};
+            const double by[AXIS_TIME_AXES] = {cos(turn) * length, sin(turn) * length, 0,
+                                               tilt * length, 0};
+            for (int k = 0; k < AXIS_TIME_AXES && i > 0; k++)
+                place[i].axis[k] = place[i - 1].axis[k] + by[k];
+        }
+        way.limits.jerk[0] = round % 2 ? 1e12 : 3e4;
+        int n = round < 20 ? MANY - 997 * round : round - 20;
+        for (int i = 0; i < n; i++)
+            axis_time_add(&way, &place[i]);
+        ck_assert(axis_time_end(&way) == axis_time_run(&way.limits, place, (size_t)n, step));
+        if (round == 0)
+            ck_assert_uint_lt(way.cap, MANY / 4);
+    }
+    ck_assert_uint_ge(way.cap, MANY / 8); /* some had to be kept */
+    axis_time_free(&way);
+}
+END_TEST
+
 START_TEST(a_rapid_is_as_long_as_its_slowest_axis)
 {
     const double from[AXIS_TIME_AXES] = {0, 0, 0, 0, 0}, to[AXIS_TIME_AXES] = {100, 0, 50, 0, 90};
@@ -70,6 +121,7 @@ int main(void)
     TCase *tcase = tcase_create("axis_time");
     tcase_add_test(tcase, a_line_speeds_up_and_slows_down);
     tcase_add_test(tcase, a_corner_of_an_axis_slows_down);
+    tcase_add_test(tcase, a_way_that_is_being_made);
     tcase_add_test(tcase, a_rapid_is_as_long_as_its_slowest_axis);
     suite_add_tcase(suite, tcase);
     SRunner *runner = srunner_create(suite);
