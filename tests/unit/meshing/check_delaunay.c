@@ -165,6 +165,55 @@ START_TEST(locked_edges)
 }
 END_TEST
 
+/* Edges that are asked for between points near each other, and from the corners of the triangle
+ * about all: whatever comes of it, the triangles are as many as before, all of them the right way
+ * round; an edge that is told is there, and one that is locked stays. */
+START_TEST(forced_edges)
+{
+    struct vec3s points = random_points(300);
+    struct delaunay d = delaunay_new(points.item, points.n);
+    int edge, forced = 0, not_there = 0;
+    delaunay_insert_all(&d);
+    size_t triangles = d.t.n;
+    for (int turn = 0; turn < 600; turn++) {
+        int a = turn % 20 == 0 ? d.n + turn / 20 % 3 : (int)(299 * chance()),
+            b = (int)(299 * chance());
+        double far = hypot(d.at[a].u - d.at[b].u, d.at[a].v - d.at[b].v);
+        if (a == b || (far > 15 && a < d.n))
+            continue;
+        bool was = delaunay_edge(&d, a, b, &edge) != DELAUNAY_NONE;
+        bool is = delaunay_force(&d, a, b);
+        ck_assert(is || !was);
+        ck_assert_int_eq(is, delaunay_edge(&d, a, b, &edge) != DELAUNAY_NONE);
+        forced += is && !was;
+        not_there += !is;
+    }
+    ck_assert_int_gt(forced, 50);
+    ck_assert_int_gt(not_there, 0);
+    ck_assert_uint_eq(d.t.n, triangles);
+    for (size_t t = 0; t < d.t.n; t++)
+        ck_assert_int_eq(orient2d(corner(&d, t, 0), corner(&d, t, 1), corner(&d, t, 2)), 1);
+    check_links(&d);
+    /* across a locked edge nothing is turned */
+    for (size_t t = 0; t < d.t.n; t++) {
+        int beside = d.t.item[t].beside[0];
+        if (beside == DELAUNAY_NONE)
+            continue;
+        int a = d.t.item[t].v[2], from = d.t.item[t].v[0], to = d.t.item[t].v[1], b = -1;
+        for (int k = 0; k < 3; k++)
+            if (d.t.item[beside].beside[k] == (int)t)
+                b = d.t.item[beside].v[(k + 2) % 3];
+        delaunay_lock(&d, (int)t, 0);
+        ck_assert(b >= 0);
+        delaunay_force(&d, a, b);
+        ck_assert_int_ne(delaunay_edge(&d, from, to, &edge), DELAUNAY_NONE);
+        break;
+    }
+    delaunay_free(&d);
+    array_free(&points);
+}
+END_TEST
+
 START_TEST(circle_width)
 {
     struct vec3 p[] = {{0, 0, 0}, {3, 0, 0}, {0, 4, 0}};
@@ -187,6 +236,7 @@ int main(void)
     tcase_add_test(tests, lattices);
     tcase_add_test(tests, lines_and_doubles);
     tcase_add_test(tests, locked_edges);
+    tcase_add_test(tests, forced_edges);
     tcase_add_test(tests, circle_width);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);
