@@ -6,7 +6,8 @@
  * come the same runs with ball and axis where the tool is clear, points put between where straight
  * lines would not be, and a report of what the ball can't reach.  The stages:
  *
- *   guard points   the part as points that are dense against the ball: guard_points.h
+ *   guard points   the part as points that are dense against the ball: guard_points.h of a scan,
+ *                  guard_mesh.h of a mesh
  *   check          how deep is the ball, or the holder, in the guard points?  Here.
  *   raise          each centre lifted along its normal as far as it takes: gouge_lift.h
  *   smooth         axes turned as evenly as their limits allow: axis_smooth.h

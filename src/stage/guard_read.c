@@ -10,6 +10,7 @@
 #include "cloud/believed.h"
 #include "cloud/roof.h"
 #include "stage/cloud_prepare.h"
+#include "gouge/guard_mesh.h"
 #include "gouge/guard_points.h"
 #include "cloud/outliers.h"
 #include "math/box.h"

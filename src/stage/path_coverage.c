@@ -5,7 +5,7 @@
 
 #include "base/cli.h"
 #include "coverage_judge.h"
-#include "gouge/guard_points.h"
+#include "gouge/guard_mesh.h"
 #include "math/kdtree.h"
 #include "stage/path_options.h"
 #include "toolpath/rest_passes.h"

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "base/effort.h"
-#include "gouge/guard_points.h"
+#include "gouge/guard_mesh.h"
 #include "guard_read.h"
 #include "machine/machine_options.h"
 #include "math/box.h"

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 
 #include "gouge/gouge.h"
-#include "gouge/guard_points.h"
+#include "gouge/guard_mesh.h"
 #include "seed.h"
 
 static uint64_t state = 7;

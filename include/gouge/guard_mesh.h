@@ -1,0 +1,33 @@
+/*
+ * guard_mesh - the surface of a mesh as points that are dense enough to keep a ball off it, and its
+ * sharp edges.  Of a scan: guard_points.h.
+ */
+#ifndef CLOUDMILL_GUARD_MESH_H
+#define CLOUDMILL_GUARD_MESH_H
+
+#include "base/array.h"
+#include "math/point_grid.h"
+#include "mesh/mesh.h"
+
+/*
+ * Appends the points of a mesh with vertex normals: each facet as the curved triangle that its vertices
+ * and normals span (PN triangle, Vlachos et al. 2001, but with handles that make edges of a sphere
+ * circular to the sixth order), sampled no coarser than `spacing` mm.  The flat facet would not do:
+ * in a hollow it is above the surface by its sagitta.  Only a facet that is more than 30 degrees
+ * off one of its vertices' normals, as at a step or an edge, is sampled flat.  Where that would be
+ * more than `most` points beside the vertices, they are further apart.  Returns how far, mm.
+ */
+double guard_points_of_mesh(const struct mesh *mesh, double spacing, double most,
+                            struct vec3s *points);
+
+/*
+ * Appends points no further than `spacing` mm apart on the convex edges of a mesh: those between
+ * two facets that have vertices of their own there, at the same places, and fall off from each
+ * other to both sides.  A scan seldom has points on its edges, and a ball that rolls over them
+ * would sink in between the points beside.  With a scan only where its points about are on the two
+ * facets: elsewhere the mesh bridges what the scan knows nothing of.
+ */
+void guard_points_of_edges(const struct mesh *mesh, double spacing, const struct point_grid *scan,
+                           struct vec3s *points);
+
+#endif

@@ -1,0 +1,482 @@
+/* verify_judge - see verify_judge.h. */
+#include "verify_judge.h"
+
+#include <ctype.h>
+#include <stdarg.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "math/elementary.h"
+#include "base/array.h"
+#include "math/kdtree.h"
+#include "ncread/ncread.h"
+
+/* Steps of a piece, for its tool axis; parts of a curve that count as blocks. */
+enum { TURN_STEPS = 4, CURVE_PARTS = 4 };
+
+#define PATH_TIP 0.008 /* mm that the tip may be off the path, where the head does not say it */
+#define PATH_AXIS 0.25 /* degrees that the tool axis may be off the path's, likewise */
+#define PATH_TIP_MORE 0.0005 /* mm besides what the head says: both are followed in lines */
+#define PATH_AXIS_MORE 0.01  /* degrees, likewise */
+#define PATH_FAST 1.5        /* times the path's feed; more slowly it may go where the axes turn */
+#define PATH_SLOW 20
+#define PATH_CONTACT 10 /* times slower or faster than the contact point the tip may go */
+#define JUMP 5.0        /* degrees: less is no jump of the tool axis */
+#define STILL 0.5       /* degrees of rotary axes, or mm of a second point, that need no look */
+#define BESIDE 0.2      /* of the ball's radius: no rapid move stays so near to the part ... */
+#define ALONG 0.7       /* ... that leads up or down the tool by less of its length */
+#define ROLLS 1.5       /* times as fast as the ball rolls over an edge */
+#define THICKER 0.01    /* of the ball's radius: so much thicker than it, a tool is a holder */
+
+static void add_finding(struct verdict *v, bool fault, size_t piece, const char *format, ...)
+    __attribute__((format(printf, 4, 5)));
+
+static void add_finding(struct verdict *v, bool fault, size_t piece, const char *format, ...)
+{
+    struct finding *finding = array_push(&v->finding);
+    char place[60], what[FINDING_TEXT - 64];
+    va_list arguments;
+    ncread_place(&v->program.motion->piece.item[piece], place, sizeof place);
+    va_start(arguments, format);
+    vsnprintf(what, sizeof what, format, arguments);
+    va_end(arguments);
+    finding->fault = fault;
+    snprintf(finding->text, sizeof finding->text, "%s: %s", place, what);
+}
+
+/* About the program as a whole. */
+static void add_remark(struct verdict *v, bool fault, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+static void add_remark(struct verdict *v, bool fault, const char *format, ...)
+{
+    struct finding *finding = array_push(&v->finding);
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(finding->text, sizeof finding->text, format, arguments);
+    va_end(arguments);
+    finding->fault = fault;
+}
+
+static void sum_pieces(struct verdict *v)
+{
+    const struct nc_motion *motion = v->program.motion;
+    bool cut = false;
+    v->piece = mem_alloc(motion->piece.n, sizeof *v->piece);
+    for (size_t i = 0; i < motion->piece.n; i++) {
+        if (!motion->piece.item[i].rapid && !cut)
+            v->passes++;
+        cut = !motion->piece.item[i].rapid;
+        v->piece[i].pass = v->passes;
+    }
+    for (size_t i = 0; i < v->map.points; i++) {
+        if (!v->map.region[i])
+            continue;
+        struct verdict_piece *piece = &v->piece[v->cut.item[v->map.segment[i]].piece];
+        float deviation = (float)v->map.deviation[i];
+        if (-deviation > piece->gouge)
+            piece->gouge = -deviation;
+        if (deviation > piece->over)
+            piece->over = deviation;
+    }
+}
+
+static size_t piece_at(const struct verdict *v, size_t point)
+{
+    return v->cut.item[v->map.segment[point]].piece;
+}
+
+/* True if the ball is at the part anywhere. */
+static bool comes_near(const struct verdict *v)
+{
+    for (size_t i = 0; i < v->map.points; i++)
+        if (v->map.region[i] && v->map.deviation[i] <= v->options.band)
+            return true;
+    return false;
+}
+
+/* What is left beyond the limit, where the tool could have cut. */
+static void judge_left(struct verdict *v)
+{
+    const struct deviation_map *r = &v->map;
+    const struct part_coverage_sum *left = &v->coverage.sum[COVERAGE_LEFT];
+    bool whole = !v->options.partial;
+    double worst = whole ? left->worst : r->over;
+    size_t at = whole ? left->at : r->over_at;
+    struct vec3 p = v->program.part->item[at];
+    if (whole ? left->points == 0 || !isfinite(v->options.left) || !comes_near(v)
+              : r->over <= v->options.left + v->noise)
+        return;
+    if (whole)
+        add_finding(v, (double)left->points > v->options.share * (double)v->program.part->n,
+                    piece_at(v, at),
+                    "%.4f mm of material is left at %.3f %.3f %.3f, at most %.4g (%zu points, %.1f "
+                    "mm2 that the tool reaches; %zu points may be)",
+                    worst, p.x, p.y, p.z, v->limit, left->points, left->area,
+                    (size_t)(v->options.share * (double)v->program.part->n));
+    else
+        add_finding(v, true, piece_at(v, at),
+                    "%.4f mm of material is left at %.3f %.3f %.3f, at most %g", worst, p.x, p.y,
+                    p.z, v->options.left);
+}
+
+static void judge_surface(struct verdict *v)
+{
+    const struct deviation_map *r = &v->map;
+    struct vec3 p = v->program.part->item[r->gouge_at];
+    if (r->gouge > v->options.tolerance + v->noise)
+        add_finding(v, true, piece_at(v, r->gouge_at),
+                    "the ball is %.4f mm deep in the part at %.3f %.3f %.3f, tolerance %g",
+                    r->gouge, p.x, p.y, p.z, v->options.tolerance);
+    judge_left(v);
+    p = v->program.part->item[v->rapid.point];
+    if (v->rapid.depth > 0)
+        add_finding(v, true, v->rapid.piece,
+                    "a rapid move goes %.3f mm deep through the part at %.3f %.3f %.3f",
+                    v->rapid.depth, p.x, p.y, p.z);
+}
+
+static void judge_outliers(struct verdict *v)
+{
+    const struct verdict_outliers *o = &v->outliers;
+    if (o->gouged > 0)
+        add_remark(v, false,
+                   "the ball is up to %.3f mm deep in %zu of %zu points taken for outliers, as at "
+                   "%.3f %.3f %.3f; they are not judged",
+                   o->depth, o->gouged, o->points, o->at.x, o->at.y, o->at.z);
+}
+
+/* The ball that the program's head says. */
+static void judge_ball(struct verdict *v)
+{
+    double said = v->program.ball;
+    if (said > 0 && fabs(said - v->options.radius) > ROUNDED)
+        add_remark(v, true, "the program's head says a ball of radius %g, it is judged with %g",
+                   said, v->options.radius);
+}
+
+/* Letters and digits alone, of any case, as far as the shorter one goes: controls print few others,
+ * and not all of a long name. */
+static bool same_name(const char *a, const char *b)
+{
+    for (;; a++, b++) {
+        while (*a && !isalnum((unsigned char)*a))
+            a++;
+        while (*b && !isalnum((unsigned char)*b))
+            b++;
+        if (!*a || !*b)
+            return true;
+        if (tolower((unsigned char)*a) != tolower((unsigned char)*b))
+            return false;
+    }
+}
+
+/* The machine that the program's head says. */
+static void judge_machine(struct verdict *v)
+{
+    const char *said = v->program.made_for;
+    if (said && *said && !same_name(said, v->program.machine))
+        add_remark(v, false, "the program's head says the machine %s, it is judged on %s (-m)",
+                   said, v->program.machine);
+}
+
+/* Shaft (what is no thicker than the ball) or holder in the part, or in the stock. */
+static void judge_holder(struct verdict *v, const struct holder_collision *found, const char *what)
+{
+    if (!(found->depth > 0))
+        return;
+    bool fast = v->program.motion->piece.item[found->piece].rapid;
+    add_finding(v, true, found->piece,
+                "the %s goes %.3f mm deep into the %s at %.3f %.3f %.3f%s, %.1f mm up the tool "
+                "(blocks: %zu)",
+                found->width > v->options.radius * (1 + THICKER) ? "holder" : "shaft", found->depth,
+                what, found->at.x, found->at.y, found->at.z, fast ? ", in a rapid move" : "",
+                found->height, found->pieces);
+}
+
+static void judge_under(struct verdict *v)
+{
+    const struct under_scan *u = &v->under;
+    if (!(u->depth > 0))
+        return;
+    bool fast = v->program.motion->piece.item[u->piece].rapid;
+    add_finding(v, true, u->piece,
+                "the %s goes %.3f mm deep under the scan at %.3f %.3f %.3f%s (blocks: %zu)",
+                u->height == 0                                 ? "ball"
+                : u->width > v->options.radius * (1 + THICKER) ? "holder"
+                                                               : "shaft",
+                u->depth, u->at.x, u->at.y, u->at.z, fast ? ", in a rapid move" : "", u->pieces);
+}
+
+static void judge_stock(struct verdict *v)
+{
+    const struct stock_simulate *run = &v->stock;
+    if (run->rapid > 0)
+        add_finding(v, true, run->rapid_piece,
+                    "a rapid move goes %.3f mm deep into the stock at %.3f %.3f %.3f (blocks: %zu)",
+                    run->rapid, run->rapid_at.x, run->rapid_at.y, run->rapid_at.z, run->rapids);
+}
+
+/* How the tool axis turns over one piece, radians. */
+struct axis_turn {
+    struct vec3 from, to; /* the axis at its ends */
+    double most;          /* farthest from where it began */
+    double length;        /* of the tip's path */
+    bool on;              /* the ball touches the part in it */
+};
+
+/* From s0 to s1 of a piece. */
+static struct axis_turn turn_of(const struct nc_motion *motion, const struct nc_piece *piece,
+                                double s0, double s1)
+{
+    struct nc_motion_pose a = nc_motion_at(motion, piece, s0), b = nc_motion_at(motion, piece, s1);
+    struct axis_turn turn = {a.a, b.a, vec_angle(a.a, b.a), vec_distance(a.p, b.p), false};
+    if (vec_distance(piece->q[0], piece->q[1]) < STILL && piece->shape == SHAPE_LINE)
+        return turn;
+    for (int i = 1; i < TURN_STEPS; i++) {
+        struct vec3 axis = nc_motion_at(motion, piece, s0 + (s1 - s0) * i / TURN_STEPS).a;
+        turn.most = fmax(turn.most, vec_angle(a.a, axis));
+    }
+    return turn;
+}
+
+/* The jumps so far. */
+struct axis_jumps {
+    struct axis_turn before; /* ends where the next begins, if `follows` */
+    bool follows;
+    size_t count, last, worst; /* pieces: how many, the last and the worst of them */
+    double most;
+};
+
+/* A turn of a piece, which jumps back alone or with the one before. */
+static void add_turn(struct axis_jumps *j, struct axis_turn at, double radius, size_t piece)
+{
+    double turn = j->follows ? fmax(at.most, j->before.most) : at.most;
+    double back = vec_angle(j->follows ? j->before.from : at.from, at.to);
+    double length = at.length + (j->follows ? j->before.length : 0);
+    bool on = at.on || (j->follows && j->before.on);
+    j->before = at;
+    if (!on || turn <= RADIANS(JUMP) || back >= turn / 2 || turn * radius <= ROLLS * length)
+        return;
+    j->count += j->count == 0 || j->last != piece;
+    j->last = piece;
+    j->worst = turn > j->most ? piece : j->worst;
+    j->most = fmax(j->most, turn);
+}
+
+/*
+ * Jumps of the tool axis with the ball on the part: it turns, in one block or two, and comes back
+ * by more than half, half as fast again as where the ball rolls over an edge, 1 / R for each mm of
+ * the tip.  A curve counts as several blocks: where it takes the axis over a rib and back, as many
+ * short lines would, nothing jumps.
+ */
+static void judge_jumps(struct verdict *v)
+{
+    const struct centre_path *cut = &v->cut;
+    struct axis_jumps jumps = {.before = {.on = false}};
+    size_t last = SIZE_MAX - 1;
+    for (size_t i = 0; i < cut->n;) {
+        size_t piece = cut->item[i].piece;
+        const struct nc_piece *p = &v->program.motion->piece.item[piece];
+        int parts = p->shape == SHAPE_LINE ? 1 : CURVE_PARTS;
+        bool on = false;
+        for (; i < cut->n && cut->item[i].piece == piece; i++)
+            on = on || cut->item[i].on;
+        for (int k = 0; k < parts; k++) {
+            struct axis_turn at =
+                turn_of(v->program.motion, p, (double)k / parts, (k + 1.0) / parts);
+            at.on = on;
+            jumps.follows = k > 0 || piece == last + 1;
+            add_turn(&jumps, at, v->options.radius, piece);
+        }
+        last = piece;
+    }
+    if (jumps.count > 0)
+        add_finding(v, true, jumps.worst,
+                    "the tool axis swings out by %.3f degrees and back on the part (blocks: %zu)",
+                    DEGREES(jumps.most), jumps.count);
+}
+
+/* Curves that leave the part and come back: by a radius, where what they leave is judged, since a
+ * link over a hollow may be part of one. */
+static void judge_excursions(struct verdict *v)
+{
+    bool judged = !v->options.partial && isfinite(v->options.left);
+    const struct excursion_options options = {
+        v->options.radius, judged ? fmax(v->options.band, v->options.radius) : v->options.band};
+    struct excursion out = excursion_find(v->program.motion, &v->cut, v->program.part->item,
+                                          v->program.part->n, &options);
+    if (out.count > 0)
+        add_finding(
+            v, true, out.piece,
+            "the ball leaves the part amid a cut, %.3f mm off it at %.3f %.3f %.3f (times: %zu)",
+            out.height, out.at.x, out.at.y, out.at.z, out.count);
+}
+
+static void judge_axes(struct verdict *v)
+{
+    static const char letter[] = "XYZABC";
+    const struct axis_use *use = &v->axes;
+    if (use->beyond)
+        add_finding(v, true, use->travel.piece,
+                    "axis %c at %.3f is beyond its travel (blocks: %zu)", letter[use->travel.axis],
+                    use->travel.value, use->beyond);
+    if (use->unreachable)
+        add_finding(v, true, use->unreachable_at,
+                    "a tool axis that the machine's axes cannot reach");
+    if (use->fast)
+        add_finding(
+            v, v->options.limits.strict || v->program.motion->piece.item[use->speed.piece].inverse,
+            use->speed.piece,
+            "axis %c would have to move at %.2f of its largest speed "
+            "(blocks: %zu)",
+            letter[use->speed.axis], use->speed.value, use->fast);
+}
+
+/* What the reader remarked. */
+static void judge_remarks(struct verdict *v)
+{
+    const struct nc_motion *motion = v->program.motion;
+    for (size_t i = 0; i < motion->remark.n; i++) {
+        const struct nc_remark *remark = &motion->remark.item[i];
+        struct nc_piece at = {.line = remark->line, .block = remark->block};
+        char place[60];
+        ncread_place(&at, place, sizeof place);
+        add_remark(v, true, "%s: %s", place, remark->text);
+    }
+}
+
+/* How far the ball is off the part at s of a piece. */
+static double off_part(const struct verdict *v, const struct kdtree *part, size_t piece, double s)
+{
+    const struct nc_motion *motion = v->program.motion;
+    struct nc_motion_pose pose = nc_motion_at(motion, &motion->piece.item[piece], s);
+    double up = motion->track == NC_MOTION_TIP ? v->options.radius : 0;
+    struct vec3 centre = vec_along(pose.p, up, pose.a);
+    size_t index;
+    double distance2;
+    kdtree_nearest(part, centre, 1, &index, &distance2);
+    return sqrt(distance2) - v->options.radius;
+}
+
+static size_t first_cut(const struct nc_motion *motion)
+{
+    size_t i = 0;
+    while (i + 1 < motion->piece.n && motion->piece.item[i].rapid)
+        i++;
+    return i;
+}
+
+/* A program against its path. */
+static void judge_path(struct verdict *v)
+{
+    const struct nc_motion *path = v->program.path;
+    double tip = v->program.post >= 0 ? v->program.post + PATH_TIP_MORE : PATH_TIP;
+    double axis = v->program.axis >= 0 ? v->program.axis + PATH_AXIS_MORE : PATH_AXIS;
+    double more = v->program.contact_feed ? PATH_CONTACT : 1;
+    const struct path_compare_options options = {v->options.radius, tip,
+                                                 RADIANS(axis),     PATH_FAST * more,
+                                                 PATH_SLOW * more,  &v->options.limits};
+    struct path_compare found = path_compare_run(v->program.motion, path, &options);
+    if (found.off.count > 0)
+        add_finding(v, true, found.off.piece, "the tip is %.4f mm off the path at %.3f %.3f %.3f",
+                    found.off.value, found.off.at.x, found.off.at.y, found.off.at.z);
+    if (found.turned.count > 0)
+        add_finding(v, true, found.turned.piece,
+                    "the tool axis is %.3f degrees off the path's at %.3f %.3f %.3f",
+                    DEGREES(found.turned.value), found.turned.at.x, found.turned.at.y,
+                    found.turned.at.z);
+    if (found.missed.count > 0)
+        add_finding(v, true, found.missed.near,
+                    "the program leaves out line %zu of the path, %.3f mm off it at %.3f %.3f %.3f",
+                    path->piece.item[found.missed.piece].line, found.missed.value,
+                    found.missed.at.x, found.missed.at.y, found.missed.at.z);
+    if (found.fast.count > 0)
+        add_finding(v, true, found.fast.piece, "the feed is %.4g times the path's",
+                    found.fast.value);
+    if (found.slow.count > 0)
+        add_finding(v, true, found.slow.piece, "the feed is 1/%.4g of the path's",
+                    found.slow.value);
+    if (path->coolant && !v->program.motion->coolant)
+        add_finding(v, true, first_cut(v->program.motion),
+                    "the path has coolant on, the program cuts without");
+}
+
+/* A rapid move that stays beside the part from end to end, across the tool. */
+static bool goes_beside(const struct verdict *v, const struct kdtree *part, size_t piece)
+{
+    const struct nc_motion *motion = v->program.motion;
+    const struct nc_piece *p = &motion->piece.item[piece];
+    struct nc_motion_pose a = nc_motion_at(motion, p, 0), b = nc_motion_at(motion, p, 1);
+    double near = fmax(v->map.touch, BESIDE * v->options.radius);
+    struct vec3 way = vec_sub(b.p, a.p);
+    return vec_length(way) > ROUNDED && fabs(vec_dot(way, a.a)) < ALONG * vec_length(way) &&
+           off_part(v, part, piece, 0) <= near && off_part(v, part, piece, 1) <= near;
+}
+
+/*
+ * Rapid moves that reach the part or go along it: where the ball was not on it already and leaves
+ * it.  The last move has to leave the part, too.
+ */
+static void judge_touches(struct verdict *v)
+{
+    const struct nc_motion *motion = v->program.motion;
+    struct kdtree *part = kdtree_new(v->program.part->item, v->program.part->n);
+    size_t n = motion->piece.n, touches = 0, first = 0, besides = 0, beside = 0;
+    double on = v->map.touch;
+    for (size_t i = 0; i < n; i++) {
+        if (!motion->piece.item[i].rapid)
+            continue;
+        bool still = vec_distance(motion->piece.item[i].p[0], motion->piece.item[i].p[1]) == 0;
+        bool begins = i > 0 && off_part(v, part, i, 0) <= on;
+        if (off_part(v, part, i, 1) <= on && !(still && begins))
+            first = touches++ == 0 ? i : first;
+        else if (i > 0 && goes_beside(v, part, i))
+            beside = besides++ == 0 ? i : beside;
+    }
+    if (touches > 0)
+        add_finding(v, true, first, "a rapid move ends on the part (blocks: %zu)", touches);
+    if (besides > 0)
+        add_finding(v, true, beside, "a rapid move goes along beside the part (blocks: %zu)",
+                    besides);
+    if (n > 0 && v->cut.n > 0 && off_part(v, part, n - 1, 1) <= on)
+        add_finding(v, true, n - 1, "the program ends on the part: no retract follows");
+    kdtree_free(part);
+}
+
+/* What its makers knew of and this judge may not: as where a scan has no point on an edge. */
+static void judge_unmet(struct verdict *v)
+{
+    if (v->program.unmet > 0)
+        add_remark(v, true, "its head says UNMET: %.130s%s", v->program.unmet_first,
+                   v->program.unmet > 1 ? ", and more" : "");
+}
+
+void verify_judge(struct verdict *v)
+{
+    sum_pieces(v);
+    judge_unmet(v);
+    judge_remarks(v);
+    if (v->program.path)
+        judge_path(v);
+    if (v->map.points > 0)
+        judge_touches(v);
+    if (v->map.points > 0)
+        judge_surface(v);
+    judge_outliers(v);
+    judge_ball(v);
+    judge_machine(v);
+    judge_holder(v, &v->part_holder, "part");
+    judge_under(v);
+    judge_stock(v);
+    judge_holder(v, &v->stock.holder, "stock");
+    judge_axes(v);
+    judge_jumps(v);
+    judge_excursions(v);
+    if (v->cut.n == 0 && v->program.motion->piece.n > 0)
+        add_finding(v, v->options.left < HUGE_VAL, 0,
+                    "nothing is cut, all moves are rapid"); /* a part of many */
+    else if (!comes_near(v) && v->program.motion->piece.n > 0)
+        add_finding(v, true, 0, "the ball comes near no point of the part");
+}

@@ -1,0 +1,15 @@
+/*
+ * verify_judge - what is wrong with a program, by what was measured of it: the findings of a
+ * verdict.
+ */
+#ifndef CLOUDMILL_VERIFY_JUDGE_H
+#define CLOUDMILL_VERIFY_JUDGE_H
+
+#include "verify/verify.h"
+
+#define ROUNDED 0.001 /* mm: what places and radii printed may be off */
+
+/* Adds them; all else of the verdict is known already. */
+void verify_judge(struct verdict *v);
+
+#endif
