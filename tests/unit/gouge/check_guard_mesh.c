@@ -1,4 +1,4 @@
-/* guard_mesh: points on the convex edges of meshes and nowhere else; slivers have points all over. */
+/* guard_mesh: points on the convex edges of meshes and nowhere else; slivers have them all over. */
 #include "gouge/guard_mesh.h"
 #include "mesh/mesh_repair_steps.h"
 #include "shapes.h"
