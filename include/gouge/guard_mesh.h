@@ -12,10 +12,11 @@
 /*
  * Appends the points of a mesh with vertex normals: each facet as the curved triangle that its
  * vertices and normals span (PN triangle, Vlachos et al. 2001, but with handles that make edges of
- * a sphere circular to the sixth order), sampled no coarser than `spacing` mm.  The flat facet would not do:
- * in a hollow it is above the surface by its sagitta.  Only a facet that is more than 30 degrees
- * off one of its vertices' normals, as at a step or an edge, is sampled flat.  Where that would be
- * more than `most` points beside the vertices, they are further apart.  Returns how far, mm.
+ * a sphere circular to the sixth order), sampled no coarser than `spacing` mm.  The flat facet
+ * would not do: in a hollow it is above the surface by its sagitta.  Only a facet that is more
+ * than 30 degrees off one of its vertices' normals, as at a step or an edge, is sampled flat.
+ * Where that would be more than `most` points beside the vertices, they are further apart.
+ * Returns how far, mm.
  */
 double guard_points_of_mesh(const struct mesh *mesh, double spacing, double most,
                             struct vec3s *points);
