@@ -13,19 +13,17 @@
 #include <stdbool.h>
 
 #include "math/height_pyramid.h"
+#include "math/kdtree.h"
 #include "simulate/nc_motion.h"
 #include "simulate/stock.h"
 #include "simulate/tool_shape.h"
 
 /* What they may run into: points of the part, or the surface of a stock. */
 struct collision_body {
-    struct height_pyramid heights;
-    /* of the points of a part */
-    const struct vec3 *point;
-    size_t *order, *first; /* points of cell k: order[first[k]] to order[first[k + 1] - 1] */
-    /* of a stock, whose changes it follows */
-    struct stock *stock;
-    struct vec3 hint; /* what was nearest the last time */
+    struct kdtree *tree;           /* of the points of a part */
+    struct stock *stock;           /* or a stock, whose changes it follows, ... */
+    struct height_pyramid heights; /* ... and its heights */
+    struct vec3 hint;              /* what was nearest the last time */
     bool hinted;
 };
 
@@ -38,7 +36,7 @@ struct holder_search {
     struct vec3 at;           /* that place, if the distance got smaller */
 };
 
-/* Keeps a pointer to the points. */
+/* The points are not needed any more after it. */
 struct collision_body collision_body_points(const struct vec3 *point, size_t n);
 
 /* The surface of the stock: tops of its columns, and the walls between them. */

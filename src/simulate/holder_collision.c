@@ -5,13 +5,10 @@
 
 #include "base/array.h"
 #include "base/parallel.h"
-#include "math/box.h"
 
 enum {
-    IN_CELL = 8,       /* points in a cell of the pyramid, about */
-    CELLS_MOST = 2048, /* along a side of it */
-    CURVED = 8,        /* parts that a curved piece is followed in */
-    GROUP = 128        /* pieces that one thread follows at a time */
+    CURVED = 8, /* parts that a curved piece is followed in */
+    GROUP = 128 /* pieces that one thread follows at a time */
 };
 
 #define FINE 0.005  /* mm: a stretch that short is not halved further, nor one ... */
@@ -28,51 +25,9 @@ static int clamp(double x, int n)
     return x < 0 ? 0 : x >= n ? n - 1 : (int)x;
 }
 
-static size_t index_of(const struct height_pyramid *t, struct height_cell at)
-{
-    return (size_t)at.row * (size_t)t->level[0].columns + (size_t)at.column;
-}
-
-static size_t cell_of(const struct height_pyramid *t, struct vec3 p)
-{
-    return index_of(t, height_pyramid_cell(t, p));
-}
-
-/* Points in the order of their cells, each cell with its box. */
-static void sort_points(struct collision_body *o, size_t n)
-{
-    size_t cells = (size_t)o->heights.level[0].columns * (size_t)o->heights.level[0].rows;
-    o->order = mem_alloc(n, sizeof *o->order);
-    o->first = mem_alloc(cells + 2, sizeof *o->first);
-    for (size_t i = 0; i < n; i++)
-        o->first[cell_of(&o->heights, o->point[i]) + 2]++;
-    for (size_t k = 2; k < cells + 2; k++)
-        o->first[k] += o->first[k - 1];
-    for (size_t i = 0; i < n; i++)
-        o->order[o->first[cell_of(&o->heights, o->point[i]) + 1]++] = i;
-    for (size_t k = 0; k < cells; k++) {
-        struct height_range range = {HUGE_VAL, -HUGE_VAL};
-        for (size_t i = o->first[k]; i < o->first[k + 1]; i++) {
-            range.low = fmin(range.low, o->point[o->order[i]].z);
-            range.high = fmax(range.high, o->point[o->order[i]].z);
-        }
-        size_t nx = (size_t)o->heights.level[0].columns;
-        height_pyramid_set(&o->heights, (struct height_cell){(int)(k % nx), (int)(k / nx)}, range);
-    }
-}
-
 struct collision_body collision_body_points(const struct vec3 *point, size_t n)
 {
-    struct collision_body o = {.point = point};
-    struct box box = box_around(point, n);
-    struct vec3 low = box.low, high = box.high;
-    double area = (high.x - low.x) * (high.y - low.y);
-    double side = fmax(hypot(high.x - low.x, high.y - low.y), 1e-6);
-    double cell = fmax(sqrt(area * IN_CELL / (double)n), side / CELLS_MOST);
-    int nx = (int)((high.x - low.x) / cell) + 1, ny = (int)((high.y - low.y) / cell) + 1;
-    o.heights = height_pyramid_new(low.x, low.y, cell, cell, nx, ny);
-    sort_points(&o, n);
-    return o;
+    return (struct collision_body){.tree = kdtree_new(point, n)};
 }
 
 /* Takes one place into the search; returns its distance. */
@@ -86,21 +41,11 @@ static double search_place(struct holder_search *search, struct vec3 place)
     return distance;
 }
 
-/* What a search through the pyramid is about. */
+/* What a search is about. */
 struct body_search {
     const struct collision_body *body;
     struct holder_search *holder;
 };
-
-static double visit_points(void *context, struct height_cell cell)
-{
-    const struct body_search *search = context;
-    const struct collision_body *o = search->body;
-    size_t k = index_of(&o->heights, cell);
-    for (size_t m = o->first[k]; m < o->first[k + 1]; m++)
-        search_place(search->holder, o->point[o->order[m]]);
-    return search->holder->distance;
-}
 
 /* Top of a column; where nothing is left, or beside the grid, the bottom. */
 static double top_of(const struct stock *s, int i, int j)
@@ -217,20 +162,42 @@ static double bound_box(void *context, struct vec3 middle, struct vec3 half)
     return tool_shape_bound(s->tool, s->centre, s->axis, middle, half);
 }
 
-/* Has all cells looked at where something may be nearer. */
-static void search_cells(const struct collision_body *o, struct holder_search *holder)
+/* Has all cells of a stock looked at where something may be nearer. */
+static void search_stock(const struct collision_body *o, struct holder_search *holder)
 {
     struct body_search context = {o, holder};
-    struct height_search search = {bound_box, o->stock ? visit_stock : visit_points, &context,
-                                   holder->distance, holder->enough};
+    struct height_search search = {bound_box, visit_stock, &context, holder->distance,
+                                   holder->enough};
     height_pyramid_search(&o->heights, &search);
+}
+
+static double value_of_point(const void *context, struct vec3 p, double below)
+{
+    const struct body_search *search = context;
+    (void)below;
+    return search_place(search->holder, p);
+}
+
+static double bound_of_box(const void *context, struct vec3 middle, struct vec3 half)
+{
+    const struct holder_search *s = ((const struct body_search *)context)->holder;
+    return tool_shape_bound(s->tool, s->centre, s->axis, middle, half);
+}
+
+/* Has the points looked at where one may be nearer, by boxes in space: over a wall, a raster in
+ * plan has all of its points in a few cells. */
+static void search_points(const struct collision_body *o, struct holder_search *holder)
+{
+    struct body_search context = {o, holder};
+    const struct kdtree_field field = {value_of_point, bound_of_box, &context};
+    if (!(holder->enough > -HUGE_VAL) || !kdtree_any_lower(o->tree, &field, holder->enough))
+        kdtree_lowest(o->tree, &field, holder->distance);
 }
 
 void collision_body_free(struct collision_body *body)
 {
     height_pyramid_free(&body->heights);
-    free(body->order);
-    free(body->first);
+    kdtree_free(body->tree);
 }
 
 /* What was nearest the last time is near still. */
@@ -251,8 +218,10 @@ void collision_body_nearest(struct collision_body *o, struct holder_search *sear
         follow_stock(o);
     if (o->hinted)
         search_hint(o, search);
-    if (search->distance >= search->enough)
-        search_cells(o, search);
+    if (search->distance >= search->enough && o->stock)
+        search_stock(o, search);
+    else if (search->distance >= search->enough)
+        search_points(o, search);
     if (search->distance < before) {
         o->hinted = true;
         o->hint = search->at;

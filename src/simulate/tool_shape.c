@@ -120,15 +120,31 @@ static double beyond(double x, double low, double high)
     return x < low ? low - x : x > high ? x - high : 0;
 }
 
-/* From the truncated cone, for a place outside of it: by the cone's side, seen along and across. */
-static double outside_cone(const struct tool_span *span, struct flat p)
+static double square(double x)
 {
-    double rise = span->high - span->low, widen = span->to - span->from, side = hypot(rise, widen);
-    double along = ((p.r - span->from) * widen + (p.h - span->low) * rise) / side;
-    double across = ((p.r - span->from) * rise - (p.h - span->low) * widen) / side;
-    double to_side = hypot(beyond(along, 0, side), across);
-    double to_bottom = hypot(beyond(p.r, 0, span->from), p.h - span->low);
-    double to_top = hypot(beyond(p.r, 0, span->to), p.h - span->high);
+    return x * x;
+}
+
+/* A place seen along and across the side of a truncated cone, and how long that is. */
+struct beside {
+    double along, across, side;
+};
+
+static struct beside beside_of(const struct tool_span *span, struct flat p)
+{
+    double rise = span->high - span->low, widen = span->to - span->from;
+    double side = sqrt(rise * rise + widen * widen), r = p.r - span->from, h = p.h - span->low;
+    return (struct beside){(r * widen + h * rise) / side, (r * rise - h * widen) / side, side};
+}
+
+/* Squared distance from the truncated cone, for a place outside of it: by the cone's side, seen
+ * along and across.  Squares are compared, as many of these are asked for. */
+static double outside_cone2(const struct tool_span *span, struct flat p)
+{
+    struct beside s = beside_of(span, p);
+    double to_side = square(beyond(s.along, 0, s.side)) + square(s.across);
+    double to_bottom = square(beyond(p.r, 0, span->from)) + square(p.h - span->low);
+    double to_top = square(beyond(p.r, 0, span->to)) + square(p.h - span->high);
     return fmin(to_side, fmin(to_bottom, to_top));
 }
 
@@ -137,35 +153,33 @@ static bool in_cone(const struct tool_span *span, struct flat p)
     return p.h >= span->low && p.h <= span->high && p.r < span_radius(span, p.h);
 }
 
-/* For a place in the tool, how far it is from what lies outside of it at the heights of a span: an
- * area bounded by the span's side and by a ray outward from each of its ends. */
-static double to_outside(const struct tool_span *span, struct flat p)
+/* For a place in the tool, the squared distance from what lies outside of it at the heights of a
+ * span: an area bounded by the span's side and by a ray outward from each of its ends. */
+static double to_outside2(const struct tool_span *span, struct flat p)
 {
-    double rise = span->high - span->low, widen = span->to - span->from, side = hypot(rise, widen);
-    double along = ((p.r - span->from) * widen + (p.h - span->low) * rise) / side;
-    double across = ((p.r - span->from) * rise - (p.h - span->low) * widen) / side;
-    double least = hypot(beyond(along, 0, side), across);
-    least = fmin(least, hypot(fmax(0, span->from - p.r), p.h - span->low));
-    return fmin(least, hypot(fmax(0, span->to - p.r), p.h - span->high));
+    struct beside s = beside_of(span, p);
+    double least = square(beyond(s.along, 0, s.side)) + square(s.across);
+    least = fmin(least, square(fmax(0, span->from - p.r)) + square(p.h - span->low));
+    return fmin(least, square(fmax(0, span->to - p.r)) + square(p.h - span->high));
 }
 
 double tool_shape_distance(const struct tool_shape *shape, struct vec3 centre, struct vec3 axis,
                            struct vec3 p)
 {
-    struct vec3 d = vec_sub(p, centre);
-    double h = vec_dot(d, axis), least = HUGE_VAL;
-    struct flat at = {vec_length(vec_cross(d, axis)), h};
+    struct vec3 d = vec_sub(p, centre), off = vec_cross(d, axis);
+    double h = vec_dot(d, axis), least2 = HUGE_VAL;
+    struct flat at = {sqrt(vec_dot(off, off)), h};
     bool inside = false;
     for (int i = 0; i < shape->n && !inside; i++) {
         inside = in_cone(&shape->span[i], at);
-        least = fmin(least, outside_cone(&shape->span[i], at));
+        least2 = fmin(least2, outside_cone2(&shape->span[i], at));
     }
     if (!inside)
-        return least;
+        return sqrt(least2);
     double low = shape->span[0].low, high = shape->span[shape->n - 1].high;
-    least = fmin(at.h - low, high - at.h);
+    double least = fmin(at.h - low, high - at.h);
     for (int i = 0; i < shape->n; i++) {
-        least = fmin(least, to_outside(&shape->span[i], at));
+        least = fmin(least, sqrt(to_outside2(&shape->span[i], at)));
         if (i > 0 && shape->span[i].low > shape->span[i - 1].high + THIN) /* a gap between parts */
             least = fmin(
                 least, fmin(fabs(at.h - shape->span[i].low), fabs(at.h - shape->span[i - 1].high)));
