@@ -88,15 +88,32 @@ static int compare_corners(const void *pa, const void *pb)
     return order != 0 ? order : (a->facet > b->facet) - (a->facet < b->facet);
 }
 
+/* The corners of all facets in order: those with the same lowest vertex are few. */
+static void sort_corners(const struct mesh *mesh, struct corners *sorted)
+{
+    size_t n = mesh->face.n, *first = mem_alloc(mesh->vertex.n + 2, sizeof *first);
+
+    for (size_t f = 0; f < n; f++)
+        first[corners_of(mesh, f).v[0] + 2]++;
+    for (size_t v = 2; v < mesh->vertex.n + 2; v++)
+        first[v] += first[v - 1];
+    for (size_t f = 0; f < n; f++) {
+        struct corners c = corners_of(mesh, f);
+        sorted[first[c.v[0] + 1]++] = c;
+    }
+    for (size_t v = 0; v < mesh->vertex.n; v++)
+        if (first[v + 1] - first[v] > 1)
+            qsort(sorted + first[v], first[v + 1] - first[v], sizeof *sorted, compare_corners);
+    free(first);
+}
+
 size_t mesh_clean_doubled(struct mesh *mesh)
 {
     size_t n = mesh->face.n;
     struct corners *corners = mem_alloc(n, sizeof *corners);
     bool *out = mem_alloc(n, sizeof *out);
 
-    for (size_t f = 0; f < n; f++)
-        corners[f] = corners_of(mesh, f);
-    qsort(corners, n, sizeof *corners, compare_corners);
+    sort_corners(mesh, corners);
     for (size_t i = 1; i < n; i++)
         out[corners[i].facet] = compare_vertices(&corners[i - 1], &corners[i]) == 0;
     drop_marked(mesh, out);
@@ -135,7 +152,8 @@ static int corner_at(const struct mesh *mesh, int facet, int vertex)
     return 3 * facet + (v[0] == vertex ? 0 : v[1] == vertex ? 1 : 2);
 }
 
-static int *join_corners(const struct mesh *mesh)
+/* unit[]: the facets' normals. */
+static int *join_corners(const struct mesh *mesh, const struct vec3 *unit)
 {
     struct mesh_edges edges = mesh_edges_find(mesh);
     int *parent = mem_alloc(3 * mesh->face.n, sizeof *parent);
@@ -147,9 +165,7 @@ static int *join_corners(const struct mesh *mesh)
         int f = edge->facet[0], g = edge->facet[1];
         if (f < 0 || g < 0)
             continue;
-        struct vec3 a = vec_unit(mesh_face_cross(mesh, (size_t)f));
-        struct vec3 b = vec_unit(mesh_face_cross(mesh, (size_t)g));
-        for (int i = 0; i < 2 && vec_dot(a, b) >= SHARP; i++)
+        for (int i = 0; i < 2 && vec_dot(unit[f], unit[g]) >= SHARP; i++)
             join_corners_of(parent, corner_at(mesh, f, edge->v[i]), corner_at(mesh, g, edge->v[i]));
     }
     mesh_edges_free(&edges);
@@ -157,7 +173,8 @@ static int *join_corners(const struct mesh *mesh)
 }
 
 /* The facet's normal, as long as its angle at a corner. */
-static struct vec3 weighted_normal(const struct mesh *mesh, size_t facet, int corner)
+static struct vec3 weighted_normal(const struct mesh *mesh, const struct vec3 *unit, size_t facet,
+                                   int corner)
 {
     const int *v = mesh->face.item[facet].v;
     const struct vec3 *p = mesh->vertex.item;
@@ -165,12 +182,15 @@ static struct vec3 weighted_normal(const struct mesh *mesh, size_t facet, int co
     double angle =
         vec_angle(vec_sub(p[v[(corner + 1) % 3]], here), vec_sub(p[v[(corner + 2) % 3]], here));
 
-    return vec_scale(angle, vec_unit(mesh_face_cross(mesh, facet)));
+    return vec_scale(angle, unit[facet]);
 }
 
 void crease_normals(struct mesh *mesh)
 {
-    int *parent = join_corners(mesh);
+    struct vec3 *unit = mem_alloc(mesh->face.n, sizeof *unit);
+    for (size_t f = 0; f < mesh->face.n; f++)
+        unit[f] = vec_unit(mesh_face_cross(mesh, f));
+    int *parent = join_corners(mesh, unit);
     int *number = mem_alloc(3 * mesh->face.n, sizeof *number);
     struct vec3s vertex = {0}, normal = {0};
 
@@ -183,13 +203,14 @@ void crease_normals(struct mesh *mesh)
                 *array_push(&normal) = vec(0, 0, 0);
             }
             struct vec3 *sum = &normal.item[number[root]];
-            *sum = vec_add(*sum, weighted_normal(mesh, f, i));
+            *sum = vec_add(*sum, weighted_normal(mesh, unit, f, i));
         }
     }
     for (size_t i = 0; i < 3 * mesh->face.n; i++)
         mesh->face.item[i / 3].v[i % 3] = number[root_of(parent, (int)i)];
     for (size_t v = 0; v < normal.n; v++)
         normal.item[v] = vec_length(normal.item[v]) > 0 ? vec_unit(normal.item[v]) : vec(0, 0, 1);
+    free(unit);
     free(parent);
     free(number);
     array_free(&mesh->row);

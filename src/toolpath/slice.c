@@ -1,7 +1,9 @@
 /* slice - see slice.h. */
 #include "toolpath/slice.h"
 
+#include <stdint.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "curve/edge_curve.h"
 #include "mesh/mesh_edges.h"
@@ -76,19 +78,42 @@ struct facet_height {
     size_t facet;
 };
 
-static int compare_heights(const void *pa, const void *pb)
+/* A number of which those of larger heights are larger. */
+static uint64_t key_of(double height)
 {
-    const struct facet_height *a = pa, *b = pb;
+    const uint64_t sign = 1ull << 63;
+    uint64_t key;
 
-    if (a->lowest != b->lowest)
-        return a->lowest < b->lowest ? -1 : 1;
-    return (a->facet > b->facet) - (a->facet < b->facet);
+    height += 0.0; /* both zeros are the same */
+    memcpy(&key, &height, sizeof key);
+    return key & sign ? ~key : key | sign;
+}
+
+/* By height, among equals as they are; by digits of 11 bits, the lowest first (Knuth, 5.2.5).
+ * `other` is as long. */
+static void sort_heights(struct facet_height *by, struct facet_height *other, size_t n)
+{
+    enum { BITS = 11, DIGITS = 6, VALUES = 1 << BITS };
+    struct facet_height *from = by, *to = other;
+
+    for (int digit = 0; digit < DIGITS; digit++) { /* an even number: they end where they were */
+        size_t first[VALUES + 1] = {0};
+        for (size_t i = 0; i < n; i++)
+            first[(key_of(from[i].lowest) >> BITS * digit) % VALUES + 1]++;
+        for (int v = 1; v < VALUES; v++)
+            first[v] += first[v - 1];
+        for (size_t i = 0; i < n; i++)
+            to[first[(key_of(from[i].lowest) >> BITS * digit) % VALUES]++] = from[i];
+        struct facet_height *swap = from;
+        from = to;
+        to = swap;
+    }
 }
 
 static void sort_facets(struct slice *cut)
 {
     size_t n = cut->mesh->face.n;
-    struct facet_height *by = mem_alloc(n, sizeof *by);
+    struct facet_height *by = mem_alloc(n, sizeof *by), *other = mem_alloc(n, sizeof *other);
 
     for (size_t f = 0; f < n; f++) {
         const int *v = cut->mesh->face.item[f].v;
@@ -96,7 +121,8 @@ static void sort_facets(struct slice *cut)
         double low = fmin(fmin(h[v[0]], h[v[1]]), h[v[2]]);
         by[f] = (struct facet_height){low, f};
     }
-    qsort(by, n, sizeof *by, compare_heights);
+    sort_heights(by, other, n);
+    free(other);
     cut->order = mem_alloc(n, sizeof *cut->order);
     cut->lowest = mem_alloc(n, sizeof *cut->lowest);
     for (size_t i = 0; i < n; i++) {
