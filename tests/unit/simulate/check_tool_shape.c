@@ -66,6 +66,22 @@ START_TEST(the_larger_radius_counts)
 }
 END_TEST
 
+/* Two cones that cross at a height of 8, where both have a radius of 6; either first. */
+START_TEST(cones_that_cross)
+{
+    const struct tool_span wide_below = {0, 20, 10, 0}, wide_above = {0, 20, 2, 12};
+    for (int first = 0; first < 2; first++) {
+        struct tool_shape shape = {0};
+        ck_assert(tool_shape_add(&shape, first ? wide_below : wide_above));
+        ck_assert(tool_shape_add(&shape, first ? wide_above : wide_below));
+        ck_assert_int_eq(shape.n, 2);
+        for (double h = 0.25; h < 20; h += 0.5)
+            ck_assert_double_eq_tol(tool_shape_radius(&shape, h), fmax(10 - h / 2, 2 + h / 2),
+                                    1e-12);
+    }
+}
+END_TEST
+
 /* The same stacks by the formulas of gouge/holder.h, which are others: outside and inside alike. */
 START_TEST(as_what_guards_the_path_has_it)
 {
@@ -106,6 +122,7 @@ int main(void)
     TCase *tcase = tcase_create("tool_shape");
     tcase_add_test(tcase, distances_known_by_hand);
     tcase_add_test(tcase, the_larger_radius_counts);
+    tcase_add_test(tcase, cones_that_cross);
     tcase_add_test(tcase, as_what_guards_the_path_has_it);
     tcase_add_test(tcase, bounds_hold);
     suite_add_tcase(suite, tcase);

@@ -123,6 +123,39 @@ START_TEST(speeds_that_follow)
 END_TEST
 
 static const struct {
+    const char *words;
+    int number, offset;
+} loads[] = {{"LOADTL/3", 3, 0},
+             {"LOADTL/3,OSETNO,12", 3, 12},
+             {"LOADTL/3,LENGTH,90,OSETNO,12", 3, 12},
+             {"LOADTL/3,ADJUST,99999999", 3, 99999999},
+             {"LOADTL/3,OSETNO,100000000", 3, 0},
+             {"LOADTL/3,OSETNO,1.5", 3, 0},
+             {"LOADTL/3,OSETNO,0", 3, 0},
+             {"LOADTL/3,OSETNO", 3, 0},
+             {"LOADTL/99999999", 99999999, 0}};
+
+/* The first tool and one that follows it, each with the number of its offset. */
+START_TEST(tools_and_offsets)
+{
+    struct path path;
+    struct error error = {.text = ""};
+    char text[400];
+    snprintf(text, sizeof text,
+             "CUTTER/10\n%s\nSPINDL/RPM,900,CLW\nGOTO/0,0,0\nLOADTL/77,OSETNO,7\nGOTO/1,0,0\n"
+             "FINI\n",
+             loads[_i].words);
+    ck_assert_msg(read_text(text, &path, &error) == 0, "%s", error.text);
+    ck_assert_int_eq(path.head.tool, loads[_i].number);
+    ck_assert_int_eq(path.head.offset, loads[_i].offset);
+    ck_assert_uint_eq(path.tool.n, 1);
+    ck_assert_int_eq(path.tool.item[0].number, 77);
+    ck_assert_int_eq(path.tool.item[0].offset, 7);
+    path_free(&path);
+}
+END_TEST
+
+static const struct {
     const char *text;
     struct vec3 to; /* of the last but one point */
     size_t points, unknown;
@@ -191,6 +224,7 @@ int main(void)
 {
     Suite *suite = suite_create("path_tool");
     TCase *tests = tcase_create("words");
+    tcase_add_loop_test(tests, tools_and_offsets, 0, (int)(sizeof loads / sizeof *loads));
     tcase_add_loop_test(tests, feeds_in_all_units, 0, sizeof feeds / sizeof *feeds);
     tcase_add_loop_test(tests, speeds_in_all_words, 0, sizeof speeds / sizeof *speeds);
     tcase_add_loop_test(tests, speeds_that_follow, 0, sizeof later / sizeof *later);
