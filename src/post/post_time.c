@@ -217,6 +217,10 @@ void post_time(struct nc_plan *plan, const struct machine *machine)
     const struct nc_move *last = NULL;
     struct block_pose at = {.a = vec(0, 0, 1)};
     t.way.limits = t.limits;
+    if (plan->ability.feeds == NC_FEEDS_INVERSE) {
+        array_reserve(&t.places, plan->move.n + plan->move.n / 2 + 1); /* most moves have one */
+        array_reserve(&t.move, t.places.cap);
+    }
     for (size_t i = 0; i < plan->move.n; i++) {
         const struct nc_move *move = &plan->move.item[i];
         if (!nc_moves(move)) {
