@@ -350,6 +350,21 @@ START_TEST(refusals)
 }
 END_TEST
 
+/* A plane without an end that nothing trims is no part of the model, and none that is left out. */
+START_TEST(planes_without_end)
+{
+    struct file f = new_file(MM);
+    struct patches patches;
+    struct error error = {.text = ""};
+    add(&f, 128, 0, 0, 64, PATCH);
+    add(&f, 108, 0, 0, 64, "108,0.,0.,1.,5.,0,0.,0.,0.,0.;");
+    ck_assert_msg(read_file(&f, &patches, &error) == 0, "%s", error.text);
+    ck_assert_uint_eq(patches.n, 1);
+    ck_assert_uint_eq(patches.left.n, 0);
+    patches_free(&patches);
+}
+END_TEST
+
 /* What else IGES has than lines of 80 characters is told by the letter of the first one. */
 START_TEST(other_forms)
 {
@@ -381,6 +396,7 @@ int main(void)
     tcase_add_test(tests, transformations);
     tcase_add_test(tests, trimming);
     tcase_add_test(tests, refusals);
+    tcase_add_test(tests, planes_without_end);
     tcase_add_test(tests, other_forms);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);
