@@ -111,6 +111,28 @@ START_TEST(assemblies)
 }
 END_TEST
 
+/* Of four parts each has its own matrix, the third none. */
+START_TEST(assembly_of_four)
+{
+    int face = iges_file_add(510, 0, 0, true, "510,0;");
+    int shell = add(514, 0, "514,1,%d,1;", face, 0, 0);
+    int solid = add(186, 0, "186,%d,1,0;", shell, 0, 0), up[4] = {0};
+    char text[200];
+    for (int i = 0; i < 4; i++)
+        if (i != 2) {
+            snprintf(text, sizeof text, "124,1.,0.,0.,0.,0.,1.,0.,0.,0.,0.,1.,%d.;", 10 * (i + 1));
+            up[i] = iges_file_add(124, 0, 0, true, text);
+        }
+    snprintf(text, sizeof text, "184,4,%d,%d,%d,%d,%d,%d,%d,%d;", solid, solid, solid, solid, up[0],
+             up[1], up[2], up[3]);
+    iges_file_add(184, 1, 0, false, text);
+    ck_assert_int_eq(find(), 0);
+    ck_assert_uint_eq(parts.n, 4);
+    for (int i = 0; i < 4; i++)
+        stands(face, i + 1, false, 1, 2, i == 2 ? 3 : 3 + 10 * (i + 1));
+}
+END_TEST
+
 /* A solid with two voids: three shells, whose faces are of bodies 5, 6, 7 after four others. */
 START_TEST(voids)
 {
@@ -178,6 +200,7 @@ int main(void)
     tcase_add_test(tests, faces_alone);
     tcase_add_test(tests, subfigures);
     tcase_add_test(tests, assemblies);
+    tcase_add_test(tests, assembly_of_four);
     tcase_add_test(tests, voids);
     tcase_add_test(tests, groups_and_instances);
     tcase_add_test(tests, without_end);
