@@ -27,7 +27,7 @@ struct cone_tip {
  * whose points are off it by less than `rms` on average and all round its tip, and that is
  * pointed: two lines opposite each other make a corner of more than 20 degrees.
  */
-enum { CONE_POINTS = 128 };
+enum { CONE_POINTS = 256 };
 int cone_tip_fit(const struct vec3 *point, size_t n, double rms, struct cone_tip *tip);
 
 /* The place r from the tip across the axis, in direction t (radians). */

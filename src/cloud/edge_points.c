@@ -55,7 +55,7 @@ static bool find_cone(const struct edge_work *work, const struct edge_hood *near
 static void widen_cone(const struct edge_work *work, const struct edge_hood *near,
                        struct cone_tip *tip)
 {
-    static const size_t more[] = {CONE_POINTS, 112, 96, 80, 64, 52};
+    static const size_t more[] = {CONE_POINTS, 224, 192, 160, 128, 112, 96, 80, 64, 52};
     const struct point_grid *b = work->options->point_grid;
     uint32_t index[CONE_POINTS];
     double distance2[CONE_POINTS];
