@@ -187,9 +187,11 @@ static void use_all_points(const struct refit *part, struct arcspline_fit *m)
 static bool fit_and_prove(const struct refit *part, struct arcspline_fit *m, double *nearest,
                           struct pieces *out)
 {
+    double enough = ARC_ENOUGH;
+
     m->stage = 0;
     for (int i = 0; i < 4; i++) {
-        double worst = arcspline_optimize(m, ARC_ENOUGH - ARC_ENOUGH_STEP * i);
+        double worst = arcspline_optimize(m, enough);
         *nearest = fmin(*nearest, worst);
         if (worst > 1)
             return false;
@@ -198,6 +200,9 @@ static bool fit_and_prove(const struct refit *part, struct arcspline_fit *m, dou
         if (i == 0)
             use_all_points(part, m);
         m->stage = ARCSPLINE_NEARLY;
+        if (i > 0 && worst <= enough - ARC_ENOUGH_STEP)
+            return false; /* it would not move */
+        enough -= ARC_ENOUGH_STEP;
     }
     return false;
 }

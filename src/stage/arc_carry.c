@@ -4,6 +4,8 @@
 #include "math/elementary.h"
 #include <stdlib.h>
 
+static const double ENDS_MOVED = 0.1; /* mm: by no more, or it is another part */
+
 static bool vec_same(struct vec3 a, struct vec3 b)
 {
     return a.x == b.x && a.y == b.y && a.z == b.z;
@@ -27,10 +29,16 @@ static struct sizes given_points(const struct run *run)
     return given;
 }
 
+/* The same end, as it is or lifted. */
+static bool is_near(const struct run_point *a, const struct run_point *b)
+{
+    return vec_distance(a->ball, b->ball) <= ENDS_MOVED;
+}
+
 bool arc_carry_alike(const struct run *old, const struct run *now)
 {
-    if (old->n < 2 || now->n < 2 || !arc_carry_same(&old->item[0], &now->item[0]) ||
-        !arc_carry_same(&old->item[old->n - 1], &now->item[now->n - 1]))
+    if (old->n < 2 || now->n < 2 || !is_near(&old->item[0], &now->item[0]) ||
+        !is_near(&old->item[old->n - 1], &now->item[now->n - 1]))
         return false;
     struct sizes a = given_points(old), b = given_points(now);
     bool alike = a.n == b.n;

@@ -21,7 +21,8 @@ struct arc_moves {
     struct arc_moved *item;
 };
 
-/* True if both are dense points of the same part: as many that were given, and both ends alike. */
+/* True if both are dense points of the same part: as many that were given, and neither end moved by
+ * more than a tenth of a millimetre. */
 bool arc_carry_alike(const struct run *old, const struct run *now);
 
 /*

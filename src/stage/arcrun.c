@@ -117,21 +117,42 @@ enum {
     WINDOW_MOST = 24, /* pieces that are fitted anew at once */
 };
 
+/* The window's pieces fitted anew, with more beside them where these alone find no place; none
+ * before `first`. */
+static bool refit_window(struct fit *f, const struct deviation *less, struct arc_moved w,
+                         size_t first)
+{
+    static const size_t wider[] = {0, 2, 5};
+
+    for (size_t i = 0; i < sizeof wider / sizeof *wider; i++) {
+        size_t from = w.from > first + wider[i] ? w.from - wider[i] : first;
+        size_t to = w.to + wider[i] < f->pieces.n ? w.to + wider[i] : f->pieces.n;
+        if (to - from > WINDOW_MOST || !arcfit_smooth(&f->pieces, from, to))
+            return false;
+        if (arcfit_refit(&f->reference, less, PATH_COORDINATE, from, to, MORE, &f->pieces))
+            return true;
+    }
+    return false;
+}
+
 /* The pieces of the same part before some of its points moved, with those anew that touch them.
  * False where they are too many, or one of them finds no place. */
 static bool fit_moved(struct fit *f, const struct arcrun_part *before, const struct run *now,
                       const struct deviation *less)
 {
+    const struct reference *t = &f->reference;
     struct arc_moves windows = {0};
     bool good = true;
 
     f->pieces.n = 0;
     arc_carry(&before->points, now, &before->pieces, BESIDE, &f->pieces, &windows);
-    for (size_t k = windows.n; k-- > 0 && good;) { /* those before stay where they are */
-        const struct arc_moved *w = &windows.item[k];
-        good = w->to - w->from <= WINDOW_MOST && arcfit_smooth(&f->pieces, w->from, w->to) &&
-               arcfit_refit(&f->reference, less, PATH_COORDINATE, w->from, w->to, MORE, &f->pieces);
-    }
+    struct arc_piece *first = f->pieces.item, *last = first + f->pieces.n - 1;
+    first->arc.from = t->point[0]; /* the ends may have moved, too */
+    first->axis = t->axis[0];
+    last->arc.to = t->point[t->n - 1];
+    last->axis_to = t->axis[t->n - 1];
+    for (size_t k = windows.n; k-- > 0 && good;) /* those before stay where they are */
+        good = refit_window(f, less, windows.item[k], k > 0 ? windows.item[k - 1].to : 0);
     array_free(&windows);
     return good;
 }

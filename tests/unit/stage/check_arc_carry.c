@@ -46,11 +46,13 @@ START_TEST(alike)
     b.item[5].given = false;
     ck_assert(!arc_carry_alike(&a, &b));
     b.item[5].given = true;
-    b.item[0].ball.z += 1e-6;
+    b.item[0].ball.z += 0.09; /* a corner that was lifted */
+    ck_assert(arc_carry_alike(&a, &b));
+    b.item[0].ball.z += 0.02;
     ck_assert(!arc_carry_alike(&a, &b));
     b.item[0].ball.z = a.item[0].ball.z;
     ck_assert(arc_carry_alike(&a, &b));
-    b.item[b.n - 1].ball.z += 1e-6;
+    b.item[b.n - 1].ball.z += 0.11;
     ck_assert(!arc_carry_alike(&a, &b));
     struct run one = {.n = 1, .item = a.item};
     ck_assert(!arc_carry_alike(&one, &one));
