@@ -245,6 +245,45 @@ static void check_closed(const struct patches *patches, const struct skin *skin,
                   open, patches->item[first].entity);
 }
 
+/* Edges that are open or have more than two facets, of the surfaces as they would be joined. */
+static size_t count_unsound(const struct cli *cli, const struct settings *s,
+                            const struct patches *patches, struct sheet *sheet,
+                            struct patch_mesh *patch_mesh)
+{
+    double size = patches_size(patches);
+    double fine = s->tolerance > 0 ? s->tolerance : fmax(1e-5 * size, 1e-3);
+    double slit = gap_of(s, size) + fine;
+    struct sew_count sewn;
+    tessellate_and_sew(cli, s, patches, size, fine, sheet, patch_mesh, &sewn);
+    skin_close(patch_mesh, slit, s->gap > 0 ? slit : SLIT_WIDEST * slit);
+    struct skin skin = skin_of(patch_mesh);
+    size_t unsound = skin.open + skin.many;
+    skin_free(&skin);
+    return unsound;
+}
+
+/* Groups of loose faces are bodies of their own, which stay apart where they touch, if less is
+ * open, or meets in more than two facets, than where all faces are joined. */
+static void settle_groups(const struct cli *cli, const struct settings *s, struct patches *patches,
+                          struct sheet *sheet, struct patch_mesh *patch_mesh)
+{
+    bool grouped = false;
+    int *group = mem_alloc(patches->n + 1, sizeof *group);
+    for (size_t i = 0; i < patches->n; i++) {
+        group[i] = patches->item[i].group;
+        grouped = grouped || group[i] != 0;
+    }
+    size_t apart = grouped ? count_unsound(cli, s, patches, sheet, patch_mesh) : 0;
+    for (size_t i = 0; i < patches->n && apart > 0; i++)
+        patches->item[i].group = 0;
+    bool joined = apart > 0 && count_unsound(cli, s, patches, sheet, patch_mesh) <= apart;
+    for (size_t i = 0; i < patches->n && !joined; i++)
+        patches->item[i].group = group[i];
+    if (grouped)
+        note("groups of loose faces are %s", joined ? "joined" : "bodies of their own");
+    free(group);
+}
+
 /* Everything between reading and writing; returns how far triangles are off. */
 static double make_patch_mesh(const struct cli *cli, const struct settings *s,
                               const struct patches *patches, struct sheet *sheet,
@@ -371,6 +410,7 @@ int main(int argc, char **argv)
     if (settings.grid > 0) {
         nurbs_report_grid(cli.output, &patches, settings.grid);
     } else {
+        settle_groups(&cli, &settings, &patches, sheet, &patch_mesh);
         double error = make_patch_mesh(&cli, &settings, &patches, sheet, &patch_mesh, &unmet);
         struct concave_radius *concave =
             concave_radius_find_all(&patches, patch_mesh.flipped, cli.threads);

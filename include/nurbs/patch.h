@@ -40,6 +40,7 @@ struct patch {
     char *file;              /* where it was read from ... */
     int entity;              /* ... and its number there: in IGES its directory entry */
     int body;                /* closed shell of the file that it is a face of, from 1; 0: none */
+    int group;               /* of loose faces that the file keeps together, from 1; 0: none */
     bool cavity;             /* that shell bounds a void of its solid: its outside is within */
     double rough;            /* as in a loop, of the surface */
     int ignored;             /* loops of curves that are not read ... */
@@ -60,11 +61,16 @@ struct patches {
     struct patch *item;
     struct scan_sources scan; /* that they were fitted to; none: not said */
     int bodies; /* closed shells so far: faces of two of them are not joined where they touch */
+    int groups; /* of loose faces, numbered up to this */
     struct {
         size_t n, cap;
         struct patches_left *item;
     } left;
 };
+
+/* Are both of one closed shell of the file, or of one group of loose faces?  Bodies that touch stay
+ * apart. */
+bool patch_may_join(const struct patch *a, const struct patch *b);
 
 /* Counts a surface that is not read. */
 void patches_leave_out(struct patches *patches, const char *file, const char *kind, int entity);

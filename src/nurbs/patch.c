@@ -56,6 +56,11 @@ void patch_free(struct patch *patch)
     *patch = (struct patch){0};
 }
 
+bool patch_may_join(const struct patch *a, const struct patch *b)
+{
+    return a->body == b->body && a->group == b->group;
+}
+
 void patches_leave_out(struct patches *patches, const char *file, const char *kind, int entity)
 {
     for (size_t i = 0; i < patches->left.n; i++) {

@@ -47,12 +47,13 @@ static size_t first_at(const struct table *t, const struct patch_mesh *q,
                        const struct patches *patches, size_t v)
 {
     const struct patch_mesh_vertex *at = &q->vertex.item[v];
-    int body = patches->item[at->sheet].body;
-    uint64_t hash = mix(mix(mix((uint64_t)body, at->point.x), at->point.y), at->point.z);
+    const struct patch *of = &patches->item[at->sheet];
+    uint64_t body = (uint64_t)of->body + ((uint64_t)of->group << 32);
+    uint64_t hash = mix(mix(mix(body, at->point.x), at->point.y), at->point.z);
     size_t i = (size_t)hash & t->mask;
     for (; t->place[i] > 0; i = (i + 1) & t->mask) {
         const struct patch_mesh_vertex *there = &q->vertex.item[t->place[i] - 1];
-        if (is_same(there->point, at->point) && patches->item[there->sheet].body == body)
+        if (is_same(there->point, at->point) && patch_may_join(&patches->item[there->sheet], of))
             return t->place[i] - 1;
     }
     t->place[i] = v + 1;

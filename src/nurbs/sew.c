@@ -210,8 +210,8 @@ static bool joins_end(const struct sewing *s, size_t place, size_t a, size_t b)
     return s->next[place] == a || s->next[place] == b || s->last[place] == a || s->last[place] == b;
 }
 
-/* The border vertices within `far` of a point that a sheet may be joined to: those of its own
- * closed shell; bodies that touch stay apart.  Places in border.vertex. */
+/* The border vertices within `far` of a point that a sheet may be joined to.  Places in
+ * border.vertex. */
 static void find_near(const struct sewing *s, struct vec3 p, double far, int sheet,
                       struct sizes *found)
 {
@@ -220,7 +220,7 @@ static void find_near(const struct sewing *s, struct vec3 p, double far, int she
     kdtree_within(s->border.tree, p, far, found);
     for (size_t k = 0; k < found->n; k++) {
         int other = vertex_at(s, s->border.vertex.item[found->item[k]])->sheet;
-        if (s->patches->item[other].body == s->patches->item[sheet].body)
+        if (patch_may_join(&s->patches->item[other], &s->patches->item[sheet]))
             found->item[kept++] = found->item[k];
     }
     found->n = kept;

@@ -7,6 +7,7 @@
 
 #include "base/array.h"
 #include "iges_construct.h"
+#include "iges_groups.h"
 #include "iges_curve.h"
 #include "iges_parts.h"
 #include "iges_trim.h"
@@ -113,6 +114,7 @@ struct trimmed {
     struct transform to;
     int body;    /* as in struct iges_part, ... */
     bool cavity; /* ... and this too */
+    int group;   /* as iges_groups has it */
 };
 
 struct all_trimmed {
@@ -267,7 +269,8 @@ static int add_patch(const struct source *s, const struct trimmed *t, struct err
     struct iges_trimming trimming = {
         .iges = s->iges, .mm = s->mm, .space = e->type != 128 && e->type != 114};
     struct iges_values v;
-    struct patch patch = {.entity = e->number, .body = t->body, .cavity = t->cavity};
+    struct patch patch = {
+        .entity = e->number, .body = t->body, .cavity = t->cavity, .group = t->group};
     if (iges_matrix(s->iges, t->trim ? t->trim->matrix : 0, t->trim ? t->trim->at : e->at,
                     &trimming.outer, error) < 0)
         return -1;
@@ -325,7 +328,8 @@ static int find_trimmed(const struct source *s, struct all_trimmed *all, struct 
     const struct iges_entity *first = s->iges->entity.item, *basis;
     bool *used = mem_alloc(s->iges->entity.n + 1, sizeof *used);
     struct iges_parts parts = {0};
-    int status = iges_parts(s->iges, is_part, &s->patches->bodies, &parts, error);
+    int *group = iges_groups(s->iges, error);
+    int status = group ? iges_parts(s->iges, is_part, &s->patches->bodies, &parts, error) : -1;
     for (size_t i = 0; i < s->iges->entity.n && status == 0; i++) {
         if (is_other(first[i].type))
             leave_out(s, &first[i]);
@@ -344,13 +348,37 @@ static int find_trimmed(const struct source *s, struct all_trimmed *all, struct 
                                                 all->n,
                                                 p->to,
                                                 p->body,
-                                                p->cavity};
+                                                p->cavity,
+                                                group[p->entity - first]};
     }
     if (all->n > 0)
         qsort(all->item, all->n, sizeof *all->item, compare_trimmed);
     array_free(&parts);
+    free(group);
     free(used);
     return status;
+}
+
+/* Groups tell something where each loose face is in one, each once, and there are several of them:
+ * they get numbers of their own among those of all files.  Else there are none. */
+static void settle_groups(struct patches *patches, const struct all_trimmed *all, size_t before)
+{
+    bool several = false, each = true;
+    int most = 0;
+    for (size_t i = before; i < patches->n; i++) {
+        const struct patch *p = &patches->item[i];
+        each = each && (p->body != 0 || p->group != 0);
+        several = several || p->group != patches->item[before].group;
+        most = p->group > most ? p->group : most;
+    }
+    for (size_t i = 1; i < all->n; i++)
+        each = each && (all->item[i].surface != all->item[i - 1].surface ||
+                        all->item[i].trim != all->item[i - 1].trim);
+    for (size_t i = before; i < patches->n; i++) {
+        struct patch *p = &patches->item[i];
+        p->group = several && each && p->body == 0 ? patches->groups + p->group : 0;
+    }
+    patches->groups += most;
 }
 
 int iges_surfaces(const struct iges *iges, double mm, struct patches *patches, struct error *error)
@@ -361,6 +389,7 @@ int iges_surfaces(const struct iges *iges, double mm, struct patches *patches, s
     int status = find_trimmed(&s, &all, error);
     for (size_t i = 0; i < all.n && status == 0; i++)
         status = add_patch(&s, &all.item[i], error);
+    settle_groups(patches, &all, before);
     array_free(&all);
     if (status == 0 && patches->n == before)
         return error_at(error, iges->name, 1,
