@@ -3,7 +3,7 @@
 . "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
 . "$SRC/tests/lib/model.sh"
 
-# boxes GROUPED...: two boxes of 10 that touch in a face, their twelve faces f1 to f12; then the groups
+# boxes GROUP...: two boxes of 10 that touch in a face, their twelve faces f1 to f12, and groups
 boxes() {
 	awk 'function face(n, x, y, z, i,   k, c, text, p, q) {
 			p[0] = x; p[1] = y; p[2] = z; text = ""
