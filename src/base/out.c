@@ -54,7 +54,7 @@ static void watch_signals(void)
  * one may lead to a file that is not there yet.  There is no circle of links: stat has told. */
 static char *resolve_links(const char *file)
 {
-    char to[LINK_MAX_BYTES];
+    char to[LINK_MAX_BYTES] = {0};
     char *real = realpath(file, NULL);
     ssize_t n = real ? -1 : readlink(file, to, sizeof to);
     if (n < 0 || n == sizeof to)
