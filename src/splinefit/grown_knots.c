@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/array.h"
+#include "knots_init.h"
 #include "spline_bound.h"
 #include "spline_lsq.h"
 #include "splinefit/splinefit.h"

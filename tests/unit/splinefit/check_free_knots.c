@@ -1,5 +1,6 @@
 /* Tests of free_knots.h: knots to begin with, and searches for the fewest poles. */
 #include "splinefit/free_knots.h"
+#include "splinefit/knots_init.h"
 
 #include <check.h>
 #include <stdlib.h>
