@@ -119,6 +119,7 @@ int main(void)
     Suite *suite = suite_create("sheet");
     TCase *tests = tcase_create("sheet");
     SRunner *runner = srunner_create(suite);
+    tcase_set_timeout(tests, 60);
     tcase_add_checked_fixture(tests, NULL, teardown);
     tcase_add_test(tests, scale_bar);
     tcase_add_test(tests, legend);
