@@ -318,6 +318,7 @@ int main(int argc, char **argv)
     struct path_coverage coverage = {.scallop = 0};
     if (!planes.region)
         coverage = path_coverage_new(&mesh, &t);
+    t.coverage = coverage.coverage;
     path_options_begin(&mesh, "meshnorm", cli.output, &t);
     if (scallop > 0 && mesh.origin.part.n < 2)
         plane_passes_run_out(&planes.passes[0], &mesh);

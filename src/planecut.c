@@ -233,6 +233,7 @@ int main(int argc, char **argv)
     bool whole = region == &mesh && path_options.certain.n + path_options.doubtful.n > 0;
     struct path_coverage coverage =
         whole ? path_coverage_new(&mesh, &t) : (struct path_coverage){.scallop = 0};
+    t.coverage = coverage.coverage;
     path_options_begin(&mesh, "planecut", cli.output, &t);
     planes.region = region != &mesh;
     plane_passes_run_out(&planes, &mesh);

@@ -8,8 +8,8 @@
  * contacts of a coarse mesh may float above the scan that it was made from, by its sagitta: with
  * `sink` the ball is let down from there until it touches.  So where it fits it touches, and where
  * it does not it runs on the envelope of the balls that do.  That has a corner at each point that
- * takes over from another; so centres are lifted a little more, no more than `smooth`, to where
- * they run most smoothly.  And the normals of single contacts, and lifts along them, put centres to
+ * takes over from another; where more may stay, centres are lifted a little more (lift_smooth.h).
+ * And the normals of single contacts, and lifts along them, put centres to
  * and fro across the row, though a ball touches as well a little beside: so normals are averaged
  * along a row first (`even`), and centres are moved along the surface, no more than `aside`, and
  * lifted anew there.
@@ -31,8 +31,8 @@ struct gouge_lift_options {
     bool between; /* put points between those that are given */
     double tolerance; /* of straight lines against the curve and the part, mm */
     double step;      /* no points nearer than this are put between, mm */
-    double smooth;    /* centres may be lifted by so much more, mm, so that they run smoothly */
-    double aside;     /* and moved sideways, along the surface, by so much, mm, for the same */
+    double aside;     /* centres may be moved sideways, along the surface, by so much, mm, so that
+                         they run smoothly */
     double even;      /* normals of a run become their means over so much of it before and after,
                          mm (smooth_normals.h); 0: they stay */
     double uncut;     /* what may stay uncut under a ball that was lifted, mm */

@@ -30,6 +30,9 @@ struct toolpath_options {
     double approach;     /* the last bit, mm */
     double longest;      /* three rows: so near are neighbours, mm */
     double scallop;      /* between rows, mm; 0: nothing is promised of it */
+    double smooth;       /* centres may be lifted by so much more, mm, so that they run smoothly; 0:
+                            by nothing, also not by `raise` */
+    double raise, leave; /* and by so much where no more than that stays then, mm; 0: nowhere */
     bool one_way;        /* no strip is turned round */
     bool avoid;          /* what the ball can't reach may stay uncut ... */
     bool skip;           /* ... and what the holder keeps the tool from is skipped */
@@ -79,10 +82,13 @@ struct toolpath_uncut {
     double offset; /* of the centre from the part there, mm */
 };
 
+struct coverage;
+
 struct toolpath {
     struct path *path;
     struct toolpath_options rule;
-    struct gouge_lift_options lift; /* of the strips, and what links must be clear of */
+    const struct coverage *coverage; /* what is to be cut, where that is known; NULL */
+    struct gouge_lift_options lift;  /* of the strips, and what links must be clear of */
 
     /* What came of it, over all strips. */
     struct gouge_lift_report report;

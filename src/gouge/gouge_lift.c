@@ -10,9 +10,9 @@
 
 #include "gouge/gouge.h"
 
+#include "lift_place.h"
 #include "smooth_aside.h"
 #include "smooth_normals.h"
-#include "smooth_up.h"
 
 enum { HALVINGS = 20 }; /* of a jump of the lift, at most */
 
@@ -32,35 +32,10 @@ struct lifted_points {
     struct lifted_point *item;
 };
 
-/* Puts the centre of a point there, the axis as the rule says for there, and the tip below by the
- * ball's radius. */
-static void place_point(struct run_point *p, struct vec3 centre,
-                        const struct gouge_lift_options *rule, double radius)
-{
-    p->ball = centre;
-    p->axis = tool_axis_at(&rule->axis, &rule->feed, centre, p->normal);
-    p->tip = vec_along(centre, -radius, p->axis);
-}
-
-/* Where the surface faces down, an axis that would come from below is level instead: the ball
- * touches the same, and its shank is beside the part. */
-static void turn_level(struct run_point *p, const struct gouge_lift_options *rule, double radius)
-{
-    const double flattest = 0.17364817766693033; /* cos 80 degrees: the ball alone touches yet */
-    struct vec3 level = vec_unit(vec(p->axis.x, p->axis.y, 0));
-
-    if (rule->axis.kind != AXIS_LEAN || p->axis.z >= 0 || vec_dot(level, p->normal) < flattest)
-        return;
-    p->axis = level;
-    p->tip = vec_along(p->ball, -radius, level);
-}
-
 static void place_lifted(struct run_point *p, struct vec3 touching, double lift,
                          const struct gouge_lift_options *rule, double radius)
 {
-    place_point(p, vec_along(touching, lift, p->normal), rule, radius);
-    if (rule->guard)
-        turn_level(p, rule, radius);
+    lift_place_along(p, vec_along(touching, lift, p->normal), rule, radius);
 }
 
 /* The tool can come here, where it is clear, from outside: straight down, along its axis or, where
@@ -118,7 +93,7 @@ static struct lifted_point lift_point(const struct run_point *p, const struct kd
     l.unreachable = rule->guard && (blocked || !is_open(&l.p, rule));
     if (l.unreachable) {
         double rise = gouge_rise(rule->guard, l.touching, UP, rule->offset);
-        place_point(&l.p, vec_along(l.touching, rise, UP), rule, radius);
+        lift_place(&l.p, vec_along(l.touching, rise, UP), rule, radius);
     }
     return l;
 }
@@ -155,21 +130,6 @@ static struct lifted_point lift_halfway(const struct lifted_point *a, const stru
     return lift_point(&p, &touch, rule, radius);
 }
 
-/* True if the ball goes no deeper than it safely may on the straight line between two points where
- * it is clear. */
-static bool is_line_clear(const struct run_point *a, const struct run_point *b,
-                          const struct gouge_lift_options *rule)
-{
-    const double slack = 1e-5; /* what clear may mean, and rounding */
-    double may = GOUGE_SAFE * rule->tolerance, within = rule->offset - may;
-    double clear = rule->offset - slack;
-    struct vec3 way = vec_sub(b->ball, a->ball);
-
-    /* What is in neither ball stands no deeper in one between than the sagitta of the way. */
-    return !rule->guard || vec_dot(way, way) / 4 <= clear * clear - within * within ||
-           gouge_clear_along(rule->guard, a->ball, b->ball, rule->offset, may);
-}
-
 /* True if nothing comes between them, for where they would touch they are nearer than two steps. */
 static bool are_close(const struct lifted_point *a, const struct lifted_point *b,
                       const struct gouge_lift_options *rule)
@@ -201,7 +161,7 @@ static void add_between(const struct lifted_point *a, const struct lifted_point 
     double lift = kdtree_leave_these(&touch, sunk, between.normal, rule->offset) -
                   vec_distance(sunk, touching);
     place_lifted(&least, touching, lift, rule, radius);
-    bool clear = is_line_clear(&a->p, &b->p, rule);
+    bool clear = lift_line_clear(&a->p, &b->p, rule);
     if (clear && !a->unreachable && !b->unreachable && on_line(&least, a, b, rule))
         return;
     struct lifted_point l = lift_point(&between, &touch, rule, radius);
@@ -217,7 +177,7 @@ void gouge_lift_contact(struct run *run, const struct gouge_lift_options *rule, 
 {
     struct run_point p = {.contact = contact, .normal = normal, .given = true};
 
-    place_point(&p, vec_along(contact, rule->offset, normal), rule, run->radius);
+    lift_place(&p, vec_along(contact, rule->offset, normal), rule, run->radius);
     *array_push(run) = p;
 }
 
@@ -276,7 +236,7 @@ static bool lift_jumps(const struct lifted_point *a, const struct lifted_point *
 static bool bridge(const struct run_point *a, const struct run_point *b, int halvings,
                    const struct gouge_lift_options *rule, struct run *dense)
 {
-    if (halvings < HALVINGS && is_line_clear(a, b, rule))
+    if (halvings < HALVINGS && lift_line_clear(a, b, rule))
         return true;
     if (halvings == 0)
         return false;
@@ -311,7 +271,7 @@ static bool needs_bridge(const struct lifted_point *a, const struct lifted_point
     if (rule->between && lift_jumps(a, b, rule))
         return true;
     return (rule->between || a->unreachable || b->unreachable) &&
-           !is_line_clear(&a->p, &b->p, rule);
+           !lift_line_clear(&a->p, &b->p, rule);
 }
 
 /* Puts the points into the run, with what the tool needs to get over jumps between them. */
@@ -407,7 +367,7 @@ static void put_back(struct smooth_piece piece, const struct lifted_point *was,
         for (size_t i = piece.n - 1; i > 0; i--) {
             bool moved = vec_distance(l[i].p.ball, was[i].p.ball) > 0 ||
                          vec_distance(l[i - 1].p.ball, was[i - 1].p.ball) > 0;
-            if (!moved || is_line_clear(&l[i - 1].p, &l[i].p, rule))
+            if (!moved || lift_line_clear(&l[i - 1].p, &l[i].p, rule))
                 continue;
             l[i] = was[i];
             l[i - 1] = was[i - 1];
@@ -459,58 +419,22 @@ static void straighten_piece(struct smooth_piece piece, const struct gouge_lift_
     free(point);
 }
 
-/* Lifts them to where they run more smoothly; where the ball is not clear there, or not on the
- * straight line from the point before, both stay. */
-static void smooth_piece(struct smooth_piece piece, const struct gouge_lift_options *rule,
-                         double radius)
-{
-    struct lifted_point *l = piece.item;
-    size_t n = piece.n;
-    struct vec3 *point = mem_alloc(n, sizeof *point), *up = mem_alloc(n, sizeof *up);
-    double *most = mem_alloc(n, sizeof *most), *rise = mem_alloc(n, sizeof *rise);
-    struct lifted_point *was = mem_alloc(n, sizeof *was);
-
-    for (size_t i = 0; i < n; i++) {
-        point[i] = l[i].p.ball;
-        up[i] = l[i].p.normal;
-        most[i] = rule->smooth;
-    }
-    smooth_up(point, up, most, n, rise);
-    for (size_t i = 0; i < n; i++) {
-        was[i] = l[i];
-        if (rise[i] == 0)
-            continue;
-        double lift = vec_dot(vec_sub(point[i], l[i].touching), up[i]) + rise[i];
-        place_lifted(&l[i].p, l[i].touching, lift, rule, radius);
-        if (!gouge_clear_along(rule->guard, l[i].p.ball, l[i].p.ball, rule->offset, 2e-6))
-            l[i] = was[i];
-    }
-    put_back(piece, was, rule);
-    free(was);
-    free(rise);
-    free(most);
-    free(up);
-    free(point);
-}
-
 static bool follows(const struct lifted_point *a, const struct lifted_point *b,
                     const struct gouge_lift_options *rule)
 {
     return !a->unreachable && !b->unreachable && !lift_jumps(a, b, rule) &&
-           is_line_clear(&a->p, &b->p, rule);
+           lift_line_clear(&a->p, &b->p, rule);
 }
 
-static void smooth_points(struct lifted_points *points, const struct gouge_lift_options *rule,
-                          double radius)
+static void straighten_points(struct lifted_points *points, const struct gouge_lift_options *rule,
+                              double radius)
 {
     for (size_t from = 0, to; from < points->n; from = to) {
         for (to = from + 1;
              to < points->n && follows(&points->item[to - 1], &points->item[to], rule);)
             to++;
         struct smooth_piece piece = {points->item + from, to - from};
-        if (rule->aside > 0)
-            straighten_piece(piece, rule, radius);
-        smooth_piece(piece, rule, radius);
+        straighten_piece(piece, rule, radius);
     }
 }
 
@@ -524,7 +448,7 @@ static struct run even_run(const struct run *run, const struct gouge_lift_option
     smooth_normals(&even, rule->even);
     for (size_t i = 0; i < even.n; i++) {
         struct run_point *p = &even.item[i];
-        place_point(p, vec_along(p->contact, rule->offset, p->normal), rule, run->radius);
+        lift_place(p, vec_along(p->contact, rule->offset, p->normal), rule, run->radius);
     }
     return even;
 }
@@ -542,8 +466,8 @@ void gouge_lift_run(const struct run *run, const struct gouge_lift_options *rule
     } else if (rule->between) {
         lift_smooth(run, rule, &points);
     }
-    if (rule->between && rule->guard && rule->smooth > 0)
-        smooth_points(&points, rule, run->radius);
+    if (rule->between && rule->guard && rule->aside > 0)
+        straighten_points(&points, rule, run->radius);
     for (size_t i = 0; !rule->between && i < run->n; i++)
         *array_push(&points) = lift_point(&run->item[i], &nothing, rule, run->radius);
     add_points(to, &points, rule);

@@ -390,6 +390,18 @@ double path_options_row_scallop(void)
     return path_options.scallop - share * more;
 }
 
+/* Over a scan, where less stays than scallops may be high, they may be lifted by a share of that. */
+static void smooth_more(struct toolpath *t)
+{
+    const double raise = 1 / 3.0, leave = 0.65; /* of the scallop */
+    const struct path_options *c = &path_options;
+
+    if (c->smooth >= 0 || !c->guarded)
+        return;
+    t->rule.raise = raise * c->scallop;
+    t->rule.leave = leave * c->scallop;
+}
+
 int path_options_rules(const struct mesh *mesh, const struct gouge_check *guard, double distance,
                        struct toolpath *t, struct error *error)
 {
@@ -423,13 +435,14 @@ int path_options_rules(const struct mesh *mesh, const struct gouge_check *guard,
     t->lift.between = c->tolerance > 0;
     t->lift.sink = guard ? sink_of(mesh, t->threads) : 0;
     t->lift.step = 0.05;
-    t->lift.smooth = smooth_of(t->lift.tolerance);
+    t->rule.smooth = smooth_of(t->lift.tolerance);
+    smooth_more(t);
     if (guard && path_options_row_scallop() < c->scallop)
-        note("centres are lifted by up to %g mm more where they run smoothly then: rows for "
-             "scallops of %g mm",
-             t->lift.smooth, path_options_row_scallop());
+        note("centres are lifted by up to %g mm more where they run smoothly then, and by %g where "
+             "that leaves no more than %g: rows for scallops of %g mm",
+             t->rule.smooth, t->rule.raise, t->rule.leave, path_options_row_scallop());
     t->lift.aside =
-        t->lift.smooth > 0 && c->scallop > 0 ? ASIDE * scallop_step(c->scallop, c->radius, 0) : 0;
+        t->rule.smooth > 0 && c->scallop > 0 ? ASIDE * scallop_step(c->scallop, c->radius, 0) : 0;
     t->lift.even = t->lift.aside > 0 && c->guarded && c->avoid ? EVEN * c->radius : 0;
     t->lift.uncut = 3 * t->lift.tolerance + 2 * fmax(c->noise, 0);
     return clearance_plane(mesh, guard, &t->rule.clearance, error);

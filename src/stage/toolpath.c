@@ -23,7 +23,7 @@ void toolpath_strip(struct toolpath *t, size_t pass, const struct contact *conta
 
     strip.lift.feed.along = along;
     if (t->rest) /* cuts what others left, to the last of it */
-        strip.lift.smooth = strip.lift.aside = strip.lift.even = 0;
+        strip.lift.aside = strip.lift.even = 0;
     array_reserve(&strip.contact, n);
     for (size_t i = 0; i < n; i++)
         *array_push(&strip.contact) = contact[i];
@@ -358,6 +358,14 @@ static void lift_strips(void *context, size_t first, size_t last)
         toolpath_lift_strip(b->t, &b->t->strip.item[b->from + i]);
 }
 
+static void plan_strips(void *context, size_t first, size_t last)
+{
+    const struct batch *b = context;
+
+    for (size_t i = first; i < last; i++)
+        toolpath_plan_strip(b->t, &b->t->strip.item[b->from + i]);
+}
+
 /* Where the ball's centre is on a lifted strip. */
 static void add_swept(struct toolpath *t, const struct lifted_strip *lifted)
 {
@@ -423,9 +431,22 @@ static void remove_slivers(struct toolpath *t)
     array_free(&parts);
 }
 
+/* Does something to all strips that wait, and says how far it is. */
+static void in_batches(struct toolpath *t, void (*work)(void *, size_t, size_t), const char *what)
+{
+    const size_t batch = 16;
+
+    for (size_t from = t->lifted, to; from < t->strip.n; from = to) {
+        struct batch b = {t, from};
+        to = t->strip.n - from < batch ? t->strip.n : from + batch;
+        parallel_for(t->threads, to - from, work, &b);
+        progress(what, to, t->strip.n);
+    }
+}
+
 void toolpath_cut(struct toolpath *t)
 {
-    const size_t batch = 16, first = t->lifted;
+    const size_t first = t->lifted;
 
     if (first == 0 && t->rule.turn > 0)
         toolpath_choose_lean(t);
@@ -434,20 +455,17 @@ void toolpath_cut(struct toolpath *t)
         if (t->planner)
             t->frame = rotary_frame_of(&t->rule.chain);
     }
-    for (size_t from = t->lifted, to; from < t->strip.n; from = to) {
-        struct batch b = {t, from};
-        to = t->strip.n - from < batch ? t->strip.n : from + batch;
-        parallel_for(t->threads, to - from, lift_strips, &b);
-        progress("lifting", to, t->strip.n);
-        for (size_t k = from; k < to; k++) {
-            if (t->strip.item[k].rest)
-                remove_idle(&t->strip.item[k].lifted, t->rule.radius);
-            else
-                add_strip(t, &t->strip.item[k]);
-            array_free(&t->strip.item[k].contact);
-        }
-        t->lifted = to;
+    in_batches(t, lift_strips, "lifting");
+    toolpath_smooth(t, first);
+    in_batches(t, plan_strips, "axes");
+    for (size_t k = first; k < t->strip.n; k++) {
+        if (t->strip.item[k].rest)
+            remove_idle(&t->strip.item[k].lifted, t->rule.radius);
+        else
+            add_strip(t, &t->strip.item[k]);
+        array_free(&t->strip.item[k].contact);
     }
+    t->lifted = t->strip.n;
     if (first == 0 && t->lift.guard)
         remove_slivers(t);
     for (size_t k = first; k < t->lifted; k++)

@@ -139,7 +139,7 @@ static void take_plan(struct toolpath_strip *strip, const struct axis_plan *plan
 }
 
 /* The axes of all parts of the strip. */
-static void plan_strip(const struct toolpath *t, struct toolpath_strip *strip)
+static void plan_axes(const struct toolpath *t, struct toolpath_strip *strip)
 {
     struct lifted_strip *lifted = &strip->lifted, planned = {.run.radius = lifted->run.radius};
 
@@ -224,7 +224,6 @@ void toolpath_lift_strip(const struct toolpath *t, struct toolpath_strip *strip)
 {
     struct lifted_strip *lifted = &strip->lifted;
     struct run nodes = {.radius = t->rule.radius};
-    size_t from = 0;
 
     for (size_t i = 0; i < strip->contact.n; i++)
         gouge_lift_contact(&nodes, &strip->lift, strip->contact.item[i].p,
@@ -233,8 +232,15 @@ void toolpath_lift_strip(const struct toolpath *t, struct toolpath_strip *strip)
     gouge_lift_run(&nodes, &strip->lift, lifted);
     array_free(&nodes);
     remove_loops(t, strip);
+}
+
+void toolpath_plan_strip(const struct toolpath *t, struct toolpath_strip *strip)
+{
+    struct lifted_strip *lifted = &strip->lifted;
+    size_t from = 0;
+
     if (t->planner)
-        plan_strip(t, strip);
+        plan_axes(t, strip);
     /* Points put between them lie on the smooth path. */
     for (size_t k = 0; !strip->lift.between && k < lifted->end.n; k++) {
         strip->chord = fmax(strip->chord, chord_of(&lifted->run, from, lifted->end.item[k]));

@@ -1,7 +1,7 @@
 /*
  * toolpath_parts - what the files of toolpath.h share: strips lifted and their axes shaped
- * (toolpath_axes.c), their parts put in order (toolpath_order.c), linked and put into the path
- * (toolpath.c).
+ * (toolpath_axes.c), centres smoothed (toolpath_smooth.c), their parts put in order
+ * (toolpath_order.c), linked and put into the path (toolpath.c).
  */
 #ifndef CLOUDMILL_TOOLPATH_PARTS_H
 #define CLOUDMILL_TOOLPATH_PARTS_H
@@ -18,9 +18,16 @@ struct axis_planner *toolpath_new_planner(const struct toolpath *t);
 /* How far rules may lean inward near the ends of a run, radians: none where a lead is asked for. */
 double toolpath_inward(const struct toolpath *t);
 
-/* Lifts a strip and plans its axes (axis_plan.h).  Where the tool can't come to, points are left
- * out and the strip is in more parts. */
+/* Lifts a strip and cuts its loops off. */
 void toolpath_lift_strip(const struct toolpath *t, struct toolpath_strip *strip);
+
+/* Raises the centres of lifted rows, from this one on, to where they run smoothly (lift_smooth.h):
+ * by rule.smooth, and by rule.raise where that leaves no more than rule.leave. */
+void toolpath_smooth(struct toolpath *t, size_t first);
+
+/* Plans the axes of a lifted strip (axis_plan.h).  Where the tool can't come to, points are left
+ * out and the strip is in more parts. */
+void toolpath_plan_strip(const struct toolpath *t, struct toolpath_strip *strip);
 
 struct toolpath_parts {
     size_t n, cap;

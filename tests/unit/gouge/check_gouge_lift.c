@@ -4,8 +4,6 @@
 #include <check.h>
 #include <stdlib.h>
 
-#include "noisy.h"
-
 static const double R = 5;
 
 static struct gouge_lift_options make_rule(const struct gouge_check *guard, bool between)
@@ -41,46 +39,6 @@ START_TEST(a_point_stands_as_the_offset_says)
     ck_assert_double_lt(vec_distance(p.tip, vec_along(p.ball, -R, p.axis)), 1e-12);
     ck_assert_double_eq_tol(vec_angle(p.axis, n), 0.2, 1e-12);
     array_free(&run);
-}
-END_TEST
-
-/* Over scattered points the ball runs on the envelope of balls that touch, with a corner at each;
- * it may rise a little to run smoothly, and is no deeper in any point than before. */
-START_TEST(smooth_over_single_points)
-{
-    enum { POINTS = 3000 };
-    struct vec3 *point = mem_alloc(POINTS, sizeof *point);
-    double bends[2] = {0}, deepest[2] = {0}, highest[2] = {0};
-
-    noisy_seed(9);
-    for (int i = 0; i < POINTS; i++)
-        point[i] = vec(24 * noisy_uniform() - 12, 8 * noisy_uniform() - 4, 0.002 * noisy_normal());
-    struct gouge_check *guard = gouge_from_points(point, POINTS);
-    for (int k = 0; k < 2; k++) {
-        struct gouge_lift_options rule = make_rule(guard, true);
-        struct run run = {.radius = R};
-        struct lifted_strip lifted = {.run = {.radius = R}};
-        rule.smooth = k * 0.005;
-        for (int i = -40; i <= 40; i++)
-            gouge_lift_contact(&run, &rule, vec(0.25 * i, 0, 0), vec(0, 0, 1));
-        gouge_lift_run(&run, &rule, &lifted);
-        const struct run_point *p = lifted.run.item;
-        for (size_t i = 1; i < lifted.run.n; i++) {
-            highest[k] = fmax(highest[k], p[i].ball.z);
-            deepest[k] = fmax(deepest[k], gouge_depth_along(guard, p[i - 1].ball, p[i].ball, R));
-            if (i > 1)
-                bends[k] +=
-                    fabs((p[i].ball.z - p[i - 1].ball.z) / (p[i].ball.x - p[i - 1].ball.x) -
-                         (p[i - 1].ball.z - p[i - 2].ball.z) / (p[i - 1].ball.x - p[i - 2].ball.x));
-        }
-        lifted_strip_free(&lifted);
-        array_free(&run);
-    }
-    ck_assert_double_lt(bends[1], 0.6 * bends[0]);
-    ck_assert_double_le(deepest[1], deepest[0] + 1e-6);
-    ck_assert_double_le(highest[1], highest[0] + 0.005 + 1e-9);
-    gouge_free(guard);
-    free(point);
 }
 END_TEST
 
@@ -422,7 +380,6 @@ START_TEST(a_row_is_straight_though_its_normals_are_not)
         struct gouge_lift_options rule = make_rule(guard, true);
         struct run run = {.radius = R};
         struct lifted_strip lifted = {.run = {.radius = R}};
-        rule.smooth = 0.001;
         rule.aside = k == 1 ? 0.08 : 0;
         rule.even = k == 2 ? 2 : 0;
         for (int i = -8; i <= 8; i++)
@@ -451,7 +408,6 @@ int main(void)
     Suite *suite = suite_create("gouge_lift");
     TCase *tests = tcase_create("gouge_lift");
     tcase_add_test(tests, a_point_stands_as_the_offset_says);
-    tcase_add_test(tests, smooth_over_single_points);
     tcase_add_test(tests, a_row_is_straight_though_its_normals_are_not);
     tcase_add_test(tests, without_a_guard_nothing_is_lifted);
     tcase_add_test(tests, a_ball_rolls_over_a_pin);

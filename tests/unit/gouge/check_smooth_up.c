@@ -8,6 +8,8 @@
 
 enum { N = 200 };
 
+static const double LENGTH = 2.5; /* mm: waves that stay are six times as long */
+
 static struct vec3 point[N], up[N];
 static double most[N], rise[N];
 
@@ -46,7 +48,7 @@ static double bending(bool raised)
 START_TEST(ripple)
 {
     make(0.6); /* ripples of 0.009 mm */
-    smooth_up(point, up, most, N, rise);
+    smooth_up(point, up, most, LENGTH, N, rise);
     for (int i = 0; i < N; i++) {
         ck_assert_double_ge(rise[i], 0);
         ck_assert_double_le(rise[i], most[i]);
@@ -60,7 +62,7 @@ END_TEST
 START_TEST(small_ripple_goes)
 {
     make(0.3); /* 0.002 mm, within the bounds */
-    smooth_up(point, up, most, N, rise);
+    smooth_up(point, up, most, LENGTH, N, rise);
     ck_assert_double_lt(bending(true), 0.12 * bending(false));
 }
 END_TEST
@@ -72,16 +74,16 @@ START_TEST(stays)
         up[i] = vec(0, 0, 1);
         most[i] = 0.01;
     }
-    smooth_up(point, up, most, N, rise);
+    smooth_up(point, up, most, LENGTH, N, rise);
     for (int i = 0; i < N; i++)
         ck_assert_double_lt(rise[i], 1e-9);
     make(0.6);
     for (int i = 0; i < N; i++)
         most[i] = 0;
-    smooth_up(point, up, most, N, rise);
+    smooth_up(point, up, most, LENGTH, N, rise);
     for (int i = 0; i < N; i++)
         ck_assert_double_eq(rise[i], 0);
-    smooth_up(point, up, most, 2, rise); /* nothing between */
+    smooth_up(point, up, most, LENGTH, 2, rise); /* nothing between */
     ck_assert_double_eq(rise[1], 0);
 }
 END_TEST
@@ -91,7 +93,7 @@ START_TEST(twice_in_one_place)
 {
     make(0.6);
     point[50] = point[51];
-    smooth_up(point, up, most, N, rise);
+    smooth_up(point, up, most, LENGTH, N, rise);
     for (int i = 0; i < N; i++)
         ck_assert(rise[i] >= 0 && rise[i] <= most[i]);
 }
