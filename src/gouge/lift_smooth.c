@@ -38,7 +38,7 @@ static double spacing_of(const struct gouge_lift_options *rule)
     return fmax(rule->step, sqrt(rule->tolerance * rule->offset));
 }
 
-/* A place between two points: on the smooth curve if the ball is as good as clear there, else on the
+/* A place between two points: on the smooth curve if the ball is nearly clear there, else on the
  * straight line, which was looked at; and out of what it is in yet. */
 static struct run_point between(const struct run_point *a, const struct vec3 *tangent, double s,
                                 const struct gouge_lift_options *rule, double radius)

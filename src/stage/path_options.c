@@ -390,7 +390,7 @@ double path_options_row_scallop(void)
     return path_options.scallop - share * more;
 }
 
-/* Over a scan, where less stays than scallops may be high, they may be lifted by a share of that. */
+/* Over a scan, where less stays than scallops may be high, they may be lifted by a part of that. */
 static void smooth_more(struct toolpath *t)
 {
     const double raise = 1 / 3.0, leave = 0.65; /* of the scallop */
