@@ -80,11 +80,12 @@ $(BUILD)/%.o: %.c
 	$(CC) $(FLAGS) $(CFLAGS) $(CPPFLAGS) -MD -MP -c -o $@ $<
 
 # Readers of models and machines, trimming, clipping and what calls the stages run once, and sharp
-# edges are few: at most -O2, so that no tool has more than 1 MB.  An optimiser changes no byte of a
+# edges are few, as are the lifts of a strip and its links beside what they ask: at most -O2, so that no tool has more than 1 MB.  An optimiser changes no byte of a
 # result.
 once := io/nurbs/% nurbs/trim_% nurbs/construct nurbs/uv_polygon machine/machine% stage/% \
   mesh/mesh_clip mesh/mesh_repair toolpath/pass_extend toolpath/rest_passes base/cli \
-  cloud/crest_fit cloud/edge_points cloud/edge_meet cloud/edge_crest cloud/edge_fill
+  cloud/crest_fit cloud/edge_points cloud/edge_meet cloud/edge_crest cloud/edge_fill \
+  gouge/gouge_lift gouge/lift_smooth gouge/link gouge/smooth_up gouge/smooth_aside
 $(once:%=$(BUILD)/src/%.o): CFLAGS := $(CFLAGS:-O3=-O2)
 
 # The file VERSION is what `--version`, the tarball and the packages say.
