@@ -80,8 +80,8 @@ $(BUILD)/%.o: %.c
 	$(CC) $(FLAGS) $(CFLAGS) $(CPPFLAGS) -MD -MP -c -o $@ $<
 
 # Readers of models and machines, trimming, clipping and what calls the stages run once, and sharp
-# edges are few, as are the lifts of a strip and its links beside what they ask: at most -O2, so that no tool has more than 1 MB.  An optimiser changes no byte of a
-# result.
+# edges are few, as are the lifts of a strip and its links beside what they ask: at most -O2, so that
+# no tool has more than 1 MB.  An optimiser changes no byte of a result.
 once := io/nurbs/% nurbs/trim_% nurbs/construct nurbs/uv_polygon machine/machine% stage/% \
   mesh/mesh_clip mesh/mesh_repair toolpath/pass_extend toolpath/rest_passes base/cli \
   cloud/crest_fit cloud/edge_points cloud/edge_meet cloud/edge_crest cloud/edge_fill \
