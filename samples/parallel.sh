@@ -38,7 +38,7 @@ cp "$path" "$work/path.cl" || exit 1
 ship='--basefile path.cl --basefile part.sh' guards='' n=0
 case " $* " in *' -g'* | *' --guard'* | *' --no-guard '*) named=/dev/null ;; *) named=$path ;; esac
 sed -n 's/^\$\$-> SCAN\/[0-9]*,[0-9a-f]*,//p' "$named" >"$work/scans"
-while [ "$hosts" != : ] && read -r scan; do
+while read -r scan; do
 	n=$((n + 1))
 	cp "$scan" "$work/scan-$n.xyz" || exit 1
 	ship="$ship --basefile scan-$n.xyz" guards="$guards -g scan-$n.xyz"

@@ -34,7 +34,7 @@ for what in saddle:8:0 bowl:12:3; do
 	ok "$1: a mesh" cloud2mesh -q -t 1.5 -o shape.ply "$1.xyz"
 	status "$3" "$1, a ball of $2" meshnorm -q --ball-only -r "$2" --scallop 0.02 -g "$1.xyz" -o shape.cl shape.ply
 	for fitter in biarcfit bsplfit; do
-		status 0 "$1, $fitter" $fitter -q -e 0.01 -g "$1.xyz" -o fitted.cl shape.cl
+		status "$3" "$1, $fitter" $fitter -q -e 0.01 -g "$1.xyz" -o fitted.cl shape.cl
 		status 0 "$1, ball of $2, $fitter: no deeper than 0.04 mm in what is true" \
 			"$READBACK" --scan "$1.true" --deeper 0.04 fitted.cl
 		grep ^ball: out | sed 's/^/# /'
