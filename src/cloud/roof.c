@@ -128,7 +128,8 @@ static int compare_squares(const void *pa, const void *pb)
     return (a->index > b->index) - (a->index < b->index);
 }
 
-/* One of each square of half the gap, the highest. */
+/* One of each square of half the gap, the highest.  The last of a line is at the bottom: a scan that
+ * is flatter than the gap would have none. */
 static void hang(const struct point_grid *grid, struct rim_point *rim, size_t n, double gap,
                  double bottom, struct vec3s *to)
 {
@@ -141,6 +142,8 @@ static void hang(const struct point_grid *grid, struct rim_point *rim, size_t n,
                 top = grid->point[rim[end].index];
         for (double k = 1; top.z - k * gap > bottom; k++)
             *array_push(to) = vec(top.x, top.y, top.z - k * gap);
+        if (top.z > bottom)
+            *array_push(to) = vec(top.x, top.y, bottom);
     }
 }
 

@@ -132,10 +132,10 @@ START_TEST(a_curtain)
         double inside = fmin(fmin(p.x, 20 - p.x), fmin(p.y, 20 - p.y));
         ck_assert(vec_distance(p, curtain[1].item[i]) == 0);
         ck_assert_double_le(inside, 1e-9);
-        ck_assert(p.z < 0 && p.z > bottom);
+        ck_assert(p.z < 0 && p.z >= bottom);
     }
     for (double along = 0; along <= 20; along += 0.1)
-        for (double z = -gap; z > bottom + gap; z -= 0.1) {
+        for (double z = -gap; z >= bottom; z -= 0.1) {
             double nearest = HUGE_VAL;
             for (size_t i = 0; i < curtain[0].n; i++)
                 nearest = fmin(nearest, vec_distance(curtain[0].item[i], vec(along, 0, z)));
@@ -143,6 +143,22 @@ START_TEST(a_curtain)
         }
     array_free(&curtain[0]);
     array_free(&curtain[1]);
+}
+END_TEST
+
+/* Under a plate that is thinner than the gap, points hang at the bottom. */
+START_TEST(a_low_curtain)
+{
+    const double gap = 1.25, bottom = -0.5;
+    struct vec3s p = {0}, curtain = {0};
+    sheet(&p, 0, 0, 20, 20, 0);
+    struct found f = find(&p, ROOF_GUARD, 1);
+    roof_curtain(&f.grid, f.roof, gap, bottom, 1, &curtain);
+    ck_assert_uint_ge(curtain.n, 4 * (size_t)(20 / gap));
+    for (size_t i = 0; i < curtain.n; i++)
+        ck_assert(curtain.item[i].z == bottom);
+    discard(&f, &p);
+    array_free(&curtain);
 }
 END_TEST
 
@@ -154,6 +170,7 @@ int main(void)
     tcase_add_test(tcase, overhangs_and_slopes);
     tcase_add_test(tcase, judged_by_less);
     tcase_add_test(tcase, a_curtain);
+    tcase_add_test(tcase, a_low_curtain);
     suite_add_tcase(suite, tcase);
     SRunner *runner = srunner_create(suite);
     srunner_run_all(runner, CK_ENV);
