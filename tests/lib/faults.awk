@@ -249,6 +249,7 @@ END {
 	if (!count)
 		exit 4
 	pick = may[kind ~ /^(retract|ORIMKS|no-offset|dry)$/ ? count : draw(count)]
+	stands = kind == "axis" || kind == "sign" ? turns(pick) : "" # a word that holds until the next
 	change(pick)
 	k = 0
 	# numbers anew; those of motions from two before the fault to two after it may be named
@@ -256,11 +257,14 @@ END {
 		for (from = pick; from < NR && !cuts(from); from++) ;
 	else
 		from = pick
+	to = from + reach
+	for (i = pick + 1; stands != "" && i <= NR && word(line[i], stands) == ""; i++)
+		to = i > to ? i : to
 	for (i = 1; i <= NR; i++) {
 		t = line[i]
 		if (gone[i])
 			continue
-		near = (i >= from - reach && i <= from + reach)
+		near = (i >= from - reach && i <= to)
 		if (kind == "poly") # all of them have it
 			near = near || t ~ /PO\[/
 		if (control == "heidenhain") {
