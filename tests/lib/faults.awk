@@ -72,7 +72,7 @@ function amid(i) {
 function turns(i,   k, v) {
 	for (k = 1; k <= axes; k++) {
 		v = word(line[i], axis[k])
-		if (v != "" && (v < 0 ? -v : v) > least)
+		if (v != "" && (v < 0 ? -v : +v) > least)
 			return axis[k]
 	}
 	return ""
@@ -80,7 +80,7 @@ function turns(i,   k, v) {
 
 # Beside the pole another angle is hardly another axis.
 function leans(t,   a, b) {
-	a = word(t, "A"); b = word(t, "B")
+	a = word(t, "A") + 0; b = word(t, "B") + 0
 	return a > least || a < -least || b > least || b < -least
 }
 
