@@ -33,30 +33,34 @@ void unmets_add_all(struct unmets *unmets, const struct unmets *from)
         unmets_add(unmets, from->item[i].stage, from->item[i].text);
 }
 
-void unmet_say(struct unmets *unmets, const char *format, ...)
+/* By `how`, say or warn, and kept. */
+static void tell(struct unmets *unmets, void (*how)(const char *format, ...), const char *format,
+                 va_list args)
 {
     char text[TEXT_MAX];
-    va_list args;
 
-    va_start(args, format);
     vsnprintf(text, sizeof text, format, args);
-    va_end(args);
-    say("%s", text);
+    how("%s", text);
     if (unmets)
         unmets_add(unmets, cli_tool(), text);
 }
 
-void unmet_warn(struct unmets *unmets, const char *format, ...)
+void unmet_say(struct unmets *unmets, const char *format, ...)
 {
-    char text[TEXT_MAX];
     va_list args;
 
     va_start(args, format);
-    vsnprintf(text, sizeof text, format, args);
+    tell(unmets, say, format, args);
     va_end(args);
-    warn("%s", text);
-    if (unmets)
-        unmets_add(unmets, cli_tool(), text);
+}
+
+void unmet_warn(struct unmets *unmets, const char *format, ...)
+{
+    va_list args;
+
+    va_start(args, format);
+    tell(unmets, warn, format, args);
+    va_end(args);
 }
 
 int unmets_status(const struct unmets *unmets)

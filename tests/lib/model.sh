@@ -127,3 +127,11 @@ shell CLOSED_SHELL('',({f1},{f2},{f3},{f4}))
 SOLID MANIFOLD_SOLID_BREP('',{shell})
 END
 }
+
+vertex_box() { # FILE: the least and the largest coordinates
+	awk '/end_header/ { on = 1; next }
+		on && NF == 7 { for (i = 1; i <= 3; i++) { if (!(i in low) || $i < low[i]) low[i] = $i
+			if (!(i in high) || $i > high[i]) high[i] = $i } }
+		END { for (i = 1; i <= 6; i++)
+			printf "%s%.3f", (i > 1 ? " " : ""), (i < 4 ? low[i] : high[i - 3]) + 0 }' "$1"
+}

@@ -4,14 +4,6 @@
 . "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
 . "$SRC/tests/lib/model.sh"
 
-vertex_box() { # FILE: the least and the largest coordinates
-	awk '/end_header/ { on = 1; next }
-		on && NF == 7 { for (i = 1; i <= 3; i++) { if (!(i in low) || $i < low[i]) low[i] = $i
-			if (!(i in high) || $i > high[i]) high[i] = $i } }
-		END { for (i = 1; i <= 6; i++)
-			printf "%s%.3f", (i > 1 ? " " : ""), (i < 4 ? low[i] : high[i - 3]) + 0 }' "$1"
-}
-
 # ---- IGES: curves and surfaces of other kinds
 
 bounded() { # NAME CURVES: a plane bounded by these curves of those from standard input
