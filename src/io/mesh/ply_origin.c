@@ -15,11 +15,20 @@ struct mesh_origin ply_origin_none(void)
     return (struct mesh_origin){.ledger = NAN};
 }
 
-/* The text after `key` and a blank, or NULL when the comment does not begin so. */
+/* PLY parts words by blanks; a program that writes tabs loses nothing. */
+static bool is_blank(char c)
+{
+    return c == ' ' || c == '\t';
+}
+
+/* The text after `key` and a blank, or NULL when the comment does not begin so; `key` may have a
+ * blank itself. */
 static const char *text_after(const char *comment, const char *key)
 {
-    size_t n = strlen(key);
-    return strncmp(comment, key, n) == 0 && comment[n] == ' ' ? comment + n + 1 : NULL;
+    for (; *key; key++, comment++)
+        if (*comment != *key && !(*key == ' ' && is_blank(*comment)))
+            return NULL;
+    return is_blank(*comment) ? comment + 1 : NULL;
 }
 
 static int read_number(const char *key, const char *text, double *value, struct error *error)
@@ -60,8 +69,8 @@ static int read_surface(const char *text, struct mesh_origin *origin, struct err
     double *to[] = {&s.radius, &s.at.x, &s.at.y, &s.at.z};
     const char *rest = text_after(text, "none");
     for (int i = 0; i < 4 && !rest; i++) {
-        text += strspn(text, " ");
-        if (!num_read(&text, to[i]) || !isfinite(*to[i]) || *text != ' ')
+        text += strspn(text, " \t");
+        if (!num_read(&text, to[i]) || !isfinite(*to[i]) || !is_blank(*text))
             return error_set(error, "comment surface with %d numbers, expected 4 or none", i);
     }
     rest = rest ? rest : text + 1;
@@ -76,7 +85,7 @@ static int read_surface(const char *text, struct mesh_origin *origin, struct err
 /* How many points, their hash, the name. */
 static int read_scan(const char *text, struct mesh_origin *origin, struct error *error)
 {
-    if (scan_sources_read(&origin->scan, text, ' '))
+    if (scan_sources_read(&origin->scan, text, text[strcspn(text, " \t")]))
         return 0;
     return error_set(error, "comment scan with '%.40s', expected points, hash and name", text);
 }
@@ -84,8 +93,8 @@ static int read_scan(const char *text, struct mesh_origin *origin, struct error 
 /* The stage, and what it could not keep. */
 static int read_unmet(const char *text, struct mesh_origin *origin, struct error *error)
 {
-    size_t n = strcspn(text, " ");
-    if (n == 0 || text[n] != ' ')
+    size_t n = strcspn(text, " \t");
+    if (n == 0 || !text[n])
         return error_set(error, "comment unmet with '%.40s', expected a stage and a text", text);
     char *stage = mem_string(text, n);
     unmets_add(&origin->unmet, stage, text + n + 1);

@@ -128,6 +128,24 @@ START_TEST(names)
 }
 END_TEST
 
+/* Words may be parted by tabs. */
+START_TEST(tabs)
+{
+    taken("cloudmill\tmesh\t1");
+    taken("spacing\t4");
+    taken("scan\t26493\t0123456789abcdef\ta scan.xyz");
+    taken("surface\t4.634\t1.25\t-3.5\t5.625\tpart.igs:7");
+    taken("unmet\tcloud2mesh\toff by 0.06 mm");
+    ck_assert(mesh.origin.spacing == 4);
+    ck_assert_uint_eq(mesh.origin.scan.n, 1);
+    ck_assert_uint_eq(mesh.origin.scan.item[0].points, 26493);
+    ck_assert_str_eq(mesh.origin.scan.item[0].name, "a scan.xyz");
+    ck_assert_str_eq(mesh.origin.surface.item[0].name, "part.igs:7");
+    ck_assert_str_eq(mesh.origin.unmet.item[0].stage, "cloud2mesh");
+    ck_assert_str_eq(mesh.origin.unmet.item[0].text, "off by 0.06 mm");
+}
+END_TEST
+
 START_TEST(of_others)
 {
     static const char *const k[] = {"made by somebody", "spacings 4", "spacing", "sourcery x", ""};
@@ -177,6 +195,7 @@ int main(void)
     tcase_add_test(tests, values);
     tcase_add_test(tests, ledger_rounds_up);
     tcase_add_test(tests, names);
+    tcase_add_test(tests, tabs);
     tcase_add_test(tests, of_others);
     tcase_add_test(tests, refused);
     suite_add_tcase(suite, tests);
