@@ -225,7 +225,7 @@ static const struct stage {
     int free, held;  /* steps at most */
     double hopeless; /* part of a tolerance */
     double turned;   /* radians: the end's tangent so far off counts as a tolerance */
-} STAGES[] = {{1, 3, 8, 4.5, 4e-3},    {2, 3, 8, 1.5, 1e-3},     {5, 6, 8, 1.4, 1.2e-4},
+} STAGES[] = {{1, 3, 8, 4.5, 4e-3},    {2, 3, 8, 2.2, 1e-3},     {5, 6, 8, 1.4, 1.2e-4},
               {12, 6, 8, 1.1, 1.2e-4}, {24, 6, 8, 1.04, 1.2e-4}, {60, 6, 8, 1, 1.2e-4}};
 
 enum { N_STAGES = sizeof STAGES / sizeof *STAGES };
