@@ -11,8 +11,7 @@
 static const double SAME = 1e-7;          /* mm: centres nearer than this are one station */
 static const double CORNER = PI / 3;      /* a turn above this in one point is a corner */
 static const double AXIS_SMOOTH = PI / 3; /* axes further apart than this: great circle */
-static const double STEEP = 0.7;          /* cosine: steeper than that against the surface a tangent
-                                             is no tangent of it */
+static const double STEEP = 0.7;          /* slope of the centres against the surface: no tangent */
 
 enum { PARTS_MAX = 10000 }; /* pieces of one interval */
 
@@ -49,21 +48,22 @@ static struct vec3 chord_of(const struct run *run, const struct stations *s, siz
     return vec_sub(point_of(run, s, k + 1)->ball, point_of(run, s, k)->ball);
 }
 
-/* The ball does not touch both contacts, or not alone: its centre is lifted off them, and what
- * stops it need not be what their normals tell of. */
-static bool is_lifted(const struct run_point *a, const struct run_point *b)
-{
-    const double printed = 1e-5; /* mm: heights that are as good as the same */
-
-    return fabs(run_point_height(a) - run_point_height(b)) > printed;
-}
-
-/* The centre of a ball that touches moves perpendicular to the normal. */
-static struct vec3 along_surface(struct vec3 tangent, struct vec3 normal)
+/*
+ * The centre of a ball that touches moves perpendicular to the normal; one that is being lifted
+ * moves by the slope of its lift against it.
+ */
+static struct vec3 along_surface(struct vec3 tangent, struct vec3 normal, double slope)
 {
     struct vec3 t = vec_reject(tangent, normal);
+    if (fabs(slope) > STEEP || vec_length(t) < STEEP)
+        return tangent;
+    return vec_unit(vec_along(vec_unit(t), slope, normal));
+}
 
-    return vec_length(t) < STEEP ? tangent : vec_unit(t);
+/* Derivative at the middle one of three values on a parabola; h: the lengths between them. */
+static double parabola_slope(double before, double h0, double here, double h1, double after)
+{
+    return (h1 * (here - before) / h0 + h0 * (after - here) / h1) / (h0 + h1);
 }
 
 static struct vec3 bessel_tangent(const struct run *run, const struct stations *s, size_t k)
@@ -77,7 +77,9 @@ static struct vec3 bessel_tangent(const struct run *run, const struct stations *
                            *c = point_of(run, s, k + 1);
     if (!run_point_touches(a) || !run_point_touches(b) || !run_point_touches(c))
         return t;
-    return is_lifted(a, b) || is_lifted(b, c) ? t : along_surface(t, b->normal);
+    return along_surface(
+        t, b->normal,
+        parabola_slope(run_point_height(a), h0, run_point_height(b), h1, run_point_height(c)));
 }
 
 /* At an end: the tangent of the circle that the end chord and the tangent beyond it make. */
@@ -86,12 +88,14 @@ static struct vec3 end_tangent(const struct run *run, const struct stations *s, 
 {
     const struct run_point *a = point_of(run, s, end), *b = point_of(run, s, next);
     struct vec3 v = vec_sub(b->ball, a->ball);
+    double h = vec_length(v);
     v = vec_unit(v);
     struct vec3 beyond = s->item[next].tangent;
     struct vec3 t = vec_unit(vec_sub(vec_scale(2 * vec_dot(v, beyond), v), beyond));
     if (!run_point_touches(a) || !run_point_touches(b))
         return t;
-    return is_lifted(a, b) ? t : along_surface(t, a->normal);
+    double slope = (run_point_height(b) - run_point_height(a)) / h;
+    return along_surface(t, a->normal, next > end ? slope : -slope);
 }
 
 static void set_bessel_tangents(const struct run *run, struct stations *s)
