@@ -42,10 +42,10 @@ static inline double run_point_height(const struct run_point *p)
 /*
  * Tangents of the ball's path, unit: three-point (Bessel) tangents of the centres, projected
  * perpendicular to the normal where there is one (a centre that is lifted off its contact point
- * more and more keeps the slope of its lift); points that coincide have one tangent, all of them
- * the zero vector when the run has no length.  At the ends T0 = 2 (v0 . T1) v0 - T1, v0 the first
- * chord.  Paper 1, 3.4 instead with `forward`: n x (PiPi+1
- * x n).  tangent[n].
+ * has those of the centres alone where they keep near to the chords, else the slope of its lift);
+ * points that coincide have one tangent, all of them the zero vector when the run has no length.
+ * At the ends T0 = 2 (v0 . T1) v0 - T1, v0 the first chord.  Paper 1, 3.4 instead with `forward`:
+ * n x (PiPi+1 x n).  tangent[n].
  */
 void run_tangents(const struct run *run, bool forward, struct vec3 *tangent);
 

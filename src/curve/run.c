@@ -48,6 +48,24 @@ static struct vec3 chord_of(const struct run *run, const struct stations *s, siz
     return vec_sub(point_of(run, s, k + 1)->ball, point_of(run, s, k)->ball);
 }
 
+/* The ball does not touch both contacts, or not alone: its centre is lifted off them, and what
+ * stops it need not be what their normals tell of. */
+static bool is_lifted(const struct run_point *a, const struct run_point *b)
+{
+    const double printed = 1e-5; /* mm: heights that are as good as the same */
+
+    return fabs(run_point_height(a) - run_point_height(b)) > printed;
+}
+
+/* A curve over the chord that begins or ends along the tangent, and else along the chord, is not
+ * far from it: a cubic's 4/27 of length and slope. */
+static bool is_near(struct vec3 chord, struct vec3 tangent)
+{
+    const double least = 0.003; /* mm */
+
+    return 4 / 27.0 * vec_length(vec_reject(chord, tangent)) <= least;
+}
+
 /*
  * The centre of a ball that touches moves perpendicular to the normal; one that is being lifted
  * moves by the slope of its lift against it.
@@ -77,6 +95,8 @@ static struct vec3 bessel_tangent(const struct run *run, const struct stations *
                            *c = point_of(run, s, k + 1);
     if (!run_point_touches(a) || !run_point_touches(b) || !run_point_touches(c))
         return t;
+    if ((is_lifted(a, b) || is_lifted(b, c)) && is_near(in, t) && is_near(out, t))
+        return t;
     return along_surface(
         t, b->normal,
         parabola_slope(run_point_height(a), h0, run_point_height(b), h1, run_point_height(c)));
@@ -92,7 +112,8 @@ static struct vec3 end_tangent(const struct run *run, const struct stations *s, 
     v = vec_unit(v);
     struct vec3 beyond = s->item[next].tangent;
     struct vec3 t = vec_unit(vec_sub(vec_scale(2 * vec_dot(v, beyond), v), beyond));
-    if (!run_point_touches(a) || !run_point_touches(b))
+    if (!run_point_touches(a) || !run_point_touches(b) ||
+        (is_lifted(a, b) && is_near(vec_scale(h, v), t)))
         return t;
     double slope = (run_point_height(b) - run_point_height(a)) / h;
     return along_surface(t, a->normal, next > end ? slope : -slope);
