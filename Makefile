@@ -86,6 +86,7 @@ once := io/nurbs/% nurbs/trim_% nurbs/construct nurbs/uv_polygon machine/machine
   mesh/mesh_clip mesh/mesh_repair toolpath/pass_extend toolpath/rest_passes base/cli \
   cloud/crest_fit cloud/edge_points cloud/edge_meet cloud/edge_crest cloud/edge_fill \
   cloud/edge_flank cloud/edge_along cloud/cone_tip cloud/roof cloud/sheets cloud/holes io/path/path_tool \
+  gouge/guard_mesh io/mesh/ply io/mesh/ply_source \
   gouge/gouge_lift gouge/lift_smooth gouge/link gouge/smooth_up gouge/smooth_aside
 $(once:%=$(BUILD)/src/%.o): CFLAGS := $(CFLAGS:-O3=-O2)
 
