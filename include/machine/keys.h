@@ -33,6 +33,7 @@ struct key {
 struct keys {
     size_t n, cap;
     struct key *item;
+    const char *of; /* whose keys they are, for messages; NULL: a machine's */
 };
 
 /* Adds a key to the table; the caller fills in bounds, size and words. */

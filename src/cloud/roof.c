@@ -128,8 +128,8 @@ static int compare_squares(const void *pa, const void *pb)
     return (a->index > b->index) - (a->index < b->index);
 }
 
-/* One of each square of half the gap, the highest.  The last of a line is at the bottom: a scan that
- * is flatter than the gap would have none. */
+/* One of each square of half the gap, the highest.  The last of a line is at the bottom: a scan
+ * that is flatter than the gap would have none. */
 static void hang(const struct point_grid *grid, struct rim_point *rim, size_t n, double gap,
                  double bottom, struct vec3s *to)
 {

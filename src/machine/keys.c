@@ -139,7 +139,8 @@ int keys_set(struct keys *keys, char *text, const char *name, size_t line, struc
         return error_at(error, name, line, "found no key before `=`, expected key = value");
     struct key *key = keys_find(keys, word);
     if (!key)
-        return error_at(error, name, line, "found `%.40s`, expected a key of a machine", word);
+        return error_at(error, name, line, "found `%.40s`, expected a key of a %s", word,
+                        keys->of ? keys->of : "machine");
     if (!*value)
         return error_at(error, name, line, "found no value of %s, expected one", word);
     if (line && key->line)

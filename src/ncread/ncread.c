@@ -161,6 +161,8 @@ static int read_lines(struct ncread *c, struct reader *r, struct error *error)
         c->feed_here = c->setting = c->selecting = false;
         if (strlen(line) != n)
             return ncread_error(c, error, "a byte that no program holds");
+        if (c->ended && line[strspn(line, " \t")] == '\0')
+            continue; /* editors leave such lines behind the end */
         if (c->options->head && c->motion->piece.n == 0)
             ncread_head_line(c->options->head, line);
         if (c->options->dialect->block(c, line, error) < 0 || ncread_length_watch(c, error) < 0)

@@ -20,7 +20,7 @@ static void add_length(struct keys *keys, const char *name, double *value)
 
 static struct keys tool_keys(struct tool_file *tool)
 {
-    struct keys keys = {0};
+    struct keys keys = {.of = "tool"};
     add_length(&keys, "radius", &tool->radius);
     add_length(&keys, "flute", &tool->flute);
     add_length(&keys, "shank", &tool->shank);

@@ -24,6 +24,24 @@ static bool is_text(const char *head, size_t n)
     return true;
 }
 
+/* In UTF-16, by its mark or by the noughts between the letters that a mesh of text begins with. */
+static bool is_utf16(const char *head, size_t n)
+{
+    static const char *const words[] = {"ply", "solid", "OFF", "COFF", "NOFF"};
+    if (n >= 2 && (memcmp(head, "\xFF\xFE", 2) == 0 || memcmp(head, "\xFE\xFF", 2) == 0))
+        return true;
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+        for (size_t high = 0; high < 2; high++) {
+            size_t k = 0;
+            while (words[i][k] && 2 * k + 1 < n && head[2 * k + high] == words[i][k] &&
+                   head[2 * k + 1 - high] == '\0')
+                k++;
+            if (!words[i][k])
+                return true;
+        }
+    return false;
+}
+
 static int read_from(struct reader *r, struct mesh *mesh, struct error *error)
 {
     const char *head;
@@ -38,6 +56,8 @@ static int read_from(struct reader *r, struct mesh *mesh, struct error *error)
         return ply_read_mesh(r, mesh, error);
     if (head_begins(head, n, "OFF") || head_begins(head, n, "COFF") || head_begins(head, n, "NOFF"))
         return off_read(r, mesh, error);
+    if (!stl_is_binary(r, head, n) && is_utf16(head, n))
+        return error_at(error, r->name, 0, "text in UTF-16 encoding, expected UTF-8 or ASCII");
     if (n > 0 && (!text || stl_is_binary(r, head, n)))
         return stl_read_binary(r, mesh, error);
     if (head_begins(head, n, "solid"))

@@ -25,6 +25,19 @@ static char *trim(char *s)
     return s;
 }
 
+/* Drops the blanks beside commas, in place: `TLON, GOFWD` is the word TLON,GOFWD. */
+static void close_commas(char *s)
+{
+    char *to = s;
+    for (const char *from = s; *from; from++) {
+        size_t blanks = strspn(from, " \t");
+        if (blanks && (from[blanks] == ',' || (to > s && to[-1] == ',')))
+            from += blanks;
+        *to++ = *from;
+    }
+    *to = '\0';
+}
+
 /* True if the line starts with one of the words whose text is raw. */
 static bool is_raw(const char *s)
 {
@@ -150,7 +163,11 @@ static void split_arguments(struct apt *apt, char *s)
     apt->slash = slash != NULL;
     if (slash)
         *slash = '\0';
-    apt->word = bare ? "" : trim(s);
+    if (!bare) {
+        char *word = trim(s);
+        close_commas(word);
+        apt->word = word;
+    }
     if (!slash && !bare)
         return;
     char *p = trim(bare ? s : slash + 1);

@@ -146,7 +146,10 @@ static int read_section(struct path_parse *p)
         p->depth++;
     else if (strstr(p->apt.raw, "END-SECTION") && p->depth > 0)
         p->depth--;
-    p->whole = strstr(p->apt.raw, "END-SECTION,PROCESS-END-PATH") != NULL;
+    const char *end = strstr(p->apt.raw, "END-SECTION");
+    if (end)
+        end += strlen("END-SECTION");
+    p->whole = end && strncmp(end + strspn(end, " ,\t"), "PROCESS-END-PATH", 16) == 0;
     return 0;
 }
 

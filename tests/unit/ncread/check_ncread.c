@@ -304,6 +304,31 @@ START_TEST(refused_with_its_line)
 END_TEST
 
 /* Words within a turn are of axes without end alone, wherever their travel lies. */
+/* Lines of nothing behind the end are no blocks, and a block there is one too many. */
+START_TEST(behind_the_end)
+{
+    static const char *const cut[CONTROLS] = {"G1 X10.\n", "G1 X10\n", "L X+10 F500\n", "G1 X10\n"};
+    static const char *const behind[] = {"", "\n", "\n \n\t\n", "\r\n"};
+    struct error error;
+    for (int i = 0; i < 5; i++) {
+        char text[4000];
+        struct nc_motion motion = {0};
+        struct ncread_options setup = {.dialect = ncread_of((enum control_id)_i),
+                                       .tcp = true,
+                                       .kinematics = verify_kinematics_trunnion('A', 1)};
+        snprintf(text, sizeof text, "%s%s%s%s", head[_i], cut[_i], foot[_i], i == 4 ? "M5\n" : "");
+        if (_i == HEIDENHAIN)
+            numbered(text, sizeof text);
+        size_t n = strlen(text);
+        if (i < 4)
+            snprintf(text + n, sizeof text - n, "%s", behind[i]);
+        int got = ncread_read(scratch_text(text), &setup, &motion, &error);
+        ck_assert_msg((got == 0) == (i < 4), "%d: %s", i, error.text);
+        nc_motion_free(&motion);
+    }
+}
+END_TEST
+
 START_TEST(words_within_a_turn)
 {
     const struct {
@@ -359,6 +384,7 @@ int main(void)
     tcase_add_loop_test(tcase, motion_is_known, 0, (int)(sizeof move_case / sizeof *move_case));
     tcase_add_loop_test(tcase, inches, 0, CONTROLS);
     tcase_add_loop_test(tcase, refused_with_its_line, 0, (int)(sizeof refused / sizeof *refused));
+    tcase_add_loop_test(tcase, behind_the_end, 0, CONTROLS);
     tcase_add_test(tcase, words_within_a_turn);
     suite_add_tcase(suite, tcase);
     SRunner *runner = srunner_create(suite);

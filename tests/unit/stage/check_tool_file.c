@@ -103,6 +103,8 @@ START_TEST(files)
         snprintf(name, sizeof name, "%s:%d: ", scratch_name(), i == 4 ? 2 : 1);
         ck_assert_msg(strncmp(error.text, name, strlen(name)) == 0, "%s", error.text);
     }
+    ck_assert_int_eq(tool_file_read(&tool, scratch_text("vi = 1\n"), &error), -1);
+    ck_assert_ptr_nonnull(strstr(error.text, "found `vi`, expected a key of a tool"));
     ck_assert_int_eq(tool_file_read(&tool, "no/such/tool", &error), -1);
     ck_assert_int_eq(tool_file_read(&tool, scratch_text("# nothing\n\n"), &error), -1);
     ck_assert_ptr_nonnull(strstr(error.text, ": found no key, expected lines key = value"));

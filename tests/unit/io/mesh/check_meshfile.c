@@ -193,6 +193,29 @@ START_TEST(ply_and_what_is_none)
 }
 END_TEST
 
+/* Text of two bytes a letter is told as that, and not taken for a binary STL; and a binary STL
+ * whose name is so written is one. */
+START_TEST(utf_16)
+{
+    static const char *const text[] = {"ply\nformat ascii 1.0\n", "solid a\n", "OFF\n5 4 8\n"};
+    char bytes[BINARY];
+    for (int i = 0; i < 3; i++)
+        for (int high = 0; high < 2; high++)
+            for (int mark = 0; mark < 2; mark++) {
+                char two[100] = {0};
+                size_t n = 0;
+                if (mark)
+                    memcpy(two, high ? "\xFE\xFF" : "\xFF\xFE", 2);
+                for (n = 2 * (size_t)mark; text[i][n / 2 - (size_t)mark]; n += 2)
+                    two[n + (size_t)high] = text[i][n / 2 - (size_t)mark];
+                refused(scratch_bytes(two, n), "text in UTF-16 encoding, expected UTF-8 or ASCII");
+            }
+    make_binary(bytes, "");
+    memcpy(bytes, "s\0o\0l\0i\0d", 9);
+    is_pyramid(scratch_bytes(bytes, BINARY));
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("meshfile");
@@ -203,6 +226,7 @@ int main(void)
     tcase_add_test(tests, off_text);
     tcase_add_test(tests, off_damaged);
     tcase_add_test(tests, ply_and_what_is_none);
+    tcase_add_test(tests, utf_16);
     suite_add_tcase(suite, tests);
     SRunner *runner = srunner_create(suite);
     srunner_run_all(runner, CK_NORMAL);

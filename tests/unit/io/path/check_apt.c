@@ -38,6 +38,7 @@ static const struct {
      {"RPM", "400"}},
     {"FINI\n", "FINI", "FINI", false, false, 0, {0}},
     {"\n \t\nEND\n", "END", "END", false, false, 0, {0}},
+    {"  TLON , GOFWD /1\n", "TLON,GOFWD", "TLON , GOFWD /1", false, true, 1, {"1"}},
     {"RAPID/\n", "RAPID", "RAPID/", false, true, 0, {0}},
     {"GOTO/1,2, $ rest of it\n  3\n", "GOTO", "GOTO/1,2, 3", false, true, 3, {"1", "2", "3"}},
     {"GOTO/ $\n$\n1 $\n,2\n", "GOTO", "GOTO/ 1 ,2", false, true, 2, {"1", "2"}},
@@ -52,7 +53,7 @@ static const struct {
     {"n30,GOTO/4\n", "GOTO", "GOTO/4", false, true, 1, {"4"}},
     {"100) GOTO/4\n", "GOTO", "GOTO/4", false, true, 1, {"4"}},
     {"N30 GOTO/4\n", "N30 GOTO", "N30 GOTO/4", false, true, 1, {"4"}},
-    {"30 ,GOTO/4\n", "30 ,GOTO", "30 ,GOTO/4", false, true, 1, {"4"}},
+    {"30 ,GOTO/4\n", "30,GOTO", "30 ,GOTO/4", false, true, 1, {"4"}},
     {"1.5, -2, 3E1\n", "", "1.5, -2, 3E1", false, false, 3, {"1.5", "-2", "3E1"}},
     {"A,1\n", "A,1", "A,1", false, false, 0, {0}},
 };

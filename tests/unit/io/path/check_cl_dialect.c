@@ -254,6 +254,18 @@ START_TEST(curves_of_nx)
 }
 END_TEST
 
+/* MAKINO-FF has no FINI: it ends with a section, however blanks stand beside its commas. */
+START_TEST(end_of_makino)
+{
+#define MAKINO "PPRINT/APTCL-SPEC,MAKINO-FF,1\nUNITS/MM\nGOTO/1,2,3\n"
+    taken(MAKINO "PPRINT/END-SECTION,PROCESS-END-PATH\n");
+    taken(MAKINO "PPRINT/END-SECTION , PROCESS-END-PATH\n");
+    ck_assert_int_eq(take(MAKINO "PPRINT/END-SECTION,MACHINING\n"), -1);
+    ck_assert_ptr_nonnull(strstr(error.text, "the input ends without FINI"));
+    ck_assert_int_eq(take(MAKINO), -1);
+}
+END_TEST
+
 /* SolidWorks: the third column of CSYS is the tool axis; INSERT is a comment. */
 START_TEST(solidworks)
 {
@@ -282,6 +294,7 @@ int main(void)
     tcase_add_test(tests, wrong_curves_of_catia);
     tcase_add_test(tests, systems_of_nx);
     tcase_add_test(tests, curves_of_nx);
+    tcase_add_test(tests, end_of_makino);
     tcase_add_test(tests, solidworks);
     suite_add_tcase(suite, tests);
     SRunner *runner = srunner_create(suite);
