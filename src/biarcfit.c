@@ -4,6 +4,7 @@
 #include "math/elementary.h"
 #include "base/cli.h"
 #include "base/effort.h"
+#include "io/path/path_run.h"
 #include "stage/arcrun.h"
 #include "stage/fitter.h"
 #include "stage/path_tilt.h"
@@ -63,6 +64,19 @@ static void fit_and_check(void *context, const struct run *run, struct gouges *g
     }
 }
 
+/* A link that is guarded: as few pieces as are clear. */
+static bool fit_link(const struct fit_request *request, const struct arcrun_options *options,
+                     const struct run *points, struct fitted_run *run)
+{
+    const struct arcrun_link link = {.leave = path_run_direction(request->in, run->from, true),
+                                     .arrive = path_run_direction(request->in, run->to - 1, false),
+                                     .gouge = request->gouge};
+
+    run->swept = request->gouge->guard && !options->paper &&
+                 arcrun_fit_link(points, &link, options, &run->fitted, run->result);
+    return run->swept;
+}
+
 static void fit_run(const void *settings, const struct fit_request *request, struct run *points,
                     struct fitted_run *run)
 {
@@ -80,6 +94,11 @@ static void fit_run(const void *settings, const struct fit_request *request, str
                     .guarded = gouge->guard != NULL},
         .fitted = &run->fitted,
         .report = run->result};
+    if (run->link && fit_link(request, &f.options, points, run))
+        return;
+    run->stays = run->rough;
+    if (run->stays)
+        return;
     run->gouge = gouge_refit_fit(gouge, points, fit_and_check, &f);
     run->swept = gouge->guard != NULL;
     arcrun_memo_free(&f.memo);

@@ -7,6 +7,7 @@
 #include "io/path/path.h"
 #include "curve/run.h"
 #include "arcfit/arc_piece.h"
+#include "gouge/gouge_refit.h"
 
 struct arcrun_options {
     double tolerance; /* at the tip and at the centre, mm */
@@ -61,6 +62,21 @@ void arcrun_memo_free(struct arcrun_memo *memo);
  */
 void arcrun_fit(const struct run *run, const struct arcrun_options *options,
                 struct arcrun_memo *memo, struct path *out, struct arcrun_report *report);
+
+/* What a link lies between. */
+struct arcrun_link {
+    struct vec3 leave, arrive; /* directions of the cuts before and after it; zero: not known */
+    const struct gouge_refit_options *gouge;
+};
+
+/*
+ * Appends the run, a link that touches nothing, as few pieces that are clear of the guard with the
+ * whole tool as they are printed, and need not follow it closer than that (arcfit/arc_link.h).
+ * False: there are none, and `out` and the report are as they were.
+ */
+bool arcrun_fit_link(const struct run *run, const struct arcrun_link *link,
+                     const struct arcrun_options *options, struct path *out,
+                     struct arcrun_report *report);
 
 /* Adds the second report to the first. */
 void arcrun_add(struct arcrun_report *sum, const struct arcrun_report *report);

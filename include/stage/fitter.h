@@ -72,6 +72,8 @@ struct fitted_run {
     size_t pass;        /* the pass that it is part of */
     size_t number;      /* of the run, for the driver */
     bool link;          /* it touches nothing */
+    bool rough;         /* a link whose lines do not lead round smoothly */
+    bool stays;         /* set by the fit: its points stay as they came */
     struct path fitted; /* the items that take the place of [from + 1, to) */
     struct gouge_refit_result gouge;
     bool swept;   /* all its motions were held against the guard, for `gouge` */
@@ -105,7 +107,8 @@ struct fitter {
      * Fits one run: fills its fitted, gouge and result.  The points are those of its items
      * (path_run.h), and may be lifted.  Called in parallel.  A run that stays too deep is fitted
      * again with less of the axis tolerance, then in parts, without the motions next to the places
-     * that are too deep: these stay as they came.
+     * that are too deep: these stay as they came.  A link that is rough is not to be followed; it
+     * stays unless there is another way.
      */
     void (*fit)(const void *settings, const struct fit_request *request, struct run *points,
                 struct fitted_run *run);

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "arc_carry.h"
+#include "arc_output.h"
 #include "arc_pole.h"
 #include "arcfit/arcfit.h"
 #include "arcprint.h"
@@ -307,102 +308,12 @@ static void fit_within(struct fit *f, double tolerance, const struct arcrun_part
     print_pieces(f);
 }
 
-/* Contact at a place of the reference. */
-static bool contact_at(const struct fit *f, double place, struct contact *contact)
+/* The printed pieces become items of a path. */
+static void write_pieces(const struct fit *f, struct path *out, struct arcrun_report *report)
 {
-    size_t i = f->first + (size_t)place;
-    double part = place - floor(place);
-    const struct run_point *a = &f->dense->item[i], *b = part > 0 ? a + 1 : a;
-    if (vec_length(a->normal) < 0.5 || vec_length(b->normal) < 0.5)
-        return false;
-    contact->p = vec_mix(a->contact, b->contact, part);
-    contact->n = part > 0 ? vec_slerp(a->normal, b->normal, part) : a->normal;
-    return true;
-}
+    const struct arc_output output = {f->options, &f->dense->item[f->first], &f->reference};
 
-static void add_contact(struct path *out, struct path_item *item, const struct fit *f, double place)
-{
-    struct contact contact;
-    if (contact_at(f, place, &contact))
-        path_set_contact(out, item, contact);
-}
-
-static void add_chords(const struct fit *f, const struct printed *p, struct path *out)
-{
-    char text[ARCPRINT_MAX];
-    arcprint_comment(&p->arc, text);
-    path_add_text(out, text);
-    const struct arc_piece *piece = &p->piece;
-    int n = arcprint_chords(piece, f->reference.offset, ARC_CHORD * f->options->tolerance);
-    for (int i = 1; i <= n; i++) {
-        double s = (double)i / n, place = piece->from + s * (piece->to - piece->from);
-        struct pose to = {arc_at(&piece->arc, s), vec_slerp(piece->axis, piece->axis_to, s)};
-        add_contact(out, path_add_point(out, to, false), f, i < n ? place : piece->to);
-    }
-}
-
-/* How the motion bends and how its axis turns at one end of a piece, each by its length. */
-struct rates {
-    struct vec3 curvature, axis; /* 1/mm, radians/mm */
-};
-
-static struct rates rates_at(const struct arc_piece *piece, double s)
-{
-    double length = arc_length(&piece->arc);
-    struct rates r = {{0, 0, 0}, {0, 0, 0}};
-    if (!arc_straight(&piece->arc))
-        r.curvature = vec_scale(1 / piece->arc.radius,
-                                vec_unit(vec_sub(arc_centre(&piece->arc), arc_at(&piece->arc, s))));
-    if (length > 0)
-        r.axis = vec_scale(vec_angle(piece->axis, piece->axis_to) / length,
-                           vec_unit(vec_cross(piece->axis, piece->axis_to)));
-    return r;
-}
-
-/* What a control sees of a piece: its length, and how much changes at once where it begins. */
-static void report_piece(const struct arcrun_options *options, const struct printed *before,
-                         const struct printed *p, struct arcrun_report *report)
-{
-    double length = arc_length(&p->piece.arc);
-    report->length += length;
-    report->shortest = report->arcs + report->lines > 1 ? fmin(report->shortest, length) : length;
-    report->shorter += length < options->least;
-    if (!before ||
-        vec_angle(arc_tangent(&before->piece.arc, 1), p->piece.arc.tangent) > 2 * ARCFIT_KINK)
-        return;
-    struct rates a = rates_at(&before->piece, 1), b = rates_at(&p->piece, 0);
-    report->bend = fmax(report->bend, vec_distance(a.curvature, b.curvature));
-    report->turn = fmax(report->turn, vec_distance(a.axis, b.axis));
-}
-
-static void add_pieces(const struct fit *f, struct path *out, struct arcrun_report *report)
-{
-    const struct printed *before = NULL;
-    for (size_t i = 0; i < f->printed.n; i++) {
-        const struct printed *p = &f->printed.item[i];
-        struct pose to = {p->piece.arc.to, p->piece.axis_to};
-        if (p->arc.radius <= 0)
-            add_contact(out, path_add_point(out, to, false), f, p->piece.to);
-        else if (f->options->chords)
-            add_chords(f, p, out);
-        else
-            add_contact(out, path_add_arc(out, to, p->arc), f, p->piece.to);
-        report->arcs += p->arc.radius > 0;
-        report->lines += p->arc.radius <= 0;
-        report_piece(f->options, before, p, report);
-        if (before) {
-            double kink = vec_angle(arc_tangent(&before->piece.arc, 1), p->piece.arc.tangent);
-            bool smooth = kink <= 2 * ARCFIT_KINK,
-                 arcs = before->arc.radius > 0 && p->arc.radius > 0;
-            struct vec3 centre = vec_sub(before->arc.centre, p->piece.arc.from);
-            bool same = vec_dot(centre, p->piece.arc.inward) > 0;
-            bool counts = smooth && arcs && (before->piece.biarc || !f->options->paper);
-            report->kinks += !smooth;
-            report->c += counts && same;
-            report->s += counts && !same;
-        }
-        before = p;
-    }
+    arc_output_add(&output, &f->printed, out, report);
 }
 
 /* A biarc for each interval between given points, its places those of the dense reference. */
@@ -558,7 +469,7 @@ static void fit_smooth_part(struct fit *f, size_t n, const struct arcrun_memo *m
     }
     f->reference = reference_of(f->dense, f->first, n, f->options->centre, false);
     fit_within(f, within, find_moved(memo, &part->points), &part->points);
-    add_pieces(f, &part->fitted, &part->report);
+    write_pieces(f, &part->fitted, &part->report);
     for (size_t i = 0; i < f->pieces.n; i++)
         *array_push(&part->pieces) = f->pieces.item[i];
     part->report.worst = f->worst;
@@ -581,7 +492,7 @@ void arcrun_fit(const struct run *run, const struct arcrun_options *options,
             f.reference = reference_of(&dense, f.first, n, options->centre, false);
             fit_each(&f, run, report);
             print_pieces(&f);
-            add_pieces(&f, out, report);
+            write_pieces(&f, out, report);
             report->worst = deviation_worst(report->worst, f.worst);
             reference_free(&f.reference);
         } else {

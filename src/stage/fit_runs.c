@@ -59,8 +59,7 @@ static bool is_smooth(const struct path *in, size_t from, size_t to, double tole
     return smooth;
 }
 
-/* Appends the links among the items of the range that lead round smoothly, each with the point it
- * begins at. */
+/* Appends the links among the items of the range, each with the point it begins at. */
 static void find_links(const struct path *in, struct range range, size_t pass, double tolerance,
                        struct fitted_runs *runs)
 {
@@ -70,10 +69,14 @@ static void find_links(const struct path *in, struct range range, size_t pass, d
         for (end = i; end < range.to && is_in_link(&item[end]);)
             end++;
         size_t begin = i > 0 && item[i - 1].kind == PATH_POINT ? i - 1 : i;
-        if (end < begin + LINK_POINTS || !is_smooth(in, begin, end, tolerance))
+        if (end < begin + LINK_POINTS)
             continue;
-        struct fitted_run run = {
-            .from = begin, .to = end, .pass = pass, .number = runs->n, .link = true};
+        struct fitted_run run = {.from = begin,
+                                 .to = end,
+                                 .pass = pass,
+                                 .number = runs->n,
+                                 .link = true,
+                                 .rough = !is_smooth(in, begin, end, tolerance)};
         *array_push(runs) = run;
     }
 }
@@ -128,8 +131,12 @@ static void fit_part(const struct workload *w, struct fitted_run run, int time);
 /* A part of the run that is not fitted yet. */
 static struct fitted_run part_of(const struct fitted_run *run, size_t from, size_t to)
 {
-    return (struct fitted_run){
-        .from = from, .to = to, .pass = run->pass, .number = run->number, .link = run->link};
+    return (struct fitted_run){.from = from,
+                               .to = to,
+                               .pass = run->pass,
+                               .number = run->number,
+                               .link = run->link,
+                               .rough = run->rough};
 }
 
 /* The run without the motions that stay as they came, part by part; n motions. */
@@ -223,6 +230,10 @@ static void fit_part(const struct workload *w, struct fitted_run run, int time)
         run.result = mem_alloc(1, w->fitter->result_size);
         w->fitter->fit(w->fitter->settings, &request, &points, &run);
         array_free(&points);
+        if (run.stays) {
+            fitted_run_free(w->fitter, &run);
+            return;
+        }
         bool again = run.gouge.deepest.depth > 0 && !w->fitter->options->paper && time < TIMES;
         if (!again) {
             *array_push(&w->fitted[run.number]) = run;

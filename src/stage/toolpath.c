@@ -234,15 +234,16 @@ static void link_to(struct toolpath *t, size_t pass, const struct toolpath_part 
 
     if (t->down && !low)
         retract(t, run.item[part->in.at].axis);
-    if (pass != t->pass)
-        path_add_pass(t->path, pass);
-    t->pass = pass;
-    if (low) {
+    if (low) { /* part of the pass before: to a fitter it is a whole then */
         for (size_t i = 0; i < part->link.n; i++)
             add_move(t, part->link.item[i].ball, part->link.item[i].axis, false);
         add_move(t, p->ball, p->axis, false);
         t->low++;
-    } else {
+    }
+    if (pass != t->pass)
+        path_add_pass(t->path, pass);
+    t->pass = pass;
+    if (!low) {
         approach(t, part);
         t->high++;
     }

@@ -14,4 +14,8 @@
  */
 struct run path_run_read(const struct path *path, size_t from, size_t to);
 
+/* The direction of the straight motions before the item at which a run begins, or after that at
+ * which it ends, unit: between passes too, but with no rapid; zero where there are none. */
+struct vec3 path_run_direction(const struct path *path, size_t at, bool before);
+
 #endif

@@ -1,0 +1,74 @@
+/* arcrun_link - see arcrun.h: links as few arcs. */
+#include <stdlib.h>
+
+#include "arc_output.h"
+#include "arcfit/arc_link.h"
+#include "arcfit/arcfit.h"
+
+/* Of the radius: a link goes no further off the way it was planned on.  So far from a way that is
+ * clear of a shell no clear one is on the other side of it. */
+static const double OFF = 0.4;
+
+/* What is looked at with each try. */
+struct link_check {
+    const struct reference *reference;
+    const struct gouge_refit_options *gouge;
+    struct printeds printed;
+    struct gouge_track track;
+};
+
+static struct motion motion_of(const struct printed *p)
+{
+    struct pose from = {p->piece.arc.from, p->piece.axis}, to = {p->piece.arc.to, p->piece.axis_to};
+
+    return p->arc.radius > 0 ? motion_arc(from, to, p->arc.centre, vec_unit(p->arc.axis))
+                             : motion_line(from, to);
+}
+
+/* The pieces as they are printed are clear, each as the motion that it is. */
+static bool is_clear(void *context, const struct pieces *pieces)
+{
+    struct link_check *c = context;
+    struct gouges gouges = {0};
+    struct deviation off = arcprint_pieces(c->reference, pieces, NULL, &c->printed);
+    bool clear = isfinite(off.point);
+
+    for (size_t i = 0; i < c->printed.n && clear; i++) {
+        struct motion motion = motion_of(&c->printed.item[i]);
+        gouge_refit_motion(c->gouge, &motion, &c->track, &gouges);
+        clear = gouges.n == 0;
+    }
+    array_free(&gouges);
+    return clear;
+}
+
+bool arcrun_fit_link(const struct run *run, const struct arcrun_link *link,
+                     const struct arcrun_options *options, struct path *out,
+                     struct arcrun_report *report)
+{
+    struct run dense = {.radius = run->radius};
+
+    run_densify(run, ARC_DENSE * options->tolerance, &dense);
+    struct reference reference = reference_of(&dense, 0, dense.n, options->centre, false);
+    struct link_check check = {.reference = &reference, .gouge = link->gouge};
+    struct arc_link_options search = {.leave = link->leave,
+                                      .arrive = link->arrive,
+                                      .off = OFF * run->radius,
+                                      .least = fmin(options->least, ARC_SHORTEST),
+                                      .digits = PATH_COORDINATE,
+                                      .clear = is_clear,
+                                      .context = &check};
+    struct pieces pieces = {0};
+    bool good = run->radius > 0 && arcfit_link(&reference, &search, &pieces);
+
+    if (good) {
+        struct arc_output output = {options, dense.item, &reference};
+        arc_output_add(&output, &check.printed, out, report);
+    }
+    array_free(&pieces);
+    array_free(&check.printed);
+    gouge_track_free(&check.track);
+    reference_free(&reference);
+    array_free(&dense);
+    return good;
+}
