@@ -4,7 +4,6 @@
 #include "math/elementary.h"
 #include "base/cli.h"
 #include "base/effort.h"
-#include "io/path/path_run.h"
 #include "stage/arcrun.h"
 #include "stage/fitter.h"
 #include "stage/path_tilt.h"
@@ -68,9 +67,7 @@ static void fit_and_check(void *context, const struct run *run, struct gouges *g
 static bool fit_link(const struct fit_request *request, const struct arcrun_options *options,
                      const struct run *points, struct fitted_run *run)
 {
-    const struct arcrun_link link = {.leave = path_run_direction(request->in, run->from, true),
-                                     .arrive = path_run_direction(request->in, run->to - 1, false),
-                                     .gouge = request->gouge};
+    const struct arcrun_link link = {run->leave, run->arrive, request->gouge};
 
     run->swept = request->gouge->guard && !options->paper &&
                  arcrun_fit_link(points, &link, options, &run->fitted, run->result);

@@ -72,7 +72,8 @@ struct fitted_run {
     size_t pass;        /* the pass that it is part of */
     size_t number;      /* of the run, for the driver */
     bool link;          /* it touches nothing */
-    bool rough;         /* a link whose lines do not lead round smoothly */
+    bool rough;         /* a link whose lines do not lead round smoothly; */
+    struct vec3 leave, arrive; /* directions of the motions before and after a link; zero: none */
     bool stays;         /* set by the fit: its points stay as they came */
     struct path fitted; /* the items that take the place of [from + 1, to) */
     struct gouge_refit_result gouge;

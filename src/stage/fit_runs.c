@@ -76,7 +76,9 @@ static void find_links(const struct path *in, struct range range, size_t pass, d
                                  .pass = pass,
                                  .number = runs->n,
                                  .link = true,
-                                 .rough = !is_smooth(in, begin, end, tolerance)};
+                                 .rough = !is_smooth(in, begin, end, tolerance),
+                                 .leave = path_run_direction(in, begin, true),
+                                 .arrive = path_run_direction(in, end - 1, false)};
         *array_push(runs) = run;
     }
 }
@@ -129,14 +131,19 @@ static void mark_motions(const struct run *points, const struct gouges *gouges, 
 static void fit_part(const struct workload *w, struct fitted_run run, int time);
 
 /* A part of the run that is not fitted yet. */
-static struct fitted_run part_of(const struct fitted_run *run, size_t from, size_t to)
+static struct fitted_run part_of(const struct path *in, const struct fitted_run *run, size_t from,
+                                 size_t to)
 {
-    return (struct fitted_run){.from = from,
-                               .to = to,
-                               .pass = run->pass,
-                               .number = run->number,
-                               .link = run->link,
-                               .rough = run->rough};
+    struct fitted_run part = {.from = from,
+                              .to = to,
+                              .pass = run->pass,
+                              .number = run->number,
+                              .link = run->link,
+                              .rough = run->rough};
+
+    part.leave = from > run->from ? path_run_direction(in, from, true) : run->leave;
+    part.arrive = to < run->to ? path_run_direction(in, to - 1, false) : run->arrive;
+    return part;
 }
 
 /* The run without the motions that stay as they came, part by part; n motions. */
@@ -150,7 +157,7 @@ static void fit_others(const struct workload *w, const struct fitted_run *run, b
         if (!stays[i])
             continue;
         if (i > from)
-            fit_part(w, part_of(run, run->from + from, run->from + i + 1), time);
+            fit_part(w, part_of(w->request.in, run, run->from + from, run->from + i + 1), time);
         from = i + 1;
     }
 }
@@ -246,7 +253,7 @@ static void fit_part(const struct workload *w, struct fitted_run run, int time)
         fitted_run_free(w->fitter, &run);
         if (!by_axis)
             return;
-        run = part_of(&run, run.from, run.to);
+        run = part_of(w->request.in, &run, run.from, run.to);
     }
 }
 

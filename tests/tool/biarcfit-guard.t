@@ -100,6 +100,7 @@ for fit in biarcfit bsplfit; do
 	below "$fit: on both sides of the pole a link is a few curves" "$(motions "$TMP/out.cl")" 11
 	ok "$fit: and goes through it" grep -q '0\.000000000,0\.000000000,1\.000000000$' "$TMP/out.cl"
 	$fit -q -e 0.01 -g "$TMP/plane.xyz" "$TMP/bent.cl" >"$TMP/out.cl"
-	ok "$fit: straight sides stay" test "$(motions "$TMP/out.cl")" = "$(motions "$TMP/bent.cl")"
+	ok "$fit: one with straight sides takes no more motions" \
+		test "$(motions "$TMP/out.cl")" -le "$(motions "$TMP/bent.cl")"
 done
 done_testing
