@@ -154,20 +154,23 @@ static double gap_of(const struct settings *s, double size)
     return s->tolerance > 0 ? fmin(GAP * size, s->tolerance) : GAP * size;
 }
 
-/* Tessellates and sews; returns how far triangles are off, with what sewing moved their corners. */
-static double tessellate_and_sew(const struct cli *cli, const struct settings *s,
-                                 const struct patches *patches, double size, double fine,
-                                 struct sheet *sheet, struct patch_mesh *patch_mesh,
-                                 struct sew_count *sewn)
+/* How fine triangles and trimmed edges are at first, mm. */
+static double fine_of(const struct settings *s, double size)
+{
+    return s->tolerance > 0 ? s->tolerance : fmax(1e-5 * size, 1e-3);
+}
+
+/* The triangles of each surface; returns how far they are off at most. */
+static double tessellate_surfaces(const struct cli *cli, const struct settings *s,
+                                  const struct patches *patches, double fine, struct sheet *sheet)
 {
     /* Few surfaces: the threads share each of them, else each takes one. */
     bool few = patches->n < 8;
     struct tessellate_all all = {
         patches, {s->tolerance > 0 ? 0 : s->n, fine, few ? cli->threads : 1}, sheet};
-    double gap = gap_of(s, size);
+    double gap = gap_of(s, patches_size(patches));
     for (size_t i = 0; i < patches->n; i++)
         sheet_free(&sheet[i]);
-    patch_mesh_free(patch_mesh);
     parallel_shown("tessellating", few ? 1 : cli->threads, patches->n, tessellate_some, &all);
     struct error why;
     if (nurbs_report_refused(patches, sheet, fmax(gap, s->tolerance), s->partial ? NULL : &why) >
@@ -176,10 +179,19 @@ static double tessellate_and_sew(const struct cli *cli, const struct settings *s
         die_error(&why);
     double error = check_error(s, patches, sheet);
     nurbs_report_trimming(patches, sheet, fine);
+    return error;
+}
+
+static struct sew_count sew_surfaces(const struct settings *s, const struct patches *patches,
+                                     double fine, const struct sheet *sheet,
+                                     struct patch_mesh *patch_mesh)
+{
+    double size = patches_size(patches), gap = gap_of(s, size);
+    patch_mesh_free(patch_mesh);
     patch_mesh_make(sheet, patches->n, fmin(NARROW * size, gap), patch_mesh);
-    *sewn = sew(patch_mesh, patches, gap, fine);
+    struct sew_count sewn = sew(patch_mesh, patches, gap, fine);
     patch_mesh_weld(patch_mesh, patches);
-    return error + sewn->moved;
+    return sewn;
 }
 
 /* Curves and surfaces that no spline is near enough to. */
@@ -246,15 +258,12 @@ static void check_closed(const struct patches *patches, const struct skin *skin,
 }
 
 /* Edges that are open or have more than two facets, of the surfaces as they would be joined. */
-static size_t count_unsound(const struct cli *cli, const struct settings *s,
-                            const struct patches *patches, struct sheet *sheet,
-                            struct patch_mesh *patch_mesh)
+static size_t count_unsound(const struct settings *s, const struct patches *patches,
+                            const struct sheet *sheet, struct patch_mesh *patch_mesh)
 {
-    double size = patches_size(patches);
-    double fine = s->tolerance > 0 ? s->tolerance : fmax(1e-5 * size, 1e-3);
+    double size = patches_size(patches), fine = fine_of(s, size);
     double slit = gap_of(s, size) + fine;
-    struct sew_count sewn;
-    tessellate_and_sew(cli, s, patches, size, fine, sheet, patch_mesh, &sewn);
+    sew_surfaces(s, patches, fine, sheet, patch_mesh);
     skin_close(patch_mesh, slit, s->gap > 0 ? slit : SLIT_WIDEST * slit);
     struct skin skin = skin_of(patch_mesh);
     size_t unsound = skin.open + skin.many;
@@ -264,8 +273,8 @@ static size_t count_unsound(const struct cli *cli, const struct settings *s,
 
 /* Groups of loose faces are bodies of their own, which stay apart where they touch, if less is
  * open, or meets in more than two facets, than where all faces are joined. */
-static void settle_groups(const struct cli *cli, const struct settings *s, struct patches *patches,
-                          struct sheet *sheet, struct patch_mesh *patch_mesh)
+static void settle_groups(const struct settings *s, struct patches *patches,
+                          const struct sheet *sheet, struct patch_mesh *patch_mesh)
 {
     bool grouped = false;
     int *group = mem_alloc(patches->n + 1, sizeof *group);
@@ -273,10 +282,10 @@ static void settle_groups(const struct cli *cli, const struct settings *s, struc
         group[i] = patches->item[i].group;
         grouped = grouped || group[i] != 0;
     }
-    size_t apart = grouped ? count_unsound(cli, s, patches, sheet, patch_mesh) : 0;
+    size_t apart = grouped ? count_unsound(s, patches, sheet, patch_mesh) : 0;
     for (size_t i = 0; i < patches->n && apart > 0; i++)
         patches->item[i].group = 0;
-    bool joined = apart > 0 && count_unsound(cli, s, patches, sheet, patch_mesh) <= apart;
+    bool joined = apart > 0 && count_unsound(s, patches, sheet, patch_mesh) <= apart;
     for (size_t i = 0; i < patches->n && !joined; i++)
         patches->item[i].group = group[i];
     if (grouped)
@@ -284,19 +293,20 @@ static void settle_groups(const struct cli *cli, const struct settings *s, struc
     free(group);
 }
 
-/* Everything between reading and writing; returns how far triangles are off. */
+/* From triangles, which are off the surfaces by `error`, to a skin; returns how far it is off. */
 static double make_patch_mesh(const struct cli *cli, const struct settings *s,
-                              const struct patches *patches, struct sheet *sheet,
+                              const struct patches *patches, double error, struct sheet *sheet,
                               struct patch_mesh *patch_mesh, struct unmets *unmet)
 {
-    double size = patches_size(patches);
-    double fine = s->tolerance > 0 ? s->tolerance : fmax(1e-5 * size, 1e-3);
-    struct sew_count sewn;
-    double error = tessellate_and_sew(cli, s, patches, size, fine, sheet, patch_mesh, &sewn);
+    double size = patches_size(patches), fine = fine_of(s, size);
+    struct sew_count sewn = sew_surfaces(s, patches, fine, sheet, patch_mesh);
+    error += sewn.moved;
     /* What sewing takes of the tolerance is left to it: triangles keep less. */
     for (int i = 0; i < 3 && s->tolerance > 0 && error > s->tolerance; i++) {
         fine = fmax(s->tolerance - 1.1 * sewn.moved, s->tolerance / 4);
-        error = tessellate_and_sew(cli, s, patches, size, fine, sheet, patch_mesh, &sewn);
+        error = tessellate_surfaces(cli, s, patches, fine, sheet);
+        sewn = sew_surfaces(s, patches, fine, sheet, patch_mesh);
+        error += sewn.moved;
     }
     if (s->tolerance > 0 && error > s->tolerance)
         unmet_say(
@@ -410,8 +420,10 @@ int main(int argc, char **argv)
     if (settings.grid > 0) {
         nurbs_report_grid(cli.output, &patches, settings.grid);
     } else {
-        settle_groups(&cli, &settings, &patches, sheet, &patch_mesh);
-        double error = make_patch_mesh(&cli, &settings, &patches, sheet, &patch_mesh, &unmet);
+        double error = tessellate_surfaces(&cli, &settings, &patches,
+                                           fine_of(&settings, patches_size(&patches)), sheet);
+        settle_groups(&settings, &patches, sheet, &patch_mesh);
+        error = make_patch_mesh(&cli, &settings, &patches, error, sheet, &patch_mesh, &unmet);
         struct concave_radius *concave =
             concave_radius_find_all(&patches, patch_mesh.flipped, cli.threads);
         if (settings.report)

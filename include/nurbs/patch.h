@@ -37,6 +37,7 @@ struct patch {
     struct patch_loops told; /* in the parameters, roughly, the same: which side counts; or none */
     bool outer;              /* the file says that the first loop goes round the others */
     bool open;               /* the border of the range bounds it too: all loops are holes */
+    bool unnamed;            /* so it is, though the file says that it has an outer loop */
     char *file;              /* where it was read from ... */
     int entity;              /* ... and its number there: in IGES its directory entry */
     int body;                /* closed shell of the file that it is a face of, from 1; 0: none */

@@ -56,6 +56,23 @@ step() { # NAME [-v ...]: from standard input, in which SOLID is the solid
 		awk -f "$SRC/tests/lib/step.awk" "$@" >"$TMP/$name.step"
 }
 
+# Two cubes of 10 as twelve squares with outlines, f1 to f12, for iges: the second is beside the first in
+# x, and DY further in y.
+two_cubes() { # DY
+	awk -v dy="$1" 'function face(n, x, y, z, i,   k, c, text, p, q) { # at x y z across direction i
+			p[0] = x; p[1] = y; p[2] = z; text = ""
+			for (c = 0; c < 5; c++) {
+				for (k = 0; k < 3; k++) q[k] = p[k]
+				q[(i + 1) % 3] += 10 * (c == 1 || c == 2); q[(i + 2) % 3] += 10 * (c == 2 || c == 3)
+				text = text "," q[0] "," q[1] "," q[2] }
+			print "p" n " 108 0 " (i == 0) "," (i == 1) "," (i == 2) "," p[i] ",0,0,0,0,1"
+			print "r" n " 106 12 2,5" text
+			print "o" n " 142 0 0,{p" n "},0,{r" n "},2"
+			print "f" n " 144 0 {p" n "},1,0,{o" n "}" }
+		BEGIN { for (c = 0; c < 2; c++) for (i = 0; i < 3; i++) for (far = 0; far < 20; far += 10)
+			face(++n, 10 * c + (i == 0) * far, dy * c + (i == 1) * far, (i == 2) * far, i) }'
+}
+
 # The entities of a closed cylinder, radius 10 and 30 high, up to its shell, for iges.
 cylinder_shell() {
 	cat <<'END'

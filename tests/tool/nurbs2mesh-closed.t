@@ -54,20 +54,7 @@ nurbs2mesh -v -e 0.02 --gap 0.01 "$TMP/apart.nurbs" >"$TMP/model.ply" 2>"$TMP/re
 has "a side half a millimetre askew stays open" '^nurbs2mesh: open: ' "$TMP/report"
 
 # Two cubes that touch along an edge, in one set of faces: what they enclose is told.
-{
-	awk 'function face(n, x, y, z, i,   a, b) { # the square at x y z across direction i
-			a = (i + 1) % 3; b = (i + 2) % 3
-			p[0] = x; p[1] = y; p[2] = z; text = ""
-			for (k = 0; k < 5; k++) { q[0] = p[0]; q[1] = p[1]; q[2] = p[2]
-				q[a] += k == 1 || k == 2 ? 10 : 0; q[b] += k == 2 || k == 3 ? 10 : 0
-				text = text "," q[0] "," q[1] "," q[2] }
-			print "p" n " 108 0 " (i == 0) "," (i == 1) "," (i == 2) "," p[i] ",0,0,0,0,1"
-			print "r" n " 106 12 2,5" text
-			print "o" n " 142 0 0,{p" n "},0,{r" n "},2"
-			print "f" n " 144 0 {p" n "},1,0,{o" n "}" }
-		BEGIN { for (c = 0; c < 2; c++) for (i = 0; i < 3; i++) for (far = 0; far < 20; far += 10)
-			face(++n, 10 * c + (i == 0) * far, 10 * c + (i == 1) * far, (i == 2) * far, i) }'
-} | iges cubes
+two_cubes 10 | iges cubes
 status 3 "two cubes that touch along an edge are no sound skin" \
 	nurbs2mesh -e 0.01 -o "$TMP/cubes.ply" "$TMP/cubes.igs"
 nurbs2mesh -v -e 0.01 "$TMP/cubes.igs" >/dev/null 2>"$TMP/report"

@@ -106,6 +106,10 @@ wired "its seams alike" '{g1},{xl1},{a},{h1},{g2},{r},{xg2},{h2},{xb},{xl2},{xg1
 wired "curves the other way" '{r},{g1},{l2},{b},{h2},{g2},{r},{g2},{h1},{a},{l1},{g1}'
 { ring && echo 'f 144 0 {s},0,1,0,{lh}'; } | iges holed
 told "a torus but for a hole across its seam" "$left" - "$TMP/holed.igs"
+# An outer loop that is said to be there, and none is named: the border of the surface.
+{ ring && echo 'f 144 0 {s},1,1,0,{lh}'; } | iges promised
+told "a torus whose outer loop is not named, but for a hole" "$left" - "$TMP/promised.igs"
+has "it is told that none is named" 'flag 1 for an outer loop, and none is named' "$TMP/report"
 { ring && echo 'f 144 0 {s},1,0,{lh}'; } | iges lone
 status 3 "a torus and one loop, of which the file does not tell the side" nurbs2mesh -v -e 0.2 -o "$TMP/x.ply" "$TMP/lone.igs"
 status 0 "and accepted with --partial" nurbs2mesh -v -e 0.2 --partial -o "$TMP/x.ply" "$TMP/lone.igs"

@@ -216,6 +216,13 @@ static int add_loops(const struct source *s, const struct iges_values *v, size_t
     return 0;
 }
 
+/* An outer loop that is said to be there, and none is named: some writers mean the border of the
+ * surface, for which the standard has flag 0. */
+static bool names_no_outer(const struct iges_values *v)
+{
+    return v->n > 4 && v->item[4].kind != IGES_TEXT && fabs(v->item[4].number) < 0.5;
+}
+
 static int read_loops(const struct source *s, const struct iges_entity *e,
                       const struct iges_values *v, const struct iges_trimming *trimming,
                       struct patch *patch, struct error *error)
@@ -227,6 +234,8 @@ static int read_loops(const struct source *s, const struct iges_entity *e,
         return -1;
     if (iges_whole(s->iges, v, count, 0, COUNT_MAX, "count of loops", &inner, error) < 0)
         return -1;
+    patch->unnamed = is_144 && outer == 1 && names_no_outer(v);
+    outer = patch->unnamed ? 0 : outer;
     patch->open = is_144 && outer == 0;
     patch->outer = is_144 && outer == 1;
     if (is_144 && outer == 1 && add_loops(s, v, 4, 1, trimming, patch, error) < 0)

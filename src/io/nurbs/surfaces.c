@@ -105,15 +105,21 @@ int surfaces_read(const char *file, double mm, struct patches *patches, struct s
 bool surfaces_tell(const struct patches *patches)
 {
     bool whole = patches->left.n == 0;
+    size_t unnamed = 0, first = 0;
     for (size_t i = 0; i < patches->n; i++) {
         const struct patch *p = &patches->item[i];
         whole = whole && p->ignored == 0;
+        first = p->unnamed && unnamed++ == 0 ? i : first;
         if (p->ignored > 0)
             say("%s: surface %d: %d trimming curve%s ignored, the first at directory entry %d "
                 "(entity type %d is not understood there)",
                 p->file, p->entity, p->ignored, p->ignored == 1 ? "" : "s", p->ignored_entity,
                 p->ignored_type);
     }
+    if (unnamed > 0)
+        say("%s: surface %d: flag 1 for an outer loop, and none is named: bounded by the border "
+            "of the surface, as are %zu in all",
+            patches->item[first].file, patches->item[first].entity, unnamed);
     for (size_t i = 0; i < patches->left.n; i++) {
         const struct patches_left *l = &patches->left.item[i];
         say("%s: %zu surface%s of %s left out, the first is entity %d", l->file, l->count,
