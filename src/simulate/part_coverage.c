@@ -183,8 +183,9 @@ struct look {
     const struct reach *r;
     struct vec3 blocks; /* what the tool met last: it is likely in its way again */
     bool blocked;       /* it met something */
-    struct sizes near;  /* of the sparse points */
-    double *share;      /* of each axis: cosine to the ball's direction; blocked: -2 */
+    struct sizes near;  /* sparse points about the tool; 0: not yet looked for */
+    double *share;      /* of each axis: cosine to the ball's direction */
+    size_t *left, n;    /* the n axes that were not looked at, by their numbers */
 };
 
 /* The ball's centre, as little out along `d` as leaves it clear; false: so far that it would leave
@@ -259,48 +260,59 @@ static bool tool_clears(struct look *l, struct vec3 centre, struct vec3 d, struc
                               vec_along(centre, r->far, axis), LINE * clear);
 }
 
-/* Marks the axes that lead the tool into one of the sparse points. */
-static void block_axes(struct look *l, struct vec3 centre)
+/* No sparse point is in the tool that stands at `centre` with that axis. */
+static bool is_axis_open(struct look *l, struct vec3 centre, struct vec3 axis)
 {
+    const double rounding = 1 + 1e-9;
     const struct reach *r = l->r;
     const struct tool_shape *tool = r->options->tool;
-    const struct vec3s *axis = r->options->axis;
-    double widest = tool_shape_widest(tool);
-    l->near.n = 0;
-    if (tool->n > 0)
-        kdtree_within(r->sparse_tree, centre, tool_shape_reach(tool), &l->near);
+    double widest = tool_shape_widest(tool), reach = tool_shape_reach(tool);
+    if (tool->n == 0 || !kdtree_any_beside(r->sparse_tree, centre, vec_along(centre, reach, axis),
+                                           widest * rounding))
+        return true;
+    if (l->near.n == 0)
+        kdtree_within(r->sparse_tree, centre, reach, &l->near);
     for (size_t i = 0; i < l->near.n; i++) {
         struct vec3 d = vec_sub(r->sparse.item[l->near.item[i]], centre);
-        double far2 = vec_dot(d, d);
-        for (size_t k = 0; k < axis->n; k++) {
-            double h = vec_dot(d, axis->item[k]), off2 = far2 - h * h;
-            if (h <= 0 || l->share[k] < -1 || off2 >= widest * widest)
-                continue;
-            double thick = tool_shape_radius(tool, h);
-            if (thick > 0 && off2 < thick * thick)
-                l->share[k] = -2;
-        }
+        double h = vec_dot(d, axis), off2 = vec_dot(d, d) - h * h;
+        double thick = h > 0 && off2 < widest * widest ? tool_shape_radius(tool, h) : 0;
+        if (thick > 0 && off2 < thick * thick)
+            return false;
     }
+    return true;
+}
+
+/* Takes of the axes that are left the nearest to the ball's direction. */
+static size_t take_nearest(struct look *l)
+{
+    size_t best = 0;
+    for (size_t k = 1; k < l->n; k++) {
+        double more = l->share[l->left[k]] - l->share[l->left[best]];
+        if (more > 0 || (more >= 0 && l->left[k] < l->left[best]))
+            best = k;
+    }
+    size_t axis = l->left[best];
+    l->left[best] = l->left[--l->n];
+    return axis;
 }
 
 /* An axis for the ball at `centre`, of those that are free the nearest to `d` first. */
 static bool find_axis(struct look *l, struct vec3 centre, struct vec3 d, struct vec3 *found)
 {
     const struct vec3s *axis = l->r->options->axis;
-    for (size_t k = 0; k < axis->n; k++)
-        l->share[k] = vec_dot(axis->item[k], d);
-    block_axes(l, vec_along(centre, FREE, d));
-    for (int tries = 0; tries < LEANS; tries++) {
-        size_t best = 0;
-        for (size_t k = 1; k < axis->n; k++)
-            if (l->share[k] > l->share[best])
-                best = k;
-        if (l->share[best] < -1)
-            return false;
-        *found = axis->item[best];
+    struct vec3 out = vec_along(centre, FREE, d);
+    l->near.n = 0;
+    for (l->n = 0; l->n < axis->n; l->n++) {
+        l->share[l->n] = vec_dot(axis->item[l->n], d);
+        l->left[l->n] = l->n;
+    }
+    for (int tries = 0; tries < LEANS && l->n > 0;) {
+        *found = axis->item[take_nearest(l)];
+        if (!is_axis_open(l, out, *found))
+            continue;
         if (tool_clears(l, centre, d, *found))
             return true;
-        l->share[best] = -2;
+        tries++;
     }
     return false;
 }
@@ -396,6 +408,7 @@ static void look_at_cells(void *context, size_t from, size_t to)
     struct reach *r = context;
     struct look l = {.r = r};
     l.share = mem_alloc(r->options->axis->n, sizeof *l.share);
+    l.left = mem_alloc(r->options->axis->n, sizeof *l.left);
     for (size_t cell = from * GROUP; cell < to * GROUP && cell + 1 < r->first.n; cell++) {
         struct access access = {0};
         int failures = 0;
@@ -412,6 +425,7 @@ static void look_at_cells(void *context, size_t from, size_t to)
     }
     array_free(&l.near);
     free(l.share);
+    free(l.left);
 }
 
 /* ---- all */
