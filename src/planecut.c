@@ -210,8 +210,8 @@ int main(int argc, char **argv)
     check_options(&t.lift.axis);
     if (cli.files > 1)
         die_usage("found %d files, expected one mesh", cli.files);
-    if (mesh_for_planes_read(cli.file[0], vec_unit(vec(up[0], up[1], up[2])), &mesh, &closed,
-                             &error) != 0)
+    if (mesh_for_planes_read(cli.file[0], vec_unit(vec(up[0], up[1], up[2])), cli.threads, &mesh,
+                             &closed, &error) != 0)
         die_error(&error);
     if (path_options_scan(&mesh, &error) != 0)
         die_error(&error);

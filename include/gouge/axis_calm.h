@@ -24,6 +24,7 @@ struct axis_calm_options {
                          goes straight may swing the ball off a straight line, mm */
     double play;      /* how far an axis may be off its rule, radians */
     double inward;    /* how far rules may lean near a run's ends (axis_smooth_rules), radians */
+    int threads;      /* that work on a chain; 0: as many as there are processors */
 };
 
 /* A run, end to end with those before and after it. */

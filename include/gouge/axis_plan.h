@@ -34,6 +34,7 @@ struct axis_planner_options {
     double play;      /* how far axes may be off their rule to turn less, radians */
     double limit;     /* and how far to be clear, radians */
     double inward;    /* and how far rules may lean near a run's ends (axis_smooth_rules) */
+    int threads;      /* 0: as many as there are processors */
 };
 
 struct axis_planner;

@@ -18,7 +18,7 @@
  * Where that would be more than `most` points beside the vertices, they are further apart.
  * Returns how far, mm.
  */
-double guard_points_of_mesh(const struct mesh *mesh, double spacing, double most,
+double guard_points_of_mesh(const struct mesh *mesh, double spacing, double most, int threads,
                             struct vec3s *points);
 
 /*

@@ -32,6 +32,6 @@ struct mesh_repair_report {
  * facets', each weighted by its angle at the vertex.  Rows and columns are
  * dropped, and kmax where normals were made.  A mesh that loses all its facets is left without.
  */
-struct mesh_repair_report mesh_repair(struct mesh *mesh, struct vec3 up);
+struct mesh_repair_report mesh_repair(struct mesh *mesh, struct vec3 up, int threads);
 
 #endif

@@ -17,8 +17,8 @@ int mesh_for_rows_read(const char *file, const struct normal_estimator *normals,
 /* Reads a mesh (meshfile.h) and repairs it (mesh_repair.h), and reports it by note() and
  * say().  *closed: all its components are.  -1 also when no facet has an area, or a vertex of a
  * facet no normal. */
-int mesh_for_planes_read(const char *file, struct vec3 up, struct mesh *mesh, bool *closed,
-                         struct error *error);
+int mesh_for_planes_read(const char *file, struct vec3 up, int threads, struct mesh *mesh,
+                         bool *closed, struct error *error);
 
 /* The tightest hollow that a mesh knows of. */
 struct tightest_hollow {

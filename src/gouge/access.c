@@ -116,7 +116,7 @@ struct access *access_new(const struct access_options *options)
     if (options->guard) {
         struct vec3s points = {0};
         gouge_thinned(options->guard, options->gap, &points);
-        access->near = kdtree_new(points.item, points.n);
+        access->near = kdtree_new_by(points.item, points.n, options->threads);
         struct box box = box_around(points.item, points.n);
         span = 2 * vec_distance(box.low, box.high);
         array_free(&points);

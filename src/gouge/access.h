@@ -24,6 +24,7 @@ struct access_options {
     double gap;           /* guard points within this of others need not be looked at, mm */
     double margin, slope; /* kept free of the stack, mm, and more for each mm of height, mm/mm */
     double slack;         /* how deep points may be in it without them, mm */
+    int threads;          /* 0: as many as there are processors */
 };
 
 /* Largest angle of the axis from the normal, radians, for the ball to touch with its lower half. */

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "axis_chain.h"
+#include "base/parallel.h"
 
 enum { SWEEPS = 4, ROUNDS = 4, HALVINGS = 7 };
 
@@ -40,14 +41,30 @@ static void move_towards(const struct axis_chain *c, struct axis_station *s,
     }
 }
 
+/* What the threads share that move stations. */
+struct averaging {
+    struct axis_chain *chain;
+    const struct rotary_angles *mean;
+    bool held;
+};
+
+static void average_some(void *context, size_t from, size_t to)
+{
+    const struct averaging *a = context;
+    struct axis_station *at = a->chain->at;
+
+    for (size_t i = from; i < to; i++)
+        if (fabs(at[i].was.lean) > AXIS_CHAIN_POLE && (!a->held || at[i].far < HUGE_VAL))
+            move_towards(a->chain, &at[i], a->mean[i]);
+}
+
 /* Each station's angles to the mean, or those of the held ones alone. */
 static void average_angles(struct axis_chain *c, double half, bool held)
 {
     struct rotary_angles *mean = axis_chain_means(c, half);
+    struct averaging averaging = {c, mean, held};
 
-    for (size_t i = 0; i < c->n; i++)
-        if (fabs(c->at[i].was.lean) > AXIS_CHAIN_POLE && (!held || c->at[i].far < HUGE_VAL))
-            move_towards(c, &c->at[i], mean[i]);
+    parallel_for(axis_chain_threads(c), c->n, average_some, &averaging);
     free(mean);
 }
 

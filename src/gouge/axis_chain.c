@@ -3,6 +3,7 @@
 
 #include <stdlib.h>
 
+#include "base/parallel.h"
 #include "gouge/axis_smooth.h"
 
 static const double AIR = RADIANS(60);      /* how far axes in the air may be off those they had */
@@ -221,24 +222,50 @@ static bool is_moved(const struct axis_chain *c, struct axis_station *s)
     return moved;
 }
 
+int axis_chain_threads(const struct axis_chain *c)
+{
+    enum { MANY = 2000 }; /* stations that are worth it */
+
+    return c->n < MANY ? 1 : c->options->threads;
+}
+
+static struct holder_sweep sweep_of(const struct axis_chain *c)
+{
+    const struct axis_calm_options *o = c->options;
+
+    return (struct holder_sweep){o->guard, o->holder, o->tolerance / 2};
+}
+
+/* How clear the tool is at stations that have moved. */
+static void find_clearances(void *context, size_t from, size_t to)
+{
+    const struct axis_chain *c = context;
+    const struct holder_sweep sweep = sweep_of(c);
+
+    for (size_t i = from; i < to; i++) {
+        struct axis_station *s = &c->at[i];
+        s->fresh = is_moved(c, s);
+        if (s->fresh)
+            s->clear = axis_chain_clearance(c, &sweep, s, s->axis, false);
+    }
+}
+
 /* Looks at the stations that have moved since: those at which the tool would not be clear, or to
  * which it would not come. */
 size_t axis_chain_find_bad(struct axis_chain *c)
 {
-    const struct axis_calm_options *o = c->options;
-    const struct holder_sweep sweep = {o->guard, o->holder, o->tolerance / 2};
+    const struct holder_sweep sweep = sweep_of(c);
     size_t found = 0;
     bool moved_before = false, bad_before = false; /* it: the way from there was not looked at */
 
+    parallel_for(axis_chain_threads(c), c->n, find_clearances, c);
     for (size_t i = 0; i < c->n; i++) {
         struct axis_station *s = &c->at[i];
-        bool moved = is_moved(c, s), was_bad = s->bad;
+        bool moved = s->fresh, was_bad = s->bad;
         bool joined = i > 0 && !s->begins && (s->part > 0 || s[-1].part > 0);
-        if (moved)
-            s->clear = axis_chain_clearance(c, &sweep, s, s->axis, false);
         if (moved || moved_before || bad_before) {
-            s->bad =
-                s->part > 0 && (s->clear < -sweep.slack || !rotary_reaches(&o->chain, s->axis));
+            s->bad = s->part > 0 &&
+                     (s->clear < -sweep.slack || !rotary_reaches(&c->options->chain, s->axis));
             if (joined && !s->bad && !s[-1].bad)
                 s->bad = is_way_bad(c, &sweep, s);
         }

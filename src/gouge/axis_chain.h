@@ -36,6 +36,7 @@ struct axis_station {
     struct rotary_angles seen;
     struct vec3 axis; /* with those angles */
     bool moved;       /* `axis` is that of the angles, not the point's own */
+    bool fresh;       /* its angles are not those that it was looked at with before */
     double clear;     /* mm, no more than AXIS_CHAIN_FAR */
     bool bad;         /* not clear, or not from the station before */
 
@@ -54,6 +55,9 @@ struct axis_chain {
 /* The runs end to end, each station with the axis that it has; the caller frees `at`. */
 struct axis_chain axis_chain_of(const struct axis_calm_options *options,
                                 const struct axis_calm_run run[], size_t n);
+
+/* How many threads work on its stations. */
+int axis_chain_threads(const struct axis_chain *c);
 
 /* The station may have the angles, as far as no guard is asked. */
 bool axis_chain_may_have(const struct axis_chain *c, const struct axis_station *s,

@@ -2,6 +2,7 @@
 #include <stdlib.h>
 
 #include "axis_chain.h"
+#include "base/parallel.h"
 
 enum { SWEEPS = 2 };
 
@@ -70,27 +71,46 @@ static void take_all_back(struct axis_chain *c, const struct axis_station *befor
             c->at[i] = before[i];
 }
 
+/* What the threads share that ease stations. */
+struct easing {
+    struct axis_chain *chain;
+    const bool *eased;
+    const struct rotary_angles *mean;
+    struct rotary_angles *old;
+    double *part;
+};
+
+static void ease_some(void *context, size_t from, size_t to)
+{
+    const struct easing *e = context;
+    const struct axis_calm_options *o = e->chain->options;
+    const struct holder_sweep sweep = {o->guard, o->holder, o->tolerance / 2};
+
+    for (size_t i = from; i < to; i++) {
+        struct axis_station *s = &e->chain->at[i];
+        e->old[i] = s->angles;
+        e->part[i] = s->part;
+        if (e->eased[i])
+            ease_station(e->chain, &sweep, s, e->mean[i]);
+    }
+}
+
 static void ease(struct axis_chain *c, const bool *eased)
 {
-    const struct axis_calm_options *o = c->options;
-    const struct holder_sweep sweep = {o->guard, o->holder, o->tolerance / 2};
-    struct rotary_angles *old = mem_alloc(c->n, sizeof *old);
-    double *part = mem_alloc(c->n, sizeof *part);
+    struct easing e = {.chain = c, .eased = eased};
 
+    e.old = mem_alloc(c->n, sizeof *e.old);
+    e.part = mem_alloc(c->n, sizeof *e.part);
     for (double half = WIDEST; half >= NARROWEST; half /= 2)
         for (int k = 0; k < SWEEPS; k++) {
             struct rotary_angles *mean = axis_chain_means(c, half);
-            for (size_t i = 0; i < c->n; i++) {
-                old[i] = c->at[i].angles;
-                part[i] = c->at[i].part;
-                if (eased[i])
-                    ease_station(c, &sweep, &c->at[i], mean[i]);
-            }
-            take_back(c, old, part);
+            e.mean = mean;
+            parallel_for(axis_chain_threads(c), c->n, ease_some, &e);
+            take_back(c, e.old, e.part);
             free(mean);
         }
-    free(old);
-    free(part);
+    free(e.old);
+    free(e.part);
 }
 
 static bool is_at_pole(const struct axis_station *s)

@@ -3,6 +3,7 @@
 
 #include <stdlib.h>
 
+#include "base/parallel.h"
 #include "curve/edge_curve.h"
 #include "mesh/mesh_edges.h"
 #include "mesh/mesh_weld.h"
@@ -177,60 +178,138 @@ static struct raster raster_of_facet(const struct mesh *mesh, size_t facet, doub
     return raster_of(&patch, spacing);
 }
 
-/* How many points the facets have beside their corners. */
-static double count_of_mesh(const struct mesh *mesh, double spacing)
+/* Which edges of a facet have points along them, a bit each: of a slender one, which has rows along
+ * its longest, that alone, and of one that is sampled flat, whose edges are its own, none.  And
+ * whether it has points beside its corners at all. */
+enum { POINTS = 8 };
+
+static unsigned char marks_of(const struct mesh *mesh, size_t facet, const struct raster *raster)
+{
+    int edges = is_flat(mesh, facet) ? 0 : raster->rows == 0 ? 7 : 1 << raster->longest;
+
+    return (unsigned char)(edges + (raster_count(raster) > 0 ? POINTS : 0));
+}
+
+enum { PIECE = 4096 }; /* facets that one thread takes */
+
+/* What the threads share. */
+struct sampling {
+    const struct mesh *mesh;
+    double spacing;
+    unsigned char *mark; /* [facet] */
+    double *count;       /* [piece] of points beside the corners */
+    const struct mesh_edges *edges;
+    struct vec3s *points; /* [piece] */
+};
+
+static size_t end_of_piece(const struct sampling *s, size_t piece)
+{
+    size_t end = (piece + 1) * PIECE;
+
+    return end < s->mesh->face.n ? end : s->mesh->face.n;
+}
+
+static void mark_pieces(void *context, size_t from, size_t to)
+{
+    const struct sampling *s = context;
+
+    for (size_t k = from; k < to; k++) {
+        s->count[k] = 0;
+        for (size_t f = k * PIECE; f < end_of_piece(s, k); f++) {
+            struct raster raster = raster_of_facet(s->mesh, f, s->spacing);
+            s->mark[f] = marks_of(s->mesh, f, &raster);
+            s->count[k] += raster_count(&raster);
+        }
+    }
+}
+
+/* How many points the facets have beside their corners: whole numbers, in whatever order. */
+static double mark_all(struct sampling *s, size_t pieces, int threads)
 {
     double sum = 0;
 
-    for (size_t f = 0; f < mesh->face.n; f++) {
-        struct raster raster = raster_of_facet(mesh, f, spacing);
-        sum += raster_count(&raster);
-    }
+    parallel_for(threads, pieces, mark_pieces, s);
+    for (size_t k = 0; k < pieces; k++)
+        sum += s->count[k];
     return sum;
 }
 
-/* A facet has points along that edge of it: a slender one has rows along its longest alone, and one
- * that is sampled flat has edges of its own. */
-static bool has_points_along(const struct mesh *mesh, const struct mesh_edges *edges, int facet,
-                             int edge, double spacing)
+/* The facet beyond the edge has points along it. */
+static bool has_points_along(const struct sampling *s, int facet, int edge)
 {
-    struct raster raster = raster_of_facet(mesh, (size_t)facet, spacing);
-
-    if (is_flat(mesh, (size_t)facet))
-        return false;
-    return raster.rows == 0 || edges->of[facet][raster.longest] == edge;
+    for (int i = 0; i < 3; i++)
+        if (s->edges->of[facet][i] == edge && s->mark[facet] & 1 << i)
+            return true;
+    return false;
 }
 
-double guard_points_of_mesh(const struct mesh *mesh, double spacing, double most,
-                            struct vec3s *points)
+static void sample_facet(const struct sampling *s, size_t f, struct vec3s *points)
+{
+    struct patch patch = patch_of_facet(s->mesh, f);
+    struct raster raster = raster_of(&patch, s->spacing);
+
+    for (int i = 0; i < 3; i++) {
+        int edge = s->edges->of[f][i], beyond = mesh_edge_beyond(s->edges, edge, (int)f);
+        patch.shared[i] =
+            !patch.flat && beyond >= 0 && beyond < (int)f && has_points_along(s, beyond, edge);
+    }
+    patch_sample(&patch, &raster, points);
+}
+
+static void sample_pieces(void *context, size_t from, size_t to)
+{
+    const struct sampling *s = context;
+
+    for (size_t k = from; k < to; k++)
+        for (size_t f = k * PIECE; f < end_of_piece(s, k); f++)
+            if (s->mark[f] & POINTS)
+                sample_facet(s, f, &s->points[k]);
+}
+
+static void add_corners(const struct mesh *mesh, struct vec3s *points)
 {
     bool *used = mem_alloc(mesh->vertex.n, sizeof *used);
-    double count = count_of_mesh(mesh, spacing);
 
-    /* A few points a facet are left, however far apart. */
-    for (int i = 0; i < 20 && count > most; i++) {
-        spacing *= 1.05 * sqrt(count / most);
-        count = count_of_mesh(mesh, spacing);
-    }
-    struct mesh_edges edges = mesh_edges_find(mesh);
-    for (size_t f = 0; f < mesh->face.n; f++) {
-        struct patch patch = patch_of_facet(mesh, f);
-        struct raster raster = raster_of(&patch, spacing);
-        for (int i = 0; i < 3; i++) {
-            int edge = edges.of[f][i], beyond = mesh_edge_beyond(&edges, edge, (int)f);
-            patch.shared[i] = !patch.flat && beyond >= 0 && beyond < (int)f &&
-                              has_points_along(mesh, &edges, beyond, edge, spacing);
+    for (size_t f = 0; f < mesh->face.n; f++)
+        for (int i = 0; i < 3; i++)
             used[mesh->face.item[f].v[i]] = true;
-        }
-        patch_sample(&patch, &raster, points);
-    }
-    for (size_t v = 0; v < mesh->vertex.n; v++) {
+    for (size_t v = 0; v < mesh->vertex.n; v++)
         if (used[v])
             *array_push(points) = mesh->vertex.item[v];
-    }
-    mesh_edges_free(&edges);
     free(used);
-    return spacing;
+}
+
+double guard_points_of_mesh(const struct mesh *mesh, double spacing, double most, int threads,
+                            struct vec3s *points)
+{
+    size_t pieces = (mesh->face.n + PIECE - 1) / PIECE;
+    struct sampling s = {.mesh = mesh, .spacing = spacing};
+
+    s.mark = mem_alloc(mesh->face.n + 1, sizeof *s.mark);
+    s.count = mem_alloc(pieces + 1, sizeof *s.count);
+    s.points = mem_alloc(pieces + 1, sizeof *s.points);
+    double count = mark_all(&s, pieces, threads);
+    /* A few points a facet are left, however far apart. */
+    for (int i = 0; i < 20 && count > most; i++) {
+        s.spacing *= 1.05 * sqrt(count / most);
+        count = mark_all(&s, pieces, threads);
+    }
+    if (count > 0) {
+        struct mesh_edges edges = mesh_edges_find(mesh);
+        s.edges = &edges;
+        parallel_for(threads, pieces, sample_pieces, &s);
+        mesh_edges_free(&edges);
+    }
+    for (size_t k = 0; k < pieces; k++) {
+        for (size_t i = 0; i < s.points[k].n; i++)
+            *array_push(points) = s.points[k].item[i];
+        array_free(&s.points[k]);
+    }
+    add_corners(mesh, points);
+    free(s.mark);
+    free(s.count);
+    free(s.points);
+    return s.spacing;
 }
 
 /* ---- the sharp edges of a mesh */

@@ -4,6 +4,7 @@
 
 #include "mesh_repair_steps.h"
 #include "base/array.h"
+#include "base/parallel.h"
 #include "mesh/mesh_edges.h"
 #include "mesh/mesh_repair.h"
 #include "mesh/mesh_weld.h"
@@ -153,44 +154,60 @@ static int corner_at(const struct mesh *mesh, int facet, int vertex)
 }
 
 /* unit[]: the facets' normals. */
-static int *join_corners(const struct mesh *mesh, const struct vec3 *unit)
+static int *join_corners(const struct mesh *mesh, const struct mesh_edges *edges,
+                         const struct vec3 *unit)
 {
-    struct mesh_edges edges = mesh_edges_find(mesh);
     int *parent = mem_alloc(3 * mesh->face.n, sizeof *parent);
 
     for (size_t i = 0; i < 3 * mesh->face.n; i++)
         parent[i] = (int)i;
-    for (size_t e = 0; e < edges.n; e++) {
-        const struct mesh_edge *edge = &edges.edge[e];
+    for (size_t e = 0; e < edges->n; e++) {
+        const struct mesh_edge *edge = &edges->edge[e];
         int f = edge->facet[0], g = edge->facet[1];
         if (f < 0 || g < 0)
             continue;
         for (int i = 0; i < 2 && vec_dot(unit[f], unit[g]) >= SHARP; i++)
             join_corners_of(parent, corner_at(mesh, f, edge->v[i]), corner_at(mesh, g, edge->v[i]));
     }
-    mesh_edges_free(&edges);
     return parent;
 }
 
-/* The facet's normal, as long as its angle at a corner. */
-static struct vec3 weighted_normal(const struct mesh *mesh, const struct vec3 *unit, size_t facet,
-                                   int corner)
+/* What the threads share that measure facets. */
+struct measuring {
+    const struct mesh *mesh;
+    struct vec3 *unit; /* [facet] its normal */
+    double *angle;     /* [3 facet + corner] */
+};
+
+static double angle_at(const struct mesh *mesh, size_t facet, int corner)
 {
     const int *v = mesh->face.item[facet].v;
     const struct vec3 *p = mesh->vertex.item;
     struct vec3 here = p[v[corner]];
-    double angle =
-        vec_angle(vec_sub(p[v[(corner + 1) % 3]], here), vec_sub(p[v[(corner + 2) % 3]], here));
 
-    return vec_scale(angle, unit[facet]);
+    return vec_angle(vec_sub(p[v[(corner + 1) % 3]], here), vec_sub(p[v[(corner + 2) % 3]], here));
 }
 
-void crease_normals(struct mesh *mesh)
+static void measure_facets(void *context, size_t from, size_t to)
+{
+    const struct measuring *m = context;
+
+    for (size_t f = from; f < to; f++) {
+        m->unit[f] = vec_unit(mesh_face_cross(m->mesh, f));
+        for (int i = 0; i < 3; i++)
+            m->angle[3 * f + (size_t)i] = angle_at(m->mesh, f, i);
+    }
+}
+
+/* With its edges, found before any facet was flipped or since. */
+static void make_normals(struct mesh *mesh, const struct mesh_edges *edges, int threads)
 {
     struct vec3 *unit = mem_alloc(mesh->face.n, sizeof *unit);
-    for (size_t f = 0; f < mesh->face.n; f++)
-        unit[f] = vec_unit(mesh_face_cross(mesh, f));
-    int *parent = join_corners(mesh, unit);
+    double *angle = mem_alloc(3 * mesh->face.n, sizeof *angle);
+    struct measuring measuring = {mesh, unit, angle};
+
+    parallel_for(threads, mesh->face.n, measure_facets, &measuring);
+    int *parent = join_corners(mesh, edges, unit);
     int *number = mem_alloc(3 * mesh->face.n, sizeof *number);
     struct vec3s vertex = {0}, normal = {0};
 
@@ -203,7 +220,7 @@ void crease_normals(struct mesh *mesh)
                 *array_push(&normal) = vec(0, 0, 0);
             }
             struct vec3 *sum = &normal.item[number[root]];
-            *sum = vec_add(*sum, weighted_normal(mesh, unit, f, i));
+            *sum = vec_along(*sum, angle[corner], unit[f]);
         }
     }
     for (size_t i = 0; i < 3 * mesh->face.n; i++)
@@ -211,6 +228,7 @@ void crease_normals(struct mesh *mesh)
     for (size_t v = 0; v < normal.n; v++)
         normal.item[v] = vec_length(normal.item[v]) > 0 ? vec_unit(normal.item[v]) : vec(0, 0, 1);
     free(unit);
+    free(angle);
     free(parent);
     free(number);
     array_free(&mesh->row);
@@ -220,6 +238,14 @@ void crease_normals(struct mesh *mesh)
     array_free(&mesh->normal);
     mesh->vertex = vertex;
     mesh->normal = normal;
+}
+
+void crease_normals(struct mesh *mesh)
+{
+    struct mesh_edges edges = mesh_edges_find(mesh);
+
+    make_normals(mesh, &edges, 1);
+    mesh_edges_free(&edges);
 }
 
 /* Of the area, what must be left when the facets' normals are added up to say where a piece faces.
@@ -387,19 +413,19 @@ static size_t turn_normals(struct mesh *mesh)
     return turned;
 }
 
-static void face_up(struct mesh *mesh, struct vec3 up, struct mesh_repair_report *report)
+static void face_up(struct mesh *mesh, const struct mesh_edges *edges, struct vec3 up,
+                    struct mesh_repair_report *report)
 {
-    struct mesh_edges edges = mesh_edges_find(mesh);
     struct pieces pieces = {0};
     size_t begin = 0;
 
-    for (size_t e = 0; e < edges.n; e++)
-        report->many += edges.edge[e].facet[0] < 0;
-    report->flipped = orient(mesh, &edges, &pieces);
+    for (size_t e = 0; e < edges->n; e++)
+        report->many += edges->edge[e].facet[0] < 0;
+    report->flipped = orient(mesh, edges, &pieces);
     report->sheets = pieces.end.n;
     for (size_t k = 0; k < pieces.end.n; begin = pieces.end.item[k++]) {
         size_t end = pieces.end.item[k];
-        struct facing facing = facing_of(mesh, &edges, &pieces, begin, end, up);
+        struct facing facing = facing_of(mesh, edges, &pieces, begin, end, up);
         bool away = facing.closed ? facing.volume < 0 : facing.up < -LEANING * facing.area;
         report->closed += facing.closed;
         if (away && report->normals_made) {
@@ -409,10 +435,9 @@ static void face_up(struct mesh *mesh, struct vec3 up, struct mesh_repair_report
     }
     array_free(&pieces.facet);
     array_free(&pieces.end);
-    mesh_edges_free(&edges);
 }
 
-struct mesh_repair_report mesh_repair(struct mesh *mesh, struct vec3 up)
+struct mesh_repair_report mesh_repair(struct mesh *mesh, struct vec3 up, int threads)
 {
     struct mesh_repair_report report = {.normals_made = mesh->normal.n != mesh->vertex.n};
 
@@ -424,10 +449,12 @@ struct mesh_repair_report mesh_repair(struct mesh *mesh, struct vec3 up)
     report.doubled = mesh_clean_doubled(mesh);
     if (mesh->face.n == 0)
         return report;
-    face_up(mesh, up, &report);
-    if (report.normals_made) {
-        crease_normals(mesh);
-    } else {
+    struct mesh_edges edges = mesh_edges_find(mesh);
+    face_up(mesh, &edges, up, &report);
+    if (report.normals_made)
+        make_normals(mesh, &edges, threads);
+    mesh_edges_free(&edges);
+    if (!report.normals_made) {
         face_with_normals(mesh, up, &report);
         report.normals = turn_normals(mesh);
     }

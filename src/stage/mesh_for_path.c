@@ -51,12 +51,12 @@ static void say_repairs(const char *file, const struct mesh_repair_report *r)
         say("%s: the mesh has no normals: taking the mean of the facets', sharp edges kept", file);
 }
 
-int mesh_for_planes_read(const char *file, struct vec3 up, struct mesh *mesh, bool *closed,
-                         struct error *error)
+int mesh_for_planes_read(const char *file, struct vec3 up, int threads, struct mesh *mesh,
+                         bool *closed, struct error *error)
 {
     if (mesh_read(file, mesh, error) != 0)
         return -1;
-    struct mesh_repair_report report = mesh_repair(mesh, up);
+    struct mesh_repair_report report = mesh_repair(mesh, up, threads);
     if (mesh->face.n == 0)
         return error_set(error, "%s: found no facet that has an area", file);
     for (size_t i = 0; i < 3 * mesh->face.n; i++) {

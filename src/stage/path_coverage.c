@@ -32,7 +32,7 @@ static const double MOST = 300000;
 
 /* The points that are to be cut: those of the scan, or points on the mesh half a row apart.  False
  * for these. */
-static bool add_points(const struct mesh *mesh, double spacing, struct vec3s *to)
+static bool add_points(const struct mesh *mesh, double spacing, int threads, struct vec3s *to)
 {
     const struct path_options *c = &path_options;
 
@@ -42,7 +42,7 @@ static bool add_points(const struct mesh *mesh, double spacing, struct vec3s *to
         *array_push(to) = c->doubtful.item[i];
     if (to->n > 0)
         return true;
-    guard_points_of_mesh(mesh, spacing, MOST, to);
+    guard_points_of_mesh(mesh, spacing, MOST, threads, to);
     return false;
 }
 
@@ -71,7 +71,7 @@ struct path_coverage path_coverage_new(const struct mesh *mesh, const struct too
         return c;
     c.rule = &t->rule;
     c.tolerance = t->lift.tolerance;
-    c.scan = add_points(mesh, scallop_step(h, o->radius, 0) / 2, &points);
+    c.scan = add_points(mesh, scallop_step(h, o->radius, 0) / 2, t->threads, &points);
     if (c.scan)
         c.bare = bare_guard(&points, t->threads);
     c.coverage = coverage_new(points.item, points.n, t->threads);

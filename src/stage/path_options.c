@@ -227,7 +227,7 @@ static struct gouge_check *guard_of_mesh(const struct mesh *mesh, int threads, s
 {
     struct vec3s points = {0};
     double wanted = sqrt(6 * SINK * path_options.radius);
-    double spacing = guard_points_of_mesh(mesh, wanted, MOST_GUARD_POINTS, &points);
+    double spacing = guard_points_of_mesh(mesh, wanted, MOST_GUARD_POINTS, threads, &points);
     double sink = spacing * spacing / (6 * path_options.radius);
 
     if (spacing > wanted && sink > DEEP) {

@@ -195,7 +195,8 @@ struct axis_planner *toolpath_new_planner(const struct toolpath *t)
                                                  .fixed = t->lift.axis.kind == AXIS_FIXED,
                                                  .play = t->rule.play,
                                                  .limit = t->rule.lean,
-                                                 .inward = toolpath_inward(t)};
+                                                 .inward = toolpath_inward(t),
+                                                 .threads = t->threads};
 
     bool bare = t->rule.holder.n == 0 && t->rule.play == 0 && t->rule.rate == 0;
     if (!t->lift.guard || (bare && !options.fixed))

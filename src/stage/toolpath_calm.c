@@ -23,6 +23,7 @@ struct calmer {
     const struct toolpath *t;
     const struct toolpath_parts *parts;
     const struct sizes *end; /* of each chain of parts */
+    int threads;             /* for each */
 };
 
 static void calm_chain(const struct calmer *c, size_t from, size_t to)
@@ -33,7 +34,8 @@ static void calm_chain(const struct calmer *c, size_t from, size_t to)
                                               .radius = c->t->rule.radius,
                                               .tolerance = c->t->lift.tolerance,
                                               .play = c->t->rule.play,
-                                              .inward = toolpath_inward(c->t)};
+                                              .inward = toolpath_inward(c->t),
+                                              .threads = c->threads};
     struct axis_calm_run *run = mem_alloc(2 * (to - from), sizeof *run);
     size_t n = 0;
     struct vec3 **rule = mem_alloc(to - from, sizeof *rule);
@@ -65,7 +67,7 @@ static void calm_chains(void *context, size_t from, size_t to)
 void toolpath_calm(const struct toolpath *t, const struct toolpath_parts *parts, double longest)
 {
     struct sizes end = {0};
-    const struct calmer calmer = {t, parts, &end};
+    struct calmer calmer = {t, parts, &end, 1};
 
     if (!t->lift.guard || !(t->rule.play > 0) || t->rule.rate > 0 || t->rule.chain.n != 2 ||
         t->lift.axis.kind == AXIS_FIXED)
@@ -79,6 +81,9 @@ void toolpath_calm(const struct toolpath *t, const struct toolpath_parts *parts,
         if (!joined)
             *array_push(&end) = k + 1;
     }
-    parallel_for(t->threads, end.n, calm_chains, (void *)&calmer);
+    /* Few chains: the threads share each of them, else each takes some. */
+    bool few = end.n < 8;
+    calmer.threads = few ? t->threads : 1;
+    parallel_for(few ? 1 : t->threads, end.n, calm_chains, &calmer);
     array_free(&end);
 }

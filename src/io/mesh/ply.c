@@ -91,6 +91,35 @@ static int read_vertex(struct ply_source *s, const enum role *role, double value
     return 0;
 }
 
+enum { PLAIN_MOST = 16 }; /* numbers of a row that is read at once */
+
+/* A row of plain numbers as read_vertex has it; 0: it is none. */
+static size_t plain_vertex(const struct ply_source *s, const enum role *role, double value[ROLES])
+{
+    double number[PLAIN_MOST];
+    size_t n = s->element->property.n, length = n <= PLAIN_MOST ? ply_row_numbers(s, n, number) : 0;
+
+    for (size_t i = 0; i < n && length > 0; i++) {
+        if (s->element->property.item[i].list)
+            return 0;
+        if (role[i] != ROLES)
+            value[role[i]] = number[i];
+    }
+    return length;
+}
+
+static int next_vertex(struct ply_source *s, const enum role *role, double value[ROLES],
+                       struct error *error)
+{
+    size_t length = plain_vertex(s, role, value);
+    if (length > 0)
+        ply_row_take(s, length);
+    return length > 0 || (ply_row_begin(s, error) == 0 && read_vertex(s, role, value, error) == 0 &&
+                          ply_row_end(s, error) == 0)
+               ? 0
+               : -1;
+}
+
 static int read_vertices(struct ply_source *s, enum ply_purpose purpose, struct mesh *mesh,
                          struct error *error)
 {
@@ -109,8 +138,7 @@ static int read_vertices(struct ply_source *s, enum ply_purpose purpose, struct 
             role[property[i]] = (enum role)i;
 
     for (s->row = 0; s->row < s->element->count && status == 0; s->row++) {
-        if (ply_row_begin(s, error) < 0 || read_vertex(s, role, value, error) < 0 ||
-            ply_row_end(s, error) < 0 ||
+        if (next_vertex(s, role, value, error) < 0 ||
             (purpose == PLY_MESH && check_vertex(s, property, value, error) < 0))
             status = -1;
         else
@@ -181,6 +209,37 @@ static bool is_corners(const struct ply_property *p)
            (strcmp(p->name, "vertex_indices") == 0 || strcmp(p->name, "vertex_index") == 0);
 }
 
+/* A triangle as plain numbers, with nothing or its surface after it: its row is read. */
+static bool plain_face(struct ply_source *s, struct mesh *mesh)
+{
+    const struct ply_property *p = s->element->property.item;
+    size_t more = s->element->property.n - 1, length;
+    double number[5];
+    struct face face;
+    if (!is_corners(p) || more > 1 || (more == 1 && !is_surface(&p[1], mesh)))
+        return false;
+    length = ply_row_numbers(s, 4 + more, number);
+    if (length == 0 || !(number[0] >= 3 && number[0] <= 3))
+        return false;
+    for (int i = 0; i < 3; i++) {
+        double corner = number[i + 1];
+        if (!(corner >= 0 && corner < (double)mesh->vertex.n && corner == floor(corner)))
+            return false;
+        face.v[i] = (int)corner;
+    }
+    if (more == 1) {
+        double surface = number[4];
+        if (!(surface >= 0 && surface < (double)mesh->origin.surface.n &&
+              surface == floor(surface)) ||
+            mesh->surface.n < mesh->face.n)
+            return false;
+        *array_push(&mesh->surface) = (int)surface;
+    }
+    *array_push(&mesh->face) = face;
+    ply_row_take(s, length);
+    return true;
+}
+
 static int read_faces(struct ply_source *s, struct mesh *mesh, struct error *error)
 {
     if (mesh->vertex.n == 0 && s->element->count > 0)
@@ -188,6 +247,8 @@ static int read_faces(struct ply_source *s, struct mesh *mesh, struct error *err
                         "faces without vertices before them, expected "
                         "element vertex first");
     for (s->row = 0; s->row < s->element->count; s->row++) {
+        if (plain_face(s, mesh))
+            continue;
         if (ply_row_begin(s, error) < 0)
             return -1;
         for (size_t i = 0; i < s->element->property.n; i++) {

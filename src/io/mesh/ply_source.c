@@ -245,6 +245,33 @@ static int next_row_line(struct ply_source *s, struct error *error)
     return got;
 }
 
+static const char *over_blanks(const char *p)
+{
+    while (*p == ' ' || *p == '\t')
+        p++;
+    return p;
+}
+
+size_t ply_row_numbers(const struct ply_source *s, size_t n, double *value)
+{
+    const char *text, *p;
+    if (s->format != PLY_ASCII || reader_ahead(s->reader, &text) == 0)
+        return 0;
+    p = text;
+    for (size_t i = 0; i < n; i++) {
+        p = num_plain(over_blanks(p), &value[i]);
+        if (!p || (*p != ' ' && *p != '\t' && *p != '\n'))
+            return 0;
+    }
+    p = over_blanks(p);
+    return *p == '\n' ? (size_t)(p + 1 - text) : 0;
+}
+
+void ply_row_take(struct ply_source *s, size_t length)
+{
+    reader_take(s->reader, length, 1);
+}
+
 int ply_row_begin(struct ply_source *s, struct error *error)
 {
     if (s->format != PLY_ASCII)

@@ -74,6 +74,13 @@ struct ply_source {
     const char *at, *end;              /* ASCII: what is left of the row's line */
 };
 
+/*
+ * The next row of an ASCII file, if it is n plain numbers and a line end, which is what nearly all
+ * are: its length in bytes, for ply_row_take, else 0, and nothing is read.
+ */
+size_t ply_row_numbers(const struct ply_source *s, size_t n, double *value);
+void ply_row_take(struct ply_source *s, size_t length);
+
 /* All four: 0, or -1 with the row's place in the message.  A row of an ASCII file is a line. */
 int ply_row_begin(struct ply_source *s, struct error *error);
 int ply_row_end(struct ply_source *s, struct error *error);

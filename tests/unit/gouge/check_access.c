@@ -23,7 +23,7 @@ static void add_plane(struct vec3s *points, struct vec3 corner, struct vec3 u, s
 static struct access *access_of(const struct gouge_check *guard, const struct holder *holder,
                                 double margin, double slope)
 {
-    struct access_options options = {guard, holder, &grid, 0.01, margin, slope, 0};
+    struct access_options options = {guard, holder, &grid, 0.01, margin, slope, 0, 1};
 
     return access_new(&options);
 }

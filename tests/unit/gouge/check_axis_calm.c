@@ -61,7 +61,7 @@ static struct axis_calm_options options_of(const struct gouge_check *guard)
     struct error error;
 
     ck_assert_int_eq(machine_finish(&machine, &error), 0);
-    return (struct axis_calm_options){guard, &flute, machine.chain, RADIUS, TOLERANCE, PLAY, 0};
+    return (struct axis_calm_options){guard, &flute, machine.chain, RADIUS, TOLERANCE, PLAY, 0, 1};
 }
 
 /* How far the axis turns from each row's end to the next one's start, all together. */

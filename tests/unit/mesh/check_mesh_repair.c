@@ -41,7 +41,7 @@ static void outside_out(const struct mesh *mesh, double size)
 START_TEST(a_cube_keeps_its_edges)
 {
     struct mesh mesh = shape_cube(10);
-    struct mesh_repair_report r = mesh_repair(&mesh, up);
+    struct mesh_repair_report r = mesh_repair(&mesh, up, 2);
 
     ck_assert(r.normals_made);
     ck_assert_uint_eq(r.sheets, 1);
@@ -58,7 +58,7 @@ START_TEST(a_cube_inside_out_is_turned)
     struct mesh mesh = shape_cube(10);
 
     flip_all(&mesh);
-    struct mesh_repair_report r = mesh_repair(&mesh, up);
+    struct mesh_repair_report r = mesh_repair(&mesh, up, 2);
     ck_assert_uint_eq(r.turned, 1);
     ck_assert_uint_eq(r.flipped, 0);
     outside_out(&mesh, 10);
@@ -76,7 +76,7 @@ START_TEST(facets_of_their_own_are_joined)
         *array_push(&soup.face) = (struct face){{3 * f, 3 * f + 1, 3 * f + 2}};
     flip(&soup, 4);
     flip(&soup, 9);
-    struct mesh_repair_report r = mesh_repair(&soup, up);
+    struct mesh_repair_report r = mesh_repair(&soup, up, 2);
     ck_assert_uint_eq(r.welded, 28);
     ck_assert_uint_eq(r.flipped, 2);
     ck_assert_uint_eq(r.closed, 1);
@@ -96,14 +96,14 @@ START_TEST(what_is_no_facet_goes)
     flip(&mesh, 13);
     *array_push(&mesh.face) = (struct face){{1, 1, 1}};
     *array_push(&mesh.face) = (struct face){{1, 2, 2}};
-    struct mesh_repair_report r = mesh_repair(&mesh, up);
+    struct mesh_repair_report r = mesh_repair(&mesh, up, 2);
     ck_assert_uint_eq(r.doubled, 2);
     ck_assert_uint_eq(r.no_area, 2);
     ck_assert_uint_eq(mesh.face.n, 12);
     outside_out(&mesh, 10);
     mesh_free(&mesh);
     struct mesh none = shape_cube(0);
-    mesh_repair(&none, up);
+    mesh_repair(&none, up, 2);
     ck_assert_uint_eq(none.face.n, 0);
     mesh_free(&none);
 }
@@ -115,25 +115,25 @@ START_TEST(a_sheet_faces_up)
 
     /* One facet, with normals: they stay. */
     flip(&mesh, 20);
-    struct mesh_repair_report r = mesh_repair(&mesh, up);
+    struct mesh_repair_report r = mesh_repair(&mesh, up, 2);
     ck_assert_uint_eq(r.flipped, 1);
     ck_assert_uint_eq(r.turned + r.normals, 0);
     /* All of it, normals too. */
     flip_all(&mesh);
     for (size_t v = 0; v < mesh.normal.n; v++)
         mesh.normal.item[v] = vec_scale(-1, mesh.normal.item[v]);
-    r = mesh_repair(&mesh, up);
+    r = mesh_repair(&mesh, up, 2);
     ck_assert_uint_eq(r.turned, 1);
     /* All facets, but the normals point up. */
     flip_all(&mesh);
-    r = mesh_repair(&mesh, up);
+    r = mesh_repair(&mesh, up, 2);
     ck_assert_uint_eq(r.turned, 0);
     ck_assert_uint_eq(r.flipped, mesh.face.n);
     for (size_t f = 0; f < mesh.face.n; f++)
         ck_assert_double_gt(mesh_face_cross(&mesh, f).z, 0);
     /* One normal. */
     mesh.normal.item[30] = vec_scale(-1, mesh.normal.item[30]);
-    r = mesh_repair(&mesh, up);
+    r = mesh_repair(&mesh, up, 2);
     ck_assert_uint_eq(r.normals, 1);
     for (size_t v = 0; v < mesh.normal.n; v++)
         ck_assert_double_lt(
@@ -141,7 +141,7 @@ START_TEST(a_sheet_faces_up)
     /* Without normals, and a whole sheet of the wrong side. */
     array_free(&mesh.normal);
     flip_all(&mesh);
-    r = mesh_repair(&mesh, up);
+    r = mesh_repair(&mesh, up, 2);
     ck_assert_uint_eq(r.turned, 1);
     for (size_t v = 0; v < mesh.normal.n; v++)
         ck_assert_double_gt(mesh.normal.item[v].z, 0.5);
@@ -156,7 +156,7 @@ START_TEST(normals_of_a_ball)
 
     array_free(&mesh.normal);
     flip_all(&mesh);
-    struct mesh_repair_report r = mesh_repair(&mesh, up);
+    struct mesh_repair_report r = mesh_repair(&mesh, up, 2);
     ck_assert_uint_eq(r.turned, 1);
     for (size_t v = 0; v < mesh.vertex.n; v++)
         ck_assert_double_lt(vec_angle(mesh.normal.item[v], mesh.vertex.item[v]), 0.003);

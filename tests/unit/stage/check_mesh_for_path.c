@@ -14,7 +14,7 @@ static int read_text(const char *text)
 {
     bool closed;
     mesh_free(&mesh);
-    return mesh_for_planes_read(scratch_text(text), vec(0, 0, 1), &mesh, &closed, &error);
+    return mesh_for_planes_read(scratch_text(text), vec(0, 0, 1), 1, &mesh, &closed, &error);
 }
 
 #define HEAD(comments, properties)                                                              \

@@ -176,6 +176,30 @@ START_TEST(polygons_become_fans)
 END_TEST
 
 /* Blanks, empty lines, CRLF, unknown elements and properties, lists inside the vertices. */
+/* Plain rows, which are read at once, among others: each is what it says. */
+START_TEST(rows_of_all_kinds)
+{
+    static const char *const row[] = {"0 0 0\n10 0 0\n0 10 5\n", "0 -0 0e0\n1e1 0 +0\n0 10. 5\n",
+                                      "0 0 0\r\n10\t0  0\r\n 0 10 5 \n",
+                                      "\n0 0 0\n\n10 0 0\n0 10 5\n"};
+    char text[600];
+    for (size_t i = 0; i < sizeof row / sizeof *row; i++) {
+        snprintf(text, sizeof text, HEAD("3", "3") "%s3 0 1 2\n4 2 1 0 2\n\t3 2 0 1.0", row[i]);
+        ck_assert_int_eq(read_text(text), 0);
+        ck_assert_uint_eq(mesh.vertex.n, 3);
+        ck_assert_uint_eq(mesh.face.n, 4);
+        ck_assert(mesh.vertex.item[1].x >= 10 && mesh.vertex.item[1].x <= 10);
+        ck_assert(mesh.vertex.item[2].z >= 5 && mesh.vertex.item[2].z <= 5);
+        ck_assert_int_eq(mesh.face.item[1].v[0], 2);
+        ck_assert_int_eq(mesh.face.item[3].v[2], 1);
+    }
+    refused(HEAD("3", "2") THREE "3 0 1 2\n3 0 1 3\n", "vertex index 3");
+    refused(HEAD("3", "2") THREE "3 0 1 2\n3 0 1\n", "too few numbers");
+    refused(HEAD("3", "2") THREE "3 0 1 2\n3 0 1 2 2\n", "expected a line end");
+    refused(HEAD("3", "1") "0 0 0\n1 0 nan\n0 1 0\n3 0 1 2\n", "z");
+}
+END_TEST
+
 START_TEST(layout_is_free)
 {
     ck_assert_int_eq(
@@ -309,6 +333,7 @@ int main(void)
     tcase_add_test(tests, stream_is_as_documented);
     tcase_add_test(tests, foreign_says_nothing);
     tcase_add_test(tests, polygons_become_fans);
+    tcase_add_test(tests, rows_of_all_kinds);
     tcase_add_test(tests, layout_is_free);
     tcase_add_test(tests, cut_anywhere_is_refused);
     tcase_add_test(tests, rows_are_counted);
