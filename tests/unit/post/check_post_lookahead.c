@@ -251,6 +251,66 @@ START_TEST(past_the_pole)
 }
 END_TEST
 
+/* An arc of radius 20 about (0, 5, 0) over the singular direction, `miss` radians beside it, square
+ * to which the tool stands but for these. */
+static struct path path_over_pole(double miss)
+{
+    double x = 20 * sin(RADIANS(40)), z = 20 * cos(RADIANS(40));
+    struct path path = {.name = "over"};
+    struct pose from = {vec(-x, 5, z), vec_unit(vec(-x / 20, miss, z / 20))}, above = from;
+    struct pose to = {vec(x, 5, z), vec_unit(vec(x / 20, miss, z / 20))};
+    path.head.clearance = NAN;
+    above.p.z = 60;
+    path_add_point(&path, above, true);
+    path_add_point(&path, from, false);
+    path_add_arc(&path, to, (struct path_arc){vec(0, 5, 0), vec(0, 1, 0), 20});
+    above = to;
+    above.p.z = 60;
+    path_add_point(&path, above, true);
+    return path;
+}
+
+/* In straight blocks of such an arc only a part of it can be the one that goes past the singular
+ * direction: where it begins and ends is found, so that the first axis stays all but still. */
+START_TEST(over_the_pole)
+{
+    static const double miss[] = {1e-6, 1e-4, 3e-4, 1e-3};
+    for (int tcp = 0; tcp < 2; tcp++) {
+        const struct nc_plan_options options = {
+            .chord = 0.002, .axis_tolerance = RADIANS(0.05), .feed = 800, .unit = 1};
+        struct machine m = machine_default();
+        struct error error;
+        m.tcp = tcp;
+        m.arcs = m.arcs_tcp = m.arcs_space = false;
+        ck_assert_int_eq(machine_finish(&m, &error), 0);
+        struct nc_ability ability = dialect_ability(CONTROL_fanuc, &m, POST_AXIS_ROTARY, false, 1);
+        struct path path = path_over_pole(miss[_i]);
+        struct nc_plan plan;
+        ck_assert_msg(nc_plan_make(&plan, &path, &m, ability, options, &error) == 0, "%s",
+                      error.text);
+        ck_assert_uint_eq(plan.total.turns, 0);
+        double turn[2] = {0, 0};
+        for (size_t i = 1; i < plan.move.n; i++) {
+            const struct nc_move *move = &plan.move.item[i];
+            if (move->kind != NC_LINE)
+                continue;
+            struct pose at = pose_of(&m, move);
+            struct vec3 a = vec_unit(vec(at.p.x / 20, miss[_i], at.p.z / 20));
+            ck_assert_double_lt(fabs(vec_distance(at.p, vec(0, 5, 0)) - 20), 0.003);
+            ck_assert_double_lt(vec_angle(at.a, a), RADIANS(0.06));
+            for (int k = 0; k < 2; k++)
+                turn[k] += fabs(move->q[k] - move[-1].q[k]);
+        }
+        if (miss[_i] < 4e-4) /* half of the tolerance of the axis */
+            ck_assert_double_lt(turn[0], RADIANS(20));
+        ck_assert_double_lt(turn[0], RADIANS(181));
+        ck_assert_double_eq_tol(turn[1], RADIANS(80), RADIANS(0.3));
+        nc_plan_free(&plan);
+        path_free(&path);
+    }
+}
+END_TEST
+
 /* With vectors the control turns the axes as it likes: what may go through the pole is said so. */
 START_TEST(vectors_through_the_pole)
 {
@@ -288,6 +348,7 @@ int main(void)
     tcase_add_loop_test(tests, as_by_trying, 0, 2 * KINDS_SHIPPED);
     tcase_add_test(tests, solutions_that_differ);
     tcase_add_loop_test(tests, past_the_pole, 0, 7);
+    tcase_add_loop_test(tests, over_the_pole, 0, 4);
     tcase_add_loop_test(tests, vectors_through_the_pole, 0, 4);
     suite_add_tcase(suite, tests);
 
