@@ -282,6 +282,42 @@ START_TEST(a_curve_moves_with_its_data)
 }
 END_TEST
 
+/* Twelve waves of 2 mm, and four humps beside them. */
+static struct run long_wave(double hump)
+{
+    struct run run = {.radius = 4};
+
+    for (int k = 0; k <= 1200; k++) {
+        double x = 0.2 * k, up = 0;
+        for (int i = 0; i < 4; i++)
+            up += exp(-(x - 30 - 60 * i) * (x - 30 - 60 * i) / 25);
+        struct run_point p = {.axis = vec(0, 0, 1), .ball = vec(x, 2 * sin(x / 5), hump * up)};
+        p.tip = vec_along(p.ball, -run.radius, p.axis);
+        *array_push(&run) = p;
+    }
+    return run;
+}
+
+/* Data that moves in four places: a sixteenth more knots, and two, may be had for it. */
+START_TEST(a_curve_moves_in_several_places)
+{
+    struct run run = long_wave(0), moved = long_wave(0.036);
+    struct reference t = reference_distinct(&run, true), u = reference_distinct(&moved, true);
+    struct bspline before = free_knots_search(&t, &USUAL).curve;
+    struct bspline curve = free_knots_again(&u, &USUAL, &before).curve;
+    ck_assert_uint_gt(curve.poles, before.poles + 2);
+    ck_assert_uint_le(curve.poles, before.poles + before.poles / 16 + 2);
+    ck_assert_double_le(trial_brute_force(&curve, &u, false), 0.01);
+    ck_assert_double_le(trial_brute_force(&curve, &u, true), 0.01);
+    bspline_free(&curve);
+    bspline_free(&before);
+    reference_free(&t);
+    reference_free(&u);
+    array_free(&run);
+    array_free(&moved);
+}
+END_TEST
+
 /* A pole for every few points of uneven data: from the count that is known to serve on down. */
 START_TEST(uneven_data_takes_fewer_than_is_known)
 {
@@ -317,6 +353,7 @@ int main(void)
     tcase_add_test(t, noise_above_the_tolerance);
     tcase_add_test(t, hardly_any_points);
     tcase_add_test(t, a_curve_moves_with_its_data);
+    tcase_add_test(t, a_curve_moves_in_several_places);
     tcase_add_test(t, uneven_data_takes_fewer_than_is_known);
     Suite *s = suite_create("free_knots");
     suite_add_tcase(s, t);
