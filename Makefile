@@ -269,7 +269,7 @@ lint:
 
 # What is abandoned when a process ends, and asking for more memory than there is, are no faults.
 sanitize:
-	mkdir -p $(BUILD)/sanitize && echo leak:create_beside >$(BUILD)/sanitize/leaks
+	mkdir -p $(BUILD)/sanitize && printf "leak:%s\n" create_beside out_open >$(BUILD)/sanitize/leaks
 	ASAN_OPTIONS=allocator_may_return_null=1 \
 	  LSAN_OPTIONS=print_suppressions=0:suppressions=$(abspath $(BUILD))/sanitize/leaks \
 	  $(MAKE) BUILD=$(BUILD)/sanitize CC=clang \

@@ -50,6 +50,8 @@ void edge_trial_free(struct edge_trial *trial)
     for (size_t i = 0; i < trial->grid.n; i++)
         array_free(&trial->work.found[i]);
     free(trial->work.found);
+    if (trial->work.chosen != trial->work.flank) /* it takes its place where flanks are chosen */
+        free(trial->work.chosen);
     free(trial->work.flank);
     point_grid_free(&trial->grid);
     array_free(&trial->scan);
