@@ -21,6 +21,8 @@ static const double SHORTEST = 0.02; /* mm: a holder that is followed moves no l
 static const double SAME = 1e-6;     /* mm and radians: a point that says what the next one does */
 static const double ABOVE = 1;       /* mm: of the whole tool over the guard's top */
 static const double DIPS = 0.01;     /* radians: a turn that leans so much further dips */
+static const double SHORTER = 0.8;   /* of a retract: one that is worth a corner */
+static const double STEEP = 0.7;     /* z of a direction: none that leads up so is left for it */
 static const double UNDER = 0.7;     /* of the radius: what of a ball must come up from a link */
 
 /* ---- with the tool down */
@@ -528,6 +530,73 @@ static void search_all(struct search *s)
     try_around(s, z, RADIANS(85));
 }
 
+static double length_of(const struct retract *r, struct vec3 from)
+{
+    double length = 0;
+
+    for (size_t i = 0; i < r->n; from = r->at[i++])
+        length += vec_distance(from, r->at[i]);
+    return length;
+}
+
+/* Of a way's legs the last that does not lead straight up: where it ends; 0: at[0] is its end. */
+static size_t slanted_leg(const struct retract *r)
+{
+    const double upright = 1e-6; /* mm */
+    size_t k = r->n - 1;
+
+    while (k > 0 && hypot(r->at[k].x - r->at[k - 1].x, r->at[k].y - r->at[k - 1].y) < upright)
+        k--;
+    return k;
+}
+
+static struct vec3 start_of(const struct search *s, size_t leg)
+{
+    return leg > 0 ? s->best.at[leg - 1] : s->p->ball;
+}
+
+static struct vec3 direction_of(const struct search *s, size_t leg)
+{
+    return vec_unit(vec_sub(s->best.at[leg], start_of(s, leg)));
+}
+
+/* The way with a corner on its slanted leg, from where it leads straight up: at rapid, as it is, or
+ * at feed up to there. */
+static struct retract cut_short(const struct search *s, size_t leg, double first)
+{
+    struct retract r = s->best;
+
+    r.at[leg] = vec_along(start_of(s, leg), first, direction_of(s, leg));
+    r.n = leg + 1;
+    return r;
+}
+
+/* A flat axis leads far aside before it is over the part: the way goes along it only until it is
+ * clear straight up, if that is shorter, or rapid at last. */
+static void shorten(struct search *s)
+{
+    static const double out[] = {2, 4, 8, 16, 32}; /* radii along the leg */
+    size_t leg = s->done ? slanted_leg(&s->best) : 0;
+    double most = (s->done ? SHORTER : 1) * length_of(&s->best, s->p->ball);
+
+    if ((s->done && leg == 0) || leg + 1 >= LINK_LEGS || direction_of(s, leg).z > STEEP)
+        return;
+    for (size_t i = 0; i < sizeof out / sizeof *out; i++) {
+        struct search bent = *s;
+        struct retract r = cut_short(s, leg, out[i] * s->options->radius);
+        if (length_of(&r, s->p->ball) + fmax(0, s->plane - r.at[leg].z) > most)
+            return;
+        bent.best = (struct retract){.n = 0};
+        bent.done = false;
+        try_way(&bent, r);
+        if (bent.done && length_of(&bent.best, s->p->ball) <= most) {
+            s->best = bent.best;
+            s->done = true;
+            return;
+        }
+    }
+}
+
 struct retract link_retract(const struct link_options *options, const struct run_point *p)
 {
     const struct gouge_lift_options *lift = options->lift;
@@ -549,7 +618,11 @@ struct retract link_retract(const struct link_options *options, const struct run
         return r;
     }
     try_straight(&s, p->axis);
+    if (s.best.clear && !s.done)
+        shorten(&s);
     if (!s.done)
         search_all(&s);
+    if (s.done)
+        shorten(&s);
     return s.best;
 }

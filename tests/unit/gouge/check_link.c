@@ -188,6 +188,31 @@ START_TEST(a_retract_goes_up_the_axis)
 }
 END_TEST
 
+/* A tool that lies beside a wall goes along its axis only until it is clear of it, and then straight
+ * up: not as far as its axis takes to be over the part. */
+START_TEST(a_flat_axis_leads_out_and_then_up)
+{
+    struct gouge_check *guard = floor_with_wall(40);
+    struct gouge_lift_options rule = {.guard = guard, .offset = R, .tolerance = 0.01};
+    const struct holder none = {0};
+    struct link_options options = {
+        .lift = &rule, .holder = &none, .radius = R, .clearance = 50, .approach = 2};
+    struct run_point p = point_at(2 - R, 10);
+    p.axis = vec(0, -0.96, 0.28);
+    struct retract r = link_retract(&options, &p);
+    struct vec3 last = p.ball;
+    double length = 0;
+    ck_assert(r.clear && r.rapid);
+    for (size_t k = 0; k < r.n; last = r.at[k++]) {
+        ck_assert_double_le(gouge_depth_along(guard, last, r.at[k], R), 0.01);
+        length += vec_distance(last, r.at[k]);
+    }
+    ck_assert_double_eq_tol(last.z - R * p.axis.z, 50, 1e-9);
+    ck_assert_double_lt(length, 60); /* 148 along its axis */
+    gouge_free(guard);
+}
+END_TEST
+
 /* Up along a flank 0.25 mm beside the ball the way is clear, and no rapid ends beside the flank. */
 START_TEST(a_rapid_ends_off_the_flank_that_it_leads_along)
 {
@@ -593,6 +618,7 @@ int main(void)
     tcase_add_test(tests, without_a_guard_it_is_straight);
     tcase_add_test(tests, a_low_link_turns_as_rotary_axes_do);
     tcase_add_test(tests, a_retract_goes_up_the_axis);
+    tcase_add_test(tests, a_flat_axis_leads_out_and_then_up);
     tcase_add_test(tests, a_rapid_ends_off_the_flank_that_it_leads_along);
     tcase_add_test(tests, all_legs_of_a_way_are_clear);
     tcase_add_test(tests, no_flute_goes_deeper_between_steps);
