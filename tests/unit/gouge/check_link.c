@@ -188,8 +188,8 @@ START_TEST(a_retract_goes_up_the_axis)
 }
 END_TEST
 
-/* A tool that lies beside a wall goes along its axis only until it is clear of it, and then straight
- * up: not as far as its axis takes to be over the part. */
+/* A tool that lies beside a wall goes along its axis only until it is clear of it, and then
+ * straight up: not as far as its axis takes to be over the part. */
 START_TEST(a_flat_axis_leads_out_and_then_up)
 {
     struct gouge_check *guard = floor_with_wall(40);
