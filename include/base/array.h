@@ -45,6 +45,9 @@ struct doubles {
 /* Sorts n values in increasing order; none may be NAN. */
 void doubles_sort(double *value, size_t n);
 
+/* The one of n values (k < n) that would stand at k if they were sorted; changes their order. */
+double doubles_select(double *value, size_t n, size_t k);
+
 struct ints {
     size_t n, cap;
     int *item;

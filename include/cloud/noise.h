@@ -31,7 +31,8 @@ struct noise noise_measure(const struct point_grid *point_grid, int threads);
 double noise_sigma(const struct point_grid *point_grid, int threads);
 
 /* Standard deviation of n normally distributed numbers about 0, of which `distance` are the sizes:
- * from their median, so that a few large ones do not count (Hampel 1974).  Sorts them.  0 of none.
+ * from their median, so that a few large ones do not count (Hampel 1974).  Changes their order.  0
+ * of none.
  */
 double noise_of_distances(double *distance, size_t n);
 

@@ -67,7 +67,7 @@ struct plan_cells {
     struct plan_extent extent;
     double columns, rows, right, up; /* how many, and how many a mm */
     size_t n, mask;                  /* a set with open addressing, empty where zero */
-    uint64_t *key, last;
+    uint64_t *key, last;             /* mask 0: a bit for each cell */
 };
 
 /* n: points that will come.  The end returns the area of the cells with points, mm2. */

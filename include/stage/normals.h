@@ -17,7 +17,8 @@
 struct normals_options {
     struct vec3 *point; /* of the scan, which are sorted; NULL: there is only the mesh */
     size_t n;
-    double spacing; /* mean spacing of the points, mm */
+    const struct point_grid *scan; /* they, sorted already; NULL: they are not */
+    double spacing;                /* mean spacing of the points, mm */
     double noise; /* of the points, one standard deviation, mm, that vertices are rid of; 0: none */
     int neighbours; /* points that a surface goes through; 0: chosen */
     int threads;

@@ -87,3 +87,29 @@ void doubles_sort(double *value, size_t n)
 {
     qsort(value, n, sizeof *value, by_size);
 }
+
+/* Hoare's selection. */
+double doubles_select(double *value, size_t n, size_t k)
+{
+    for (size_t from = 0, to = n; to - from > 1;) {
+        double pivot = value[from + (to - from) / 2];
+        size_t i = from, j = to - 1;
+        for (;; i++, j--) {
+            while (value[i] < pivot)
+                i++;
+            while (value[j] > pivot)
+                j--;
+            if (i >= j)
+                break;
+            double swap = value[i];
+            value[i] = value[j];
+            value[j] = swap;
+        }
+        size_t cut = i > from ? i : from + 1;
+        if (k < cut)
+            to = cut;
+        else
+            from = cut;
+    }
+    return value[k];
+}

@@ -122,6 +122,5 @@ double noise_of_distances(double *distance, size_t n)
 {
     if (n == 0)
         return 0;
-    doubles_sort(distance, n);
-    return SIGMA_OF_MEDIAN * distance[n / 2];
+    return SIGMA_OF_MEDIAN * doubles_select(distance, n, n / 2);
 }

@@ -34,6 +34,7 @@ struct search {
     double sigma, spacing;
     unsigned char *out;
     bool floating; /* only what is apart from the rest */
+    double *top;   /* of each cell, once it is asked for */
 };
 
 size_t outliers_twice(const struct point_grid *b, unsigned char *out)
@@ -491,7 +492,7 @@ static size_t mark_and_keep(const struct point_grid *b, double sigma, int thread
     size_t found = 0;
 
     memset(own, 0, b->n);
-    struct search s = {b, sigma, point_grid_spacing(b), own, floating};
+    struct search s = {b, sigma, point_grid_spacing(b), own, floating, NULL};
     parallel_for(threads, blocks_across(b->columns) * blocks_across(b->rows), mark_isolated, &s);
     keep_borne_out(b, sigma, own);
     for (size_t i = 0; i < b->n; i++) {
@@ -528,6 +529,18 @@ static unsigned eighths_above(const struct point_grid *b, size_t cell, struct ve
     return above;
 }
 
+static void find_tops(void *context, size_t from, size_t to)
+{
+    const struct search *s = context;
+    const struct point_grid *b = s->point_grid;
+    for (size_t cell = from; cell < to; cell++) {
+        double top = -INFINITY;
+        for (size_t i = b->first[cell]; i < b->first[cell + 1]; i++)
+            top = fmax(top, b->point[i].z);
+        s->top[cell] = top;
+    }
+}
+
 static void mark_under_roof(void *context, size_t from, size_t to)
 {
     const struct search *s = context;
@@ -538,9 +551,8 @@ static void mark_under_roof(void *context, size_t from, size_t to)
         size_t r0 = row > 0 ? row - 1 : 0, r1 = row + 1 < b->rows ? row + 1 : row;
         size_t c0 = column > 0 ? column - 1 : 0, c1 = column + 1 < b->columns ? column + 1 : column;
         for (size_t r = r0; r <= r1; r++)
-            for (size_t i = b->first[r * b->columns + c0]; i < b->first[r * b->columns + c1 + 1];
-                 i++)
-                top = fmax(top, b->point[i].z);
+            for (size_t c = c0; c <= c1; c++)
+                top = fmax(top, s->top[r * b->columns + c]);
         for (size_t i = b->first[cell]; i < b->first[cell + 1]; i++) {
             unsigned above = 0;
             if (top - b->point[i].z < b->cell)
@@ -556,7 +568,10 @@ static void mark_under_roof(void *context, size_t from, size_t to)
 size_t outliers_under_roof(const struct point_grid *b, int threads, unsigned char *out)
 {
     size_t before = count_marked(out, b->n);
-    struct search s = {b, 0, point_grid_spacing(b), out, false};
+    struct search s = {b,   0,     point_grid_spacing(b),
+                       out, false, mem_alloc(b->columns * b->rows, sizeof *s.top)};
+    parallel_for(threads, b->columns * b->rows, find_tops, &s);
     parallel_for(threads, b->columns * b->rows, mark_under_roof, &s);
+    free(s.top);
     return count_marked(out, b->n) - before;
 }

@@ -103,6 +103,16 @@ int plan_extent_check(const struct vec3 *point, size_t n, struct error *error)
                      n, a.x, a.y, b.x, b.y);
 }
 
+/* So many cells for each point have a bit each: no more memory than the set takes. */
+static const double BITS = 64;
+
+static void add_bit(struct plan_cells *c, uint64_t cell)
+{
+    uint64_t *bits = &c->key[cell / 64], bit = (uint64_t)1 << cell % 64;
+    c->n += (*bits & bit) == 0;
+    *bits |= bit;
+}
+
 static void add_cell(struct plan_cells *c, uint64_t key)
 {
     size_t at = (size_t)(key * 0x9E3779B97F4A7C15u >> 32) & c->mask;
@@ -126,6 +136,10 @@ struct plan_cells plan_cells_begin(const struct plan_extent *f, size_t n, double
     c.right = c.columns / w;
     c.up = c.rows / h;
     double most = fmin((double)n, c.columns * c.rows);
+    if (c.columns * c.rows <= BITS * (double)n) {
+        c.key = mem_alloc((size_t)(c.columns * c.rows) / 64 + 1, sizeof *c.key);
+        return c;
+    }
     size_t size = 64;
     while ((double)size < 2 * most)
         size *= 2;
@@ -142,6 +156,11 @@ void plan_cells_add(struct plan_cells *c, const struct vec3 *point, size_t n)
         double column = (p.x - f->xmin) * c->right, row = (p.y - f->ymin) * c->up;
         column = column < c->columns ? column : c->columns - 1;
         row = row < c->rows ? row : c->rows - 1;
+        if (c->mask == 0) {
+            add_bit(c, (uint64_t)(int64_t)row * (uint64_t)(int64_t)c->columns +
+                           (uint64_t)(int64_t)column);
+            continue;
+        }
         uint64_t key = ((uint64_t)column << 32 | (uint64_t)row) + 1;
         if (key != c->last) /* scanned in order, most points fall into the cell of the one before */
             add_cell(c, key);

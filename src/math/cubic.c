@@ -5,7 +5,7 @@
 #include "math/cubic.h"
 
 #include <string.h>
-#include "pair.h"
+#include "math/pair.h"
 
 enum { TERMS = 10, DEGREE = 3 };
 

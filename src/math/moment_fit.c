@@ -3,7 +3,7 @@
 
 #include <stdbool.h>
 #include <string.h>
-#include "pair.h"
+#include "math/pair.h"
 
 enum { QUADRIC = 6, CUBIC = 10, POWERS = 28, FRAMES = 2 };
 
@@ -18,7 +18,7 @@ static const double HIGHEST = 20; /* so many times the points that fit are looke
 /* The points in the ball, from the place. */
 struct ball {
     size_t n;
-    struct vec3 d[MOMENT_FIT_MOST];
+    struct vec3 d[MOMENT_FIT_MOST + 1]; /* the last for one too many */
 };
 
 /* Sums of u^i v^j, by degree and from u^degree to v^degree; of u^i v^j w; and of w^2. */
@@ -40,25 +40,27 @@ static bool gather(const struct point_grid *b, struct vec3 place, double radius,
     size_t right = point_grid_column(b, place.x + radius);
     size_t low = point_grid_row(b, place.y - radius), high = point_grid_row(b, place.y + radius);
     double radius2 = radius * radius;
-    size_t looked = 0;
+    const pair at = {place.x, place.y};
+    size_t looked = 0, n = 0;
 
-    ball->n = 0;
     for (size_t row = low; row <= high; row++) {
         uint32_t from = b->first[row * b->columns + left];
         uint32_t to = b->first[row * b->columns + right + 1];
         looked += to - from;
         if (looked > (size_t)(HIGHEST * MOMENT_FIT_MOST))
             return false;
-        for (uint32_t i = from; i < to; i++) {
-            struct vec3 d = vec_sub(b->point[i], place);
-            if (vec_dot(d, d) > radius2)
-                continue;
-            if (ball->n == MOMENT_FIT_MOST)
+        for (const struct vec3 *p = b->point + from, *end = b->point + to; p < end; p++) {
+            pair d = pair_at(&p->x) - at, squares = d * d;
+            double z = p->z - place.z;
+            pair_put(&ball->d[n].x, d); /* each, and one in three is in the ball: no jumps */
+            ball->d[n].z = z;
+            n += squares[0] + squares[1] + z * z <= radius2;
+            if (n > MOMENT_FIT_MOST)
                 return false;
-            ball->d[ball->n++] = d;
         }
     }
-    return ball->n >= MOMENT_FIT_LEAST;
+    ball->n = n;
+    return n >= MOMENT_FIT_LEAST;
 }
 
 /* Of u and v in units of the radius, and w in mm.  The sums of u^i v^j and of v^i u^j are pairs. */
@@ -69,12 +71,13 @@ static struct sums add_up(const struct quadric *frame, double radius, const stru
     pair d41 = none, d32 = none, d6 = none, d51 = none, d42 = none;
     pair w1 = none, w2 = none, w3 = none, w21 = none, same = none, w0 = none;
     double u3v3 = 0, ww = 0;
-    struct vec3 along_u = vec_scale(1 / radius, frame->u),
-                along_v = vec_scale(1 / radius, frame->v);
+    struct vec3 u = vec_scale(1 / radius, frame->u), v = vec_scale(1 / radius, frame->v);
+    const pair x = {u.x, v.x}, y = {u.y, v.y}, z = {u.z, v.z};
 
     for (size_t i = 0; i < ball->n; i++) {
-        pair e = {vec_dot(ball->d[i], along_u), vec_dot(ball->d[i], along_v)}, o = pair_swap(e);
-        double w = vec_dot(ball->d[i], frame->w), uv = e[0] * e[1];
+        const struct vec3 d = ball->d[i];
+        pair e = pair_both(d.x) * x + pair_both(d.y) * y + pair_both(d.z) * z, o = pair_swap(e);
+        double w = vec_dot(d, frame->w), uv = e[0] * e[1];
         pair e2 = e * e, e3 = e2 * e, e21 = e2 * o, h = pair_both(w);
         d1 += e, d2 += e2, d3 += e3, d21 += e21, d4 += e2 * e2;
         d31 += e3 * o, d5 += e3 * e2, d41 += e3 * pair_both(uv), d32 += e3 * pair_swap(e2);

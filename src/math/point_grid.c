@@ -8,7 +8,7 @@
 #include "math/elementary.h"
 #include "base/array.h"
 #include "base/parallel.h"
-#include "pair.h"
+#include "math/pair.h"
 
 static const double CELLS_WIDE = 3; /* a cell, in spacings */
 
@@ -17,13 +17,24 @@ static double coordinate(struct vec3 p, int axis)
     return axis == 0 ? p.x : p.y;
 }
 
-static void range_of(const struct vec3 *point, size_t n, int axis, double *low, double *high)
+static inline pair lesser(pair a, pair b)
 {
-    *low = *high = coordinate(point[0], axis);
+    return (pair){a[0] < b[0] ? a[0] : b[0], a[1] < b[1] ? a[1] : b[1]};
+}
+
+static inline pair greater(pair a, pair b)
+{
+    return (pair){a[0] > b[0] ? a[0] : b[0], a[1] > b[1] ? a[1] : b[1]};
+}
+
+/* The box of the points seen from above. */
+static void range_of(const struct vec3 *point, size_t n, pair *low, pair *high)
+{
+    *low = *high = pair_at(&point[0].x);
     for (size_t i = 1; i < n; i++) {
-        double v = coordinate(point[i], axis);
-        *low = v < *low ? v : *low;
-        *high = v > *high ? v : *high;
+        pair at = pair_at(&point[i].x);
+        *low = lesser(at, *low);
+        *high = greater(at, *high);
     }
 }
 
@@ -54,9 +65,12 @@ static void core_of(const struct vec3 *point, size_t n, int axis, double *low, d
 /* Cells over the box of the points; over their core where the box is mostly empty. */
 static void lay_out(struct point_grid *b, double spacing)
 {
-    double x1, y1, most = (double)b->n + 64;
-    range_of(b->point, b->n, 0, &b->x, &x1);
-    range_of(b->point, b->n, 1, &b->y, &y1);
+    double most = fmin((double)b->n + 64, UINT32_MAX);
+    pair low, high;
+    range_of(b->point, b->n, &low, &high);
+    double x1 = high[0], y1 = high[1];
+    b->x = low[0];
+    b->y = low[1];
     b->cell = CELLS_WIDE * spacing;
     if ((floor((x1 - b->x) / b->cell) + 1) * (floor((y1 - b->y) / b->cell) + 1) > most) {
         core_of(b->point, b->n, 0, &b->x, &x1);
@@ -89,98 +103,187 @@ size_t point_grid_row(const struct point_grid *b, double y)
     return cell_from(b->y, b->cell, y, b->rows);
 }
 
-static size_t cell_of(const struct point_grid *b, struct vec3 p)
+/* Of many points: what each needs of the grid, and no jumps. */
+struct cells {
+    pair corner, width, last; /* the last column and row */
+    uint32_t columns;
+};
+
+static struct cells cells_of(const struct point_grid *b)
 {
-    return point_grid_row(b, p.y) * b->columns + point_grid_column(b, p.x);
+    return (struct cells){.corner = {b->x, b->y},
+                          .width = pair_both(b->cell),
+                          .last = {(double)(b->columns - 1), (double)(b->rows - 1)},
+                          .columns = (uint32_t)b->columns};
 }
 
-/* Counts the points of each cell, of cell c in first[c + 1].  True: they are sorted by cells, and
- * in each by x, y, z. */
-static bool count_cells(struct point_grid *b)
+/* The same cell as by its column and row. */
+static inline uint32_t cell_of(const struct cells *c, const struct vec3 *p)
 {
-    size_t before = 0;
-    bool sorted = true;
+    const pair none = {0, 0};
+    pair at = (pair_at(&p->x) - c->corner) / c->width;
+    at = lesser(greater(at, none), c->last);
+    return (uint32_t)(int64_t)at[1] * c->columns + (uint32_t)(int64_t)at[0];
+}
+
+static inline bool comes_before(const struct vec3 *p, const struct vec3 *q)
+{
+    return p->x != q->x ? p->x < q->x : vec_compare(p, q) < 0;
+}
+
+/* Counts the points of each cell, of cell c in first[c + 1], as long as they are sorted by cells,
+ * and in each by x, y, z.  False: they are not. */
+static bool count_in_order(struct point_grid *b, const struct cells *cells)
+{
+    uint32_t before = 0;
 
     for (size_t i = 0; i < b->n; i++) {
-        size_t c = cell_of(b, b->point[i]);
+        uint32_t c = cell_of(cells, &b->point[i]);
+        if (c < before || (c == before && i > 0 && comes_before(&b->point[i], &b->point[i - 1])))
+            return false;
         b->first[c + 1]++;
-        sorted = sorted && (c > before || i == 0 ||
-                            (c == before && vec_compare(&b->point[i - 1], &b->point[i]) <= 0));
         before = c;
     }
-    return sorted;
+    return true;
 }
 
 /* Each point is put where its part has room, in exchange for what stands there (McIlroy, Bostic and
- * McIlroy 1993, American flag sort): no copy of the cloud, and little to do where it is sorted.
- * next[]: of each part, where its next point goes; end[]: where it ends. */
-static void exchange(const struct point_grid *b, size_t parts, size_t rows, uint32_t *next,
-                     const uint32_t *end)
+ * McIlroy 1993, American flag sort): no copy of the cloud.  A part: 2^shift cells, from one that is
+ * such a multiple on, counted from that of `next`.  next[]: of each part, where its next point goes;
+ * end[]: where it ends. */
+static void exchange(const struct point_grid *b, int shift, uint32_t from, size_t parts,
+                     uint32_t *next, const uint32_t *end)
 {
+    const struct cells cells = cells_of(b);
+
     for (size_t c = 0; c < parts; c++)
         while (next[c] < end[c]) {
             struct vec3 *here = &b->point[next[c]], p = *here;
-            size_t part = rows > 0 ? point_grid_row(b, p.y) / rows : cell_of(b, p);
-            struct vec3 *there = &b->point[next[part]++];
+            struct vec3 *there = &b->point[next[(cell_of(&cells, &p) - from) >> shift]++];
             *here = *there;
             *there = p;
         }
 }
 
-/* First into blocks of rows, few enough that where each goes on stays near: a cloud in no order
- * would else be gone through at random. */
-static void sort_into_blocks(const struct point_grid *b)
-{
-    enum { BLOCKS = 128 };
-    uint32_t next[BLOCKS], end[BLOCKS];
-    size_t rows = (b->rows - 1) / BLOCKS + 1, blocks = (b->rows - 1) / rows + 1;
+/* Parts of the cloud, 2^shift cells each: few, so that where each goes on stays near while a cloud
+ * in no order is gone through, and small, so that what is done within one stays near, too. */
+enum { PARTS = 256, AT_HAND = 1 << 17 /* points of a part of which there may be a copy */ };
 
-    for (size_t k = 0; k < blocks; k++) {
-        size_t last = (k + 1) * rows < b->rows ? (k + 1) * rows : b->rows;
-        next[k] = b->first[k * rows * b->columns];
-        end[k] = b->first[last * b->columns];
+struct sorting {
+    struct point_grid *grid;
+    int shift;
+    size_t parts;
+    uint32_t end[PARTS];
+};
+
+static void sort_into_parts(struct sorting *s)
+{
+    const struct point_grid *b = s->grid;
+    const struct cells cells = cells_of(b);
+    uint32_t next[PARTS] = {0}, from = 0;
+
+    for (size_t i = 0; i < b->n; i++)
+        next[cell_of(&cells, &b->point[i]) >> s->shift]++;
+    for (size_t k = 0; k < s->parts; k++) {
+        uint32_t n = next[k];
+        next[k] = from;
+        s->end[k] = from += n;
     }
-    exchange(b, blocks, rows, next, end);
+    exchange(b, s->shift, 0, s->parts, next, s->end);
 }
 
-/* True: the points were in order. */
-static bool sort_into_cells(struct point_grid *b)
-{
-    size_t cells = b->columns * b->rows;
-
-    b->first = mem_alloc(cells + 1, sizeof *b->first);
-    bool sorted = count_cells(b);
-    for (size_t c = 0; c < cells; c++)
-        b->first[c + 1] += b->first[c];
-    if (sorted)
-        return true;
-    uint32_t *next = mem_alloc(cells, sizeof *next);
-    memcpy(next, b->first, cells * sizeof *next);
-    sort_into_blocks(b);
-    exchange(b, cells, 0, next, b->first + 1);
-    free(next);
-    return false;
-}
-
-static void sort_cells(void *context, size_t from, size_t to)
+static void sort_cell(struct vec3 *p, size_t n)
 {
     enum { FEW = 24 };
-    const struct point_grid *b = context;
-    for (size_t c = from; c < to; c++) {
-        struct vec3 *p = b->point + b->first[c];
-        size_t n = b->first[c + 1] - b->first[c];
-        if (n > FEW) {
-            qsort(p, n, sizeof *p, vec_compare);
-            continue;
-        }
-        for (size_t i = 1; i < n; i++) {
-            struct vec3 v = p[i];
-            size_t k = i;
-            for (; k > 0 && vec_compare(&v, &p[k - 1]) < 0; k--)
-                p[k] = p[k - 1];
-            p[k] = v;
-        }
+    if (n > FEW) {
+        qsort(p, n, sizeof *p, vec_compare);
+        return;
     }
+    for (size_t i = 1; i < n; i++) {
+        struct vec3 v = p[i];
+        size_t k = i;
+        for (; k > 0 && comes_before(&v, &p[k - 1]); k--)
+            p[k] = p[k - 1];
+        p[k] = v;
+    }
+}
+
+/* Room for a part. */
+struct copy {
+    struct vec3 *point;
+    uint32_t *cell, *next;
+};
+
+/* The points of one part by their cells, from a copy or, where there are very many, in exchange. */
+static void sort_part(const struct sorting *s, size_t part, const struct copy *copy)
+{
+    const struct point_grid *b = s->grid;
+    const struct cells all = cells_of(b);
+    size_t cells = b->columns * b->rows, c0 = part << s->shift;
+    size_t c1 = c0 + ((size_t)1 << s->shift) < cells ? c0 + ((size_t)1 << s->shift) : cells;
+    uint32_t from = part > 0 ? s->end[part - 1] : 0, n = s->end[part] - from, *next = copy->next;
+    struct vec3 *point = b->point + from;
+
+    memset(next, 0, (c1 - c0) * sizeof *next);
+    for (uint32_t i = 0; i < n; i++) {
+        uint32_t c = cell_of(&all, &point[i]) - (uint32_t)c0;
+        if (n <= AT_HAND)
+            copy->cell[i] = c;
+        next[c]++;
+    }
+    for (size_t c = c0; c < c1; c++) {
+        uint32_t of_cell = next[c - c0];
+        next[c - c0] = from;
+        b->first[c + 1] = from += of_cell;
+    }
+    if (n <= AT_HAND) {
+        memcpy(copy->point, point, n * sizeof *point);
+        for (uint32_t i = 0; i < n; i++)
+            b->point[next[copy->cell[i]]++] = copy->point[i];
+    } else {
+        exchange(b, 0, (uint32_t)c0, c1 - c0, next, b->first + c0 + 1);
+    }
+    for (size_t c = c0; c < c1; c++) {
+        uint32_t begin = c > c0 ? b->first[c] : s->end[part] - n;
+        sort_cell(b->point + begin, b->first[c + 1] - begin);
+    }
+}
+
+static void sort_parts(void *context, size_t from, size_t to)
+{
+    const struct sorting *s = context;
+    size_t most = 0;
+    for (size_t k = from; k < to; k++) {
+        size_t n = s->end[k] - (k > 0 ? s->end[k - 1] : 0);
+        most = n > most && n <= AT_HAND ? n : most;
+    }
+    struct copy copy = {mem_alloc(most, sizeof *copy.point), mem_alloc(most, sizeof *copy.cell),
+                        mem_alloc((size_t)1 << s->shift, sizeof *copy.next)};
+    for (size_t k = from; k < to; k++)
+        sort_part(s, k, &copy);
+    free(copy.point);
+    free(copy.cell);
+    free(copy.next);
+}
+
+static void sort_into_cells(struct point_grid *b, int threads)
+{
+    size_t cells = b->columns * b->rows;
+    struct sorting s = {.grid = b};
+    const struct cells all = cells_of(b);
+
+    b->first = mem_alloc(cells + 1, sizeof *b->first);
+    if (count_in_order(b, &all)) {
+        for (size_t c = 0; c < cells; c++)
+            b->first[c + 1] += b->first[c];
+        return;
+    }
+    b->first[0] = 0;
+    while ((cells - 1) >> s.shift >= PARTS)
+        s.shift++;
+    s.parts = ((cells - 1) >> s.shift) + 1;
+    sort_into_parts(&s);
+    parallel_for(threads, s.parts, sort_parts, &s);
 }
 
 int point_grid_make(struct vec3 *point, size_t n, double spacing, int threads,
@@ -191,8 +294,7 @@ int point_grid_make(struct vec3 *point, size_t n, double spacing, int threads,
                          (unsigned long)UINT32_MAX);
     *point_grid = (struct point_grid){.point = point, .n = n};
     lay_out(point_grid, spacing);
-    if (!sort_into_cells(point_grid))
-        parallel_for(threads, point_grid->columns * point_grid->rows, sort_cells, point_grid);
+    sort_into_cells(point_grid, threads);
     return 0;
 }
 

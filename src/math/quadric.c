@@ -8,7 +8,7 @@
 #include <stdlib.h>
 
 #include "base/array.h"
-#include "pair.h"
+#include "math/pair.h"
 
 enum {
     TERMS = 6,

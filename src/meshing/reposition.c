@@ -3,6 +3,8 @@
 
 #include <stdlib.h>
 
+#include "math/pair.h"
+
 static const double STEPS = 1e9;
 
 enum { EMPTY = 1, BESIDE = 2 };
@@ -106,13 +108,16 @@ static double nearest_node(const struct grid *g, struct vec3 p, int *column, int
 {
     static const double further = 1e-9;
     struct place at = place_of(g, p);
-    double least = oblique_length2(at.right, at.up);
+    pair right = {at.right, at.right - 1}, up = pair_both(at.up), above = pair_both(at.up - 1);
+    pair low = right * right + right * up + up * up;
+    pair high = right * right + right * above + above * above;
+    const double d2[4] = {low[0], low[1], high[0], high[1]};
+    double least = d2[0];
     int best = 0;
     for (int corner = 1; corner < 4; corner++) { /* no jumps: no one can tell where they go */
-        double d2 = oblique_length2(at.right - (corner & 1), at.up - (corner >> 1));
-        bool nearer = d2 < least - further;
+        bool nearer = d2[corner] < least - further;
         best = nearer ? corner : best;
-        least = nearer ? d2 : least;
+        least = nearer ? d2[corner] : least;
     }
     *column = at.column + (best & 1);
     *row = at.row + (best >> 1);

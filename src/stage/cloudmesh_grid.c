@@ -84,37 +84,33 @@ static double flat_spacing(const struct cloudmesh_options *options, const struct
                : cloudmesh_spacing(options, points->item, parts->flat);
 }
 
-/* Puts vertices at their nodes, where the scan says how high these are; sorts the points.
- * *certain: as node_heights.h has it, for the caller to free. */
-static int stand_at_nodes(const struct cloudmesh_options *options, const struct cloud_parts *parts,
-                          struct vec3s *points, double noise, int threads, struct mesh *mesh,
-                          const struct cloudmesh *result, double **certain, struct error *error)
+/* Puts vertices at their nodes, where the scan says how high these are.  *certain: as node_heights.h
+ * has it, for the caller to free. */
+static void stand_at_nodes(const struct cloudmesh_options *options, const struct point_grid *scan,
+                           double mean, double noise, int threads, struct mesh *mesh,
+                           const struct cloudmesh *result, double **certain)
 {
-    double mean = flat_spacing(options, parts, points);
     struct node_heights_options how = {mean, fmax(noise, mesh->origin.noise), threads};
-    struct point_grid scan;
 
-    if (options->paper || options->scan_nodes || !options->normals->of_surface)
-        return 0;
-    if (point_grid_make(points->item, parts->flat, mean, threads, &scan, error) < 0)
-        return -1;
+    if (options->paper || options->scan_nodes)
+        return;
     if (!(noise > 0))
         *certain = mem_alloc(mesh->vertex.n, sizeof **certain);
-    size_t moved = node_heights(mesh, &result->grid, &scan, &how, *certain);
+    size_t moved = node_heights(mesh, &result->grid, scan, &how, *certain);
     if (!options->silent)
         note("%zu of %zu vertices stand at nodes of the grid, the others at points of the scan",
              moved, mesh->vertex.n);
-    point_grid_free(&scan);
-    return 0;
 }
 
 /* Normals, and vertices moved where there is noise, with what is known of them already. */
 static int normals_of_nodes(const struct cloudmesh_options *options, struct vec3 *point, size_t n,
-                            double spacing, double noise, const double *certain, int threads,
-                            struct mesh *mesh, struct error *error)
+                            const struct point_grid *scan, double spacing, double noise,
+                            const double *certain, int threads, struct mesh *mesh,
+                            struct error *error)
 {
     struct normals_options normals = {.point = point,
                                       .n = n,
+                                      .scan = scan,
                                       .spacing = spacing,
                                       .certain = certain,
                                       .noise = noise,
@@ -129,8 +125,8 @@ static int normals_of_nodes(const struct cloudmesh_options *options, struct vec3
 int cloudmesh_normals(const struct cloudmesh_options *options, struct vec3 *point, size_t n,
                       double noise, int threads, struct mesh *mesh, struct error *error)
 {
-    return normals_of_nodes(options, point, n, cloudmesh_spacing(options, point, n), noise, NULL,
-                            threads, mesh, error);
+    return normals_of_nodes(options, point, n, NULL, cloudmesh_spacing(options, point, n), noise,
+                            NULL, threads, mesh, error);
 }
 
 static struct feature_scan scan_of(const struct cloud_parts *parts, const struct vec3s *points,
@@ -287,14 +283,17 @@ static int mesh_of_nodes(const struct cloudmesh_options *options, const struct c
         return -1;
     if (mesh->face.n == 0)
         return 0;
-    double *certain = NULL;
-    int status =
-        stand_at_nodes(options, parts, points, noise, threads, mesh, result, &certain, error);
-    if (status == 0)
-        status = normals_of_nodes(options, points->item, parts->flat,
-                                  flat_spacing(options, parts, points), noise, certain, threads,
-                                  mesh, error);
+    double *certain = NULL, mean = flat_spacing(options, parts, points);
+    struct point_grid sorted = {.first = NULL};
+    const struct point_grid *scan = options->normals->of_surface ? &sorted : NULL;
+    if (scan && point_grid_make(points->item, parts->flat, mean, threads, &sorted, error) < 0)
+        return -1;
+    if (scan)
+        stand_at_nodes(options, scan, mean, noise, threads, mesh, result, &certain);
+    int status = normals_of_nodes(options, points->item, parts->flat, scan, mean, noise, certain,
+                                  threads, mesh, error);
     free(certain);
+    point_grid_free(&sorted);
     if (status < 0)
         return -1;
     cloudmesh_add_features(options, parts, points, noise, threads, mesh, result);

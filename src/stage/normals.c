@@ -62,14 +62,18 @@ static double move_vertices(struct mesh *mesh, const struct normals_options *o,
 
 static int of_quadrics(struct mesh *mesh, const struct normals_options *o, struct error *error)
 {
-    struct point_grid scan;
+    struct point_grid own = {.first = NULL};
+    const struct point_grid *scan = o->scan;
 
-    if (point_grid_make(o->point, o->n, o->spacing, o->threads, &scan, error) < 0)
-        return -1;
-    double sigma = o->noise > 0 ? move_vertices(mesh, o, &scan) : fit_points(mesh, o, &scan);
+    if (!scan) {
+        if (point_grid_make(o->point, o->n, o->spacing, o->threads, &own, error) < 0)
+            return -1;
+        scan = &own;
+    }
+    double sigma = o->noise > 0 ? move_vertices(mesh, o, scan) : fit_points(mesh, o, scan);
     mesh->origin.ledger = LEDGER_SIGMAS * sigma;
     mesh->origin.maker = mem_string("cloud2mesh", strlen("cloud2mesh"));
-    point_grid_free(&scan);
+    point_grid_free(&own);
     return 0;
 }
 
