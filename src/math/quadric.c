@@ -13,7 +13,7 @@
 enum {
     TERMS = 6,
     COLUMNS = 8,
-    SOME = 256 /* points that are brought into the frame on the stack */
+    SOME = 1024 /* points that are brought into the frame on the stack */
 };
 
 /* Part of a term that the terms before it must leave over. */
@@ -366,14 +366,41 @@ double quadric_off(const struct quadric *q, struct vec3 point)
     return off_local(q, quadric_local(q, point), is_cubic(q));
 }
 
+/* Of two points, each as off_local has it. */
+static inline pair off_two(const struct quadric *q, const struct vec3 point[2], bool cubic)
+{
+    struct vec3 a = quadric_local(q, point[0]), b = quadric_local(q, point[1]);
+    const pair u = {a.x, b.x}, v = {a.y, b.y}, w = {a.z, b.z};
+    const double *c = q->c;
+    pair wu = c[1] + 2 * c[3] * u + c[4] * v, wv = c[2] + 2 * c[5] * v + c[4] * u;
+    pair off = w - (c[0] + u * (c[1] + c[3] * u + c[4] * v) + v * (c[2] + c[5] * v));
+
+    if (cubic) {
+        wu += 3 * c[6] * u * u + 2 * c[7] * u * v + c[8] * v * v;
+        wv += c[7] * u * u + 2 * c[8] * u * v + 3 * c[9] * v * v;
+        off -= u * u * (c[6] * u + c[7] * v) + v * v * (c[8] * u + c[9] * v);
+    }
+    pair square = 1 + wu * wu + wv * wv, root = {sqrt(square[0]), sqrt(square[1])};
+    return off / root;
+}
+
+static inline void off_twos(const struct quadric *q, const struct vec3 *point, size_t n, bool cubic,
+                            double *off)
+{
+    size_t i = 0;
+
+    for (; i + 1 < n; i += 2)
+        pair_put(off + i, off_two(q, point + i, cubic));
+    if (i < n)
+        off[i] = off_local(q, quadric_local(q, point[i]), cubic);
+}
+
 void quadric_off_all(const struct quadric *q, const struct vec3 *point, size_t n, double *off)
 {
     if (is_cubic(q))
-        for (size_t i = 0; i < n; i++)
-            off[i] = off_local(q, quadric_local(q, point[i]), true);
+        off_twos(q, point, n, true, off);
     else
-        for (size_t i = 0; i < n; i++)
-            off[i] = off_local(q, quadric_local(q, point[i]), false);
+        off_twos(q, point, n, false, off);
 }
 
 /* Of points in the frame or, where they are not, brought into it one by one. */

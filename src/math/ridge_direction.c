@@ -5,7 +5,7 @@
 
 #include "base/array.h"
 
-enum { TRIES = 4, SOME = 256 /* points ranked on the stack */ };
+enum { TRIES = 4, SOME = 512 /* points ranked on the stack */ };
 
 static const double STEP = PI / 36;
 
