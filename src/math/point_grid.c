@@ -147,22 +147,52 @@ static bool count_in_order(struct point_grid *b, const struct cells *cells)
     return true;
 }
 
-/* Each point is put where its part has room, in exchange for what stands there (McIlroy, Bostic and
- * McIlroy 1993, American flag sort): no copy of the cloud.  A part: 2^shift cells, from one that is
- * such a multiple on, counted from that of `next`.  next[]: of each part, where its next point goes;
+/* Points in hand, each on its way to its part; on which one has no bearing on another's. */
+enum { IN_HAND = 32 };
+
+struct hand {
+    size_t n;
+    struct vec3 point[IN_HAND];
+    uint32_t part[IN_HAND];
+};
+
+/* Fills one part from next[part] to its end: its last points are taken in hand, and each that is in
+ * hand is put where its own part has room, in exchange for what stands there, until all places
+ * where points were taken are filled. */
+static void fill_part(const struct point_grid *b, const struct cells *cells, int shift,
+                      uint32_t from, uint32_t part, uint32_t end, uint32_t *next)
+{
+    struct hand hand = {.n = end - next[part] < IN_HAND ? end - next[part] : IN_HAND};
+    uint32_t taken = end - (uint32_t)hand.n;
+
+    memcpy(hand.point, b->point + taken, hand.n * sizeof *hand.point);
+    while (hand.n > 0) {
+        size_t left = 0;
+        for (size_t i = 0; i < hand.n; i++)
+            hand.part[i] = (cell_of(cells, &hand.point[i]) - from) >> shift;
+        for (size_t i = 0; i < hand.n; i++) {
+            uint32_t at = next[hand.part[i]]++;
+            struct vec3 p = hand.point[i];
+            hand.point[left] = b->point[at];
+            b->point[at] = p;
+            left += hand.part[i] != part || at < taken;
+        }
+        hand.n = left;
+    }
+}
+
+/* Each point is put into its part, with no copy of the cloud (McIlroy, Bostic and McIlroy 1993,
+ * American flag sort, here with several points in hand).  A part: 2^shift cells, from one that is
+ * such a multiple on, counted from cell `from`.  next[]: of each part, where its next point goes;
  * end[]: where it ends. */
 static void exchange(const struct point_grid *b, int shift, uint32_t from, size_t parts,
                      uint32_t *next, const uint32_t *end)
 {
     const struct cells cells = cells_of(b);
 
-    for (size_t c = 0; c < parts; c++)
-        while (next[c] < end[c]) {
-            struct vec3 *here = &b->point[next[c]], p = *here;
-            struct vec3 *there = &b->point[next[(cell_of(&cells, &p) - from) >> shift]++];
-            *here = *there;
-            *there = p;
-        }
+    for (uint32_t c = 0; c < parts; c++)
+        if (next[c] < end[c])
+            fill_part(b, &cells, shift, from, c, end[c], next);
 }
 
 /* Parts of the cloud, 2^shift cells each: few, so that where each goes on stays near while a cloud
