@@ -101,38 +101,37 @@ static struct sums add_up(const struct quadric *frame, double radius, const stru
 static const int U[CUBIC] = {0, 1, 0, 2, 1, 0, 3, 2, 1, 0};
 static const int V[CUBIC] = {0, 0, 1, 0, 1, 2, 0, 1, 2, 3};
 
-/* The products of a term of some degree and power of v with those of a degree, of which there are
- * `most`, are sums that follow each other. */
-static inline void put_products(const struct sums *s, int degree, int v, int most, double *row)
-{
-    int of = degree + most - 1;
-
-    memcpy(row, s->power + of * (of + 1) / 2 + v, (size_t)most * sizeof *row);
-}
+/* Where the product of two terms stands among the sums. */
+static const unsigned char PRODUCT[CUBIC][CUBIC] = {
+    {0, 1, 2, 3, 4, 5, 6, 7, 8, 9},          {1, 3, 4, 6, 7, 8, 10, 11, 12, 13},
+    {2, 4, 5, 7, 8, 9, 11, 12, 13, 14},      {3, 6, 7, 10, 11, 12, 15, 16, 17, 18},
+    {4, 7, 8, 11, 12, 13, 16, 17, 18, 19},   {5, 8, 9, 12, 13, 14, 17, 18, 19, 20},
+    {6, 10, 11, 15, 16, 17, 21, 22, 23, 24}, {7, 11, 12, 16, 17, 18, 22, 23, 24, 25},
+    {8, 12, 13, 17, 18, 19, 23, 24, 25, 26}, {9, 13, 14, 18, 19, 20, 24, 25, 26, 27},
+};
 
 /* a' a = the sums of products, a upper triangular, with 1 / a[i][i] in inverse[]; -1 when a term
  * depends on those before it.  What is below the diagonal means nothing: two columns are worked on
- * at a time. */
+ * at a time, and rows from their beginning, so that each is as long as the next. */
 static int factor(const struct sums *s, double a[CUBIC][CUBIC], double inverse[CUBIC])
 {
-    double whole[CUBIC];
-
-    for (int i = 0; i < CUBIC; i++) {
-        put_products(s, U[i] + V[i], V[i], 1, a[i]);
-        put_products(s, U[i] + V[i], V[i], 2, a[i] + 1);
-        put_products(s, U[i] + V[i], V[i], 3, a[i] + 3);
-        put_products(s, U[i] + V[i], V[i], 4, a[i] + 6);
-        whole[i] = a[i][i];
-    }
+    for (int i = 0; i < CUBIC; i++)
+        for (int j = 0; j < CUBIC; j++)
+            a[i][j] = s->power[PRODUCT[i][j]];
     for (int k = 0; k < CUBIC; k++) {
-        if (!(a[k][k] > INDEPENDENT * whole[k]))
+        if (!(a[k][k] > INDEPENDENT * s->power[PRODUCT[k][k]]))
             return -1;
         inverse[k] = 1 / sqrt(a[k][k]);
-        for (int j = k; j < CUBIC; j++)
-            a[k][j] *= inverse[k];
-        for (int i = k + 1; i < CUBIC; i++)
-            for (int j = i & ~1; j < CUBIC; j += 2)
-                pair_put(a[i] + j, pair_at(a[i] + j) - pair_both(a[k][i]) * pair_at(a[k] + j));
+        pair row[CUBIC / 2];
+        for (int j = 0; j < CUBIC / 2; j++) {
+            row[j] = pair_at(a[k] + 2 * j) * pair_both(inverse[k]);
+            pair_put(a[k] + 2 * j, row[j]);
+        }
+        for (int i = k + 1; i < CUBIC; i++) {
+            pair part = pair_both(a[k][i]);
+            for (int j = 0; j < CUBIC / 2; j++)
+                pair_put(a[i] + 2 * j, pair_at(a[i] + 2 * j) - part * row[j]);
+        }
     }
     return 0;
 }
