@@ -145,14 +145,16 @@ static const char *name_of(const struct cli *cli)
     return name;
 }
 
-/* Takes out what is no part of the surface; returns the noise that vertices are to be rid of. */
+/* Takes out what is no part of the surface; returns the noise that vertices are to be rid of.  Where
+ * nothing was taken out *known is the spacing of the points. */
 static double clean_cloud(const char *name, const struct settings *s, struct vec3s *points,
-                          int threads, struct mesh_origin *origin)
+                          int threads, struct mesh_origin *origin, double *known)
 {
     const double least = 0.004; /* in spacings: less does not matter beside the facets */
     struct cloud_prepare cloud_prepare;
     struct error error;
     double mean = points->n >= 3 ? cloudmesh_spacing(&s->meshing, points->item, points->n) : 0;
+    size_t read = points->n;
     if (!s->clean || !(mean > 0)) /* no area: the mesh will say so */
         return 0;
     enum cloud_prepare_drop drop = s->outliers == OUTLIERS_KEEP ? CLOUD_PREPARE_KEEP
@@ -161,6 +163,7 @@ static double clean_cloud(const char *name, const struct settings *s, struct vec
     if (cloud_prepare_clean(points, mean, isnan(s->noise) ? -1 : s->noise, drop, threads,
                             &cloud_prepare, &error) < 0)
         die("%s: %s", name, error.text);
+    *known = points->n == read ? mean : 0;
     origin->noise = isnan(s->noise) ? cloud_prepare.noise : s->noise;
     note("noise of the scan %.4f mm (one standard deviation)", cloud_prepare.noise);
     return isnan(s->noise) && cloud_prepare.noise < least * mean ? 0 : origin->noise;
@@ -354,8 +357,11 @@ int main(int argc, char **argv)
     array_free(&raw);
     say_size(name, &settings, points.n, box_around(points.item, points.n));
     size_t read = points.n;
-    double noise = clean_cloud(name, &settings, &points, cli.threads, &mesh.origin);
+    double mean = 0;
+    double noise = clean_cloud(name, &settings, &points, cli.threads, &mesh.origin, &mean);
     left_out += read - points.n;
+    if (!(settings.extend > 0) && !(settings.meshing.error > 0)) /* they stay as they are */
+        settings.meshing.mean = mean;
     if (settings.extend > 0)
         extend_over_border(name, &settings, &points, noise, cli.threads);
     mesh.origin.extended = settings.extend;

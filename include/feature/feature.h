@@ -21,6 +21,7 @@
 #define CLOUDMILL_FEATURE_H
 
 #include "base/effort.h"
+#include "math/point_grid.h"
 #include "mesh/mesh.h"
 
 /* The points, as wall_points_part put them in order. */
@@ -29,6 +30,7 @@ struct feature_scan {
     size_t n, flat; /* the first `flat` of them are on no wall: these get sorted (point_grid.h) */
     double spacing; /* mean spacing of the points, mm */
     double noise;   /* one standard deviation, mm */
+    const struct point_grid *sorted; /* the first `flat` with that spacing; NULL: not yet */
 };
 
 struct feature_mesh {
@@ -72,6 +74,7 @@ struct crest_mesh_options {
     double spacing, noise; /* of the points: their mean spacing, one standard deviation, mm */
     double effort;         /* effort.h */
     int threads;           /* of which the result does not depend */
+    const struct point_grid *sorted; /* the points with that spacing; NULL: not yet */
 };
 
 struct crests {

@@ -43,6 +43,7 @@ struct cloudmesh_options {
     const struct normal_estimator *normals;
     int neighbours;  /* 0: chosen */
     double effort;   /* effort.h */
+    double mean;     /* spacing of the points, mm, where it is known; 0: it is measured */
     bool paper;      /* as published */
     bool scan_nodes; /* vertices are points of the scan, as published */
     bool smooth;     /* look for no creases, walls and ribs */

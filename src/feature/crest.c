@@ -614,6 +614,8 @@ struct crests crest_mesh_keep(struct mesh *mesh, size_t first, struct vec3 *poin
     bool large = !effort_covers(EFFORT_CREST_POINTS, options->effort, n);
     struct crests all = {.bound = large ? EFFORT_CRESTS_LARGE : EFFORT_CRESTS};
     struct point_grid scan = {.n = 0};
+    if (options->sorted)
+        scan = *options->sorted;
     struct search s = {
         .mesh = mesh,
         .cloud = {.scan = &scan, .spacing = options->spacing, .noise = options->noise},
@@ -631,7 +633,8 @@ struct crests crest_mesh_keep(struct mesh *mesh, size_t first, struct vec3 *poin
     }
     all.facets = s.widest;
     all.wanted = s.bound ? s.looked : 0;
-    point_grid_free(&scan);
+    if (!options->sorted)
+        point_grid_free(&scan);
     array_free(&s.edge);
     array_free(&s.part);
     array_free(&s.facet);

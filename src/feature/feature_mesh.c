@@ -25,6 +25,7 @@ struct search {
     struct mesh_edges found;
     const struct mesh_edges *edges;
     struct point_grid scan; /* what is on no wall */
+    bool sorted;            /* by the caller, who frees it */
     struct kdtree *walls;   /* of the cloud; NULL: it has no walls */
     struct feature_cloud cloud;
     unsigned char *rough;  /* vertices where one quadric does not fit */
@@ -248,7 +249,10 @@ static void search_begin(struct search *s, struct mesh *mesh, const struct featu
                         .rough = mem_alloc(mesh->vertex.n, 1),
                         .active = mem_alloc(mesh->vertex.n, 1)};
 
-    if (point_grid_make(scan->point, scan->flat, scan->spacing, threads, &s->scan, &error) < 0)
+    s->sorted = scan->sorted != NULL;
+    if (s->sorted)
+        s->scan = *scan->sorted;
+    else if (point_grid_make(scan->point, scan->flat, scan->spacing, threads, &s->scan, &error) < 0)
         s->scan = (struct point_grid){.n = 0}; /* all of them are on walls */
     s->cloud = (struct feature_cloud){&s->scan, s->walls, scan->point + scan->flat, scan->spacing,
                                       scan->noise};
@@ -267,7 +271,8 @@ static void search_end(struct search *s)
     free(s->rough);
     free(s->active);
     free(s->feature);
-    point_grid_free(&s->scan);
+    if (!s->sorted)
+        point_grid_free(&s->scan);
     if (s->walls)
         kdtree_free(s->walls);
 }

@@ -56,6 +56,7 @@ static int mesh_of_parts(const struct cloudmesh_options *asked, const struct vec
     options.spacing =
         options.spacing > 0 ? options.spacing : cloudmesh_default_spacing(parts.spacing);
     options.direction = 0;
+    options.mean = 0; /* each part has its own */
     mesh->origin.spacing = options.spacing;
     for (size_t i = 0; i < parts.n && status == 0; i++) {
         struct segment *part = &parts.item[i];

@@ -132,7 +132,7 @@ int cloudmesh_normals(const struct cloudmesh_options *options, struct vec3 *poin
 static struct feature_scan scan_of(const struct cloud_parts *parts, const struct vec3s *points,
                                    double noise)
 {
-    return (struct feature_scan){points->item, points->n, parts->flat, parts->mean, noise};
+    return (struct feature_scan){points->item, points->n, parts->flat, parts->mean, noise, NULL};
 }
 
 static void keep_features(const struct cloudmesh_options *options, const struct feature_scan *scan,
@@ -151,7 +151,8 @@ static void keep_features(const struct cloudmesh_options *options, const struct 
 static void keep_crests(const struct cloudmesh_options *options, const struct feature_scan *scan,
                         size_t first, int threads, struct mesh *mesh, struct cloudmesh *result)
 {
-    struct crest_mesh_options crest = {scan->spacing, scan->noise, options->effort, threads};
+    struct crest_mesh_options crest = {scan->spacing, scan->noise, options->effort, threads,
+                                       scan->sorted};
     struct crests crests = crest_mesh_keep(mesh, first, scan->point, scan->flat, &crest);
 
     result->crests = crests.found;
@@ -164,9 +165,11 @@ static void keep_crests(const struct cloudmesh_options *options, const struct fe
 /* Creases and walls put into the mesh, and its normals to the side that is seen. */
 void cloudmesh_add_features(const struct cloudmesh_options *options,
                             const struct cloud_parts *parts, const struct vec3s *points,
-                            double noise, int threads, struct mesh *mesh, struct cloudmesh *result)
+                            const struct point_grid *sorted, double noise, int threads,
+                            struct mesh *mesh, struct cloudmesh *result)
 {
     struct feature_scan scan = scan_of(parts, points, fmax(noise, mesh->origin.noise));
+    scan.sorted = sorted;
     size_t first = mesh->vertex.n;
 
     if (!options->smooth) {
@@ -267,7 +270,8 @@ static int find_walls(struct cloudmesh_options *options, struct vec3s *points, i
         return -1;
     bool whole = options->paper && options->max_gap == 0;
     if (!options->smooth || !(options->spacing > 0) || !(whole || options->max_gap > 0))
-        parts->mean = cloudmesh_spacing(options, points->item, points->n);
+        parts->mean =
+            options->mean > 0 ? options->mean : cloudmesh_spacing(options, points->item, points->n);
     if (!options->smooth)
         parts->flat = wall_points_part(points->item, points->n, parts->mean, threads);
     if (!(options->spacing > 0))
@@ -293,11 +297,11 @@ static int mesh_of_nodes(const struct cloudmesh_options *options, const struct c
     int status = normals_of_nodes(options, points->item, parts->flat, scan, mean, noise, certain,
                                   threads, mesh, error);
     free(certain);
+    if (status == 0)
+        cloudmesh_add_features(options, parts, points, scan && mean == parts->mean ? scan : NULL,
+                               noise, threads, mesh, result);
     point_grid_free(&sorted);
-    if (status < 0)
-        return -1;
-    cloudmesh_add_features(options, parts, points, noise, threads, mesh, result);
-    return 0;
+    return status;
 }
 
 /* Are there walls between nodes of the grid, and do they, put into a mesh of nodes alone, bring

@@ -36,10 +36,12 @@ int cloudmesh_place_nodes(const struct cloudmesh_options *options, const struct 
                           const struct vec3s *points, struct mesh *mesh, struct cloudmesh *result,
                           struct error *error);
 
-/* Creases and walls put into a mesh that has normals; these to the side that is seen. */
+/* Creases and walls put into a mesh that has normals; these to the side that is seen.  `sorted`:
+ * the points on no wall, with their mean spacing; NULL: they get sorted. */
 void cloudmesh_add_features(const struct cloudmesh_options *options,
                             const struct cloud_parts *parts, const struct vec3s *points,
-                            double noise, int threads, struct mesh *mesh, struct cloudmesh *result);
+                            const struct point_grid *sorted, double noise, int threads,
+                            struct mesh *mesh, struct cloudmesh *result);
 
 /* Is there a wall between two nodes of a grid? */
 bool cloudmesh_grid_has_walls(const struct cloudmesh_options *options,

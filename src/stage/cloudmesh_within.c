@@ -188,7 +188,8 @@ static int mesh_of_source(const struct cloudmesh_options *options, struct source
     if (status == 0 && mesh->face.n > 0)
         status = make_normals(options, s, threads, mesh, error);
     if (status == 0 && mesh->face.n > 0) {
-        cloudmesh_add_features(options, &s->scan_parts, s->scan, s->noise, threads, mesh, result);
+        cloudmesh_add_features(options, &s->scan_parts, s->scan, NULL, s->noise, threads, mesh,
+                               result);
         status = mesh_coverage(mesh, points->item, flat, mean, &s->judged, error);
         if (status == 0)
             insert_points(options, s, threads, mesh);

@@ -229,9 +229,9 @@ static void comes_back(double high, double noise)
     double lower = fabs(high) * exp(-off * off) - fit_noise(noise);
     size_t open = open_edges(&m), first = m.vertex.n;
     ck_assert_double_le(kept(&m, sign, lower), 0.8);
-    size_t found =
-        crest_mesh_keep(&m, first, p.item, p.n, &(struct crest_mesh_options){0.2, noise, 1, 2})
-            .found;
+    size_t found = crest_mesh_keep(&m, first, p.item, p.n,
+                                   &(struct crest_mesh_options){0.2, noise, 1, 2, NULL})
+                       .found;
     ck_assert_uint_ge(found, 20);
     ck_assert_double_ge(kept(&m, sign, lower), 0.9);
     ck_assert_double_eq_tol(area_above(&m), area, 0.02);
@@ -260,11 +260,13 @@ START_TEST(nothing_to_do)
     struct vec3s flat = rib_cloud(0, 0.02), p = rib_cloud(0.8, 0);
     size_t vertices = plane.vertex.n, faces = plane.face.n;
     ck_assert_uint_eq(crest_mesh_keep(&plane, vertices, flat.item, flat.n,
-                                      &(struct crest_mesh_options){0.2, 0.02, 1, 2})
+                                      &(struct crest_mesh_options){0.2, 0.02, 1, 2, NULL})
                           .found,
                       0);
     ck_assert_uint_eq(
-        crest_mesh_keep(&rib, 0, p.item, p.n, &(struct crest_mesh_options){0.2, 0, 1, 2}).found, 0);
+        crest_mesh_keep(&rib, 0, p.item, p.n, &(struct crest_mesh_options){0.2, 0, 1, 2, NULL})
+            .found,
+        0);
     ck_assert_uint_eq(plane.face.n, faces);
     ck_assert_uint_eq(rib.vertex.n, vertices);
     mesh_free(&plane);

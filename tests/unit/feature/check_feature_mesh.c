@@ -109,7 +109,7 @@ START_TEST(roof)
     struct mesh m = mesh_of(&p, 1.3, &flat);
     ck_assert_double_gt(worst(&m, from_roof), 0.1);
     struct feature_mesh found =
-        feature_mesh_keep(&m, &(struct feature_scan){p.item, p.n, flat, 0.43, 0}, 1, 2);
+        feature_mesh_keep(&m, &(struct feature_scan){p.item, p.n, flat, 0.43, 0, NULL}, 1, 2);
     ck_assert_uint_gt(found.creases, 20);
     ck_assert_uint_eq(found.walls, 0);
     ck_assert_double_le(worst(&m, from_roof), 1e-6);
@@ -130,11 +130,14 @@ START_TEST(a_step)
     struct mesh m = mesh_of(&p, 1.3, &flat);
     ck_assert_double_gt(worst(&m, from_step), 0.3);
     ck_assert_uint_gt(
-        feature_mesh_walls(&m, &(struct feature_scan){p.item, p.n, flat, 0.43, 0}, 1, 2).found, 20);
+        feature_mesh_walls(&m, &(struct feature_scan){p.item, p.n, flat, 0.43, 0, NULL}, 1, 2)
+            .found,
+        20);
     ck_assert_uint_eq(
-        feature_mesh_walls(&m, &(struct feature_scan){p.item, p.n, p.n, 0.43, 0}, 1, 2).found, 0);
+        feature_mesh_walls(&m, &(struct feature_scan){p.item, p.n, p.n, 0.43, 0, NULL}, 1, 2).found,
+        0);
     struct feature_mesh found =
-        feature_mesh_keep(&m, &(struct feature_scan){p.item, p.n, flat, 0.43, 0}, 1, 2);
+        feature_mesh_keep(&m, &(struct feature_scan){p.item, p.n, flat, 0.43, 0, NULL}, 1, 2);
     ck_assert_uint_gt(found.walls, 20);
     ck_assert_double_le(worst(&m, from_step), 0.1);
     array_free(&found.place);
@@ -154,7 +157,7 @@ START_TEST(walls_tried)
     rectangle(&p, 900, vec(0, 0, 0), vec(0, 25, 0), vec(0, 0, 6), 0);
     struct mesh m = mesh_of(&p, 1.3, &flat);
     facets = m.face.n;
-    struct feature_scan scan = {p.item, p.n, flat, 0.43, 0};
+    struct feature_scan scan = {p.item, p.n, flat, 0.43, 0, NULL};
     ck_assert_uint_gt(feature_mesh_try_walls(&m, &scan, 1, 2).found, 20);
     ck_assert_uint_gt(m.face.n, facets);
     ck_assert_double_le(worst(&m, from_step), 0.3);
@@ -191,8 +194,8 @@ START_TEST(a_corner)
         rectangle(&p, 450, vec(0, 0, 0), vec(0, -12, 0), vec(0, 0, 6), noise);
         rectangle(&p, 450, vec(0, 0, 0), vec(-12, 0, 0), vec(0, 0, 6), noise);
         struct mesh m = mesh_of(&p, 1.2, &flat);
-        struct feature_mesh found =
-            feature_mesh_keep(&m, &(struct feature_scan){p.item, p.n, flat, 0.4, noise}, 1, 2);
+        struct feature_mesh found = feature_mesh_keep(
+            &m, &(struct feature_scan){p.item, p.n, flat, 0.4, noise, NULL}, 1, 2);
         ck_assert_uint_gt(found.walls, 20);
         ck_assert_double_le(worst(&m, from_box), 0.1);
         for (size_t v = 0; v < m.vertex.n; v++) {
@@ -219,7 +222,7 @@ START_TEST(waves_stay)
     struct mesh m = mesh_of(&p, 1.3, &flat);
     size_t vertices = m.vertex.n;
     struct feature_mesh found =
-        feature_mesh_keep(&m, &(struct feature_scan){p.item, p.n, flat, 0.43, 0.02}, 1, 2);
+        feature_mesh_keep(&m, &(struct feature_scan){p.item, p.n, flat, 0.43, 0.02, NULL}, 1, 2);
     ck_assert_uint_eq(found.creases + found.walls, 0);
     ck_assert_uint_eq(m.vertex.n, vertices);
     array_free(&found.place);
