@@ -56,6 +56,22 @@ START_TEST(memory_is_zero)
 }
 END_TEST
 
+/* Each rank of values in no order, of which many are equal, as sorting has it. */
+START_TEST(selects_as_sorting_does)
+{
+    enum { N = 101 };
+    double value[N], sorted[N];
+
+    for (size_t k = 0; k < N; k++) {
+        for (size_t i = 0; i < N; i++)
+            sorted[i] = value[i] = (double)(i * 37 % N / (1 + k % 4));
+        doubles_sort(sorted, N);
+        ck_assert(doubles_select(value, N, k) == sorted[k]);
+    }
+    ck_assert(doubles_select(sorted, 1, 0) == sorted[0]);
+}
+END_TEST
+
 /* More than any memory: the process says so and ends with 1. */
 START_TEST(too_much_ends_the_process)
 {
@@ -73,6 +89,7 @@ int main(void)
     tcase_add_test(tests, grows_and_keeps);
     tcase_add_test(tests, reserve_keeps_too);
     tcase_add_test(tests, memory_is_zero);
+    tcase_add_test(tests, selects_as_sorting_does);
     if (srunner_fork_status(runner) == CK_FORK) /* else it would end here */
         tcase_add_exit_test(tests, too_much_ends_the_process, 1);
     suite_add_tcase(suite, tests);
