@@ -145,8 +145,8 @@ static const char *name_of(const struct cli *cli)
     return name;
 }
 
-/* Takes out what is no part of the surface; returns the noise that vertices are to be rid of.  Where
- * nothing was taken out *known is the spacing of the points. */
+/* Takes out what is no part of the surface; returns the noise that vertices are to be rid of.
+ * Where nothing was taken out *known is the spacing of the points. */
 static double clean_cloud(const char *name, const struct settings *s, struct vec3s *points,
                           int threads, struct mesh_origin *origin, double *known)
 {

@@ -84,8 +84,8 @@ static double flat_spacing(const struct cloudmesh_options *options, const struct
                : cloudmesh_spacing(options, points->item, parts->flat);
 }
 
-/* Puts vertices at their nodes, where the scan says how high these are.  *certain: as node_heights.h
- * has it, for the caller to free. */
+/* Puts vertices at their nodes, where the scan says how high these are.  *certain: as
+ * node_heights.h has it, for the caller to free. */
 static void stand_at_nodes(const struct cloudmesh_options *options, const struct point_grid *scan,
                            double mean, double noise, int threads, struct mesh *mesh,
                            const struct cloudmesh *result, double **certain)
