@@ -13,7 +13,10 @@
 struct arc_link_options {
     struct vec3 leave, arrive; /* directions of the cuts before and after it, unit; zero: the way's
                                   own */
+    struct vec3 out[2];        /* of the part at the start and at the end, unit; zero: the axis */
     double off;                /* mm: no further off the way it was planned on, */
+    double below;              /* and no further in than that, for what is beside the part that is
+                                  known is not known, */
     double least;              /* no piece shorter, */
     int digits;                /* and the decimals that joints are rounded to */
     bool (*clear)(void *context, const struct pieces *pieces); /* the whole tool is, all along */
@@ -30,6 +33,6 @@ struct arc_link_options {
 bool arcfit_link(const struct reference *reference, const struct arc_link_options *options,
                  struct pieces *pieces);
 
-#define ARC_LINK_KINK RADIANS(10)
+#define ARC_LINK_KINK RADIANS(15)
 
 #endif

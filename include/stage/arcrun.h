@@ -66,6 +66,7 @@ void arcrun_fit(const struct run *run, const struct arcrun_options *options,
 /* What a link lies between. */
 struct arcrun_link {
     struct vec3 leave, arrive; /* directions of the cuts before and after it; zero: not known */
+    struct vec3 out[2];        /* of the part, where it begins and ends; zero: not known */
     const struct gouge_refit_options *gouge;
 };
 

@@ -74,6 +74,7 @@ struct fitted_run {
     bool link;          /* it touches nothing */
     bool rough;         /* a link whose lines do not lead round smoothly; */
     struct vec3 leave, arrive; /* directions of the motions before and after a link; zero: none */
+    struct vec3 out[2];        /* normals where it begins and ends; zero: not known */
     bool stays;         /* set by the fit: its points stay as they came */
     struct path fitted; /* the items that take the place of [from + 1, to) */
     struct gouge_refit_result gouge;

@@ -6,7 +6,8 @@
  * where that is too coarse.  So the points that are left are cut by planes across those of the
  * passes, or where they face along these by those of the passes, or level ones: each point goes, in
  * its tangent plane, to the nearest of a family of planes a step apart; the points of a plane in
- * their order are strips.
+ * their order are strips.  Where that makes short ones, of points that are few, these are strips
+ * from each to the nearest instead, in no plane.
  */
 #ifndef CLOUDMILL_REST_PASSES_H
 #define CLOUDMILL_REST_PASSES_H
@@ -20,6 +21,8 @@ struct rest_options {
     bool rough;         /* points and their directions as they are, not moved nor evened */
     double step;        /* of the planes, mm */
     double gap;         /* strips go on over what is cut, if it is no longer than this, mm */
+    double longest;     /* strips shorter than this are given up: their points become strips from
+                           each to the next, wherever they are, mm; 0: none is */
 };
 
 /* A strip, and the normal of its plane. */

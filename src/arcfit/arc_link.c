@@ -3,10 +3,14 @@
 
 #include "curve/biarc.h"
 
-enum { CHAINED = 6, JOINTS = CHAINED + 1 }; /* biarcs at most, one after the other */
+enum {
+    CHAINED = 6,  /* biarcs at most, one after the other, */
+    PLACES = 16,  /* each of which ends at one of so many places */
+    LOOKED_AT = 8 /* parts of a piece */
+};
 
 /* Shares of ARC_LINK_KINK: so much the directions at the ends are turned out of the part. */
-static const double TURNED[] = {0, 0.2, 0.5, 1};
+static const double TURNED[] = {0, 0.33, 0.67, 0.8, 1};
 
 /* Of the length between two joints: so much higher inner joints are. */
 static const double RAISED[] = {0, 0.05, 0.15};
@@ -24,6 +28,7 @@ struct link_search {
     const struct reference *reference;
     const struct arc_link_options *options;
     struct vec3 leave, arrive; /* at the ends of the reference */
+    struct vec3 out[2];
     struct pieces *pieces;
 };
 
@@ -36,7 +41,7 @@ static size_t last_point(const struct link_search *s)
 static struct vec3 turned_out(const struct link_search *s, bool end, double angle)
 {
     struct vec3 t = end ? s->arrive : s->leave;
-    struct vec3 up = vec_unit(vec_reject(s->reference->axis[end ? last_point(s) : 0], t));
+    struct vec3 up = vec_unit(vec_reject(s->out[end], t));
 
     return vec_unit(vec_along(t, end ? -tan(angle) : tan(angle), up));
 }
@@ -46,22 +51,49 @@ static void add_piece(const struct link_search *s, struct arc arc, double from, 
     *array_push(s->pieces) = arc_piece_of(s->reference, arc, from, to);
 }
 
-/* What is tried: no piece too short, none turns too far, none is too far off, and the tool is
- * clear. */
-static bool is_good(const struct link_search *s)
+/* Out of the part at a point of the way. */
+static struct vec3 out_at(const struct link_search *s, size_t k)
+{
+    double length = s->reference->length[last_point(s)];
+
+    return vec_slerp(s->out[0], s->out[1], length > 0 ? s->reference->length[k] / length : 0);
+}
+
+/* The piece is nowhere lower than the way it was planned on. */
+static bool is_above(const struct link_search *s, const struct arc_piece *piece)
+{
+    const struct reference *r = s->reference;
+    double place = piece->from;
+
+    for (int i = 1; i < LOOKED_AT; i++) {
+        struct vec3 p = arc_at(&piece->arc, (double)i / LOOKED_AT);
+        place = reference_place(r, p, place);
+        struct vec3 off = vec_sub(p, reference_point(r, place));
+        if (vec_dot(off, out_at(s, (size_t)place)) < -s->options->below)
+            return false;
+    }
+    return true;
+}
+
+/* What is tried, the pieces from `first` on: none too short, none turns too far, none is too far
+ * off, and the tool is clear. */
+static bool is_good(const struct link_search *s, size_t first)
 {
     const double off = s->options->off;
     const struct deviation within = {off, off, HUGE_VAL};
+    const struct pieces some = {.n = s->pieces->n - first, .item = s->pieces->item + first};
 
-    for (size_t i = 0; i < s->pieces->n; i++) {
-        const struct arc_piece *piece = &s->pieces->item[i];
+    for (size_t i = 0; i < some.n; i++) {
+        const struct arc_piece *piece = &some.item[i];
         if (piece->arc.angle > TURN_MAX || !(arc_length(&piece->arc) >= s->options->least))
+            return false;
+        if (!is_above(s, piece))
             return false;
         struct deviation found = arc_piece_deviation(s->reference, piece, 4, &within);
         if (found.point > off || found.other > off)
             return false;
     }
-    return s->pieces->n > 0 && s->options->clear(s->options->context, s->pieces);
+    return some.n > 0 && s->options->clear(s->options->context, &some);
 }
 
 /* ---- one piece */
@@ -77,7 +109,7 @@ static bool try_single(struct link_search *s)
     struct vec3 mean = vec_unit(vec_add(s->leave, back));
 
     for (int k = 0; k < TURNS; k++) {
-        struct vec3 up = vec_unit(vec_reject(r->axis[0], mean));
+        struct vec3 up = vec_unit(vec_reject(s->out[0], mean));
         struct vec3 t = vec_unit(vec_along(mean, tan(TURNED[k] * ARC_LINK_KINK), up));
         struct arc arc = arc_to(from, t, to);
         if (vec_angle(arc.tangent, s->leave) > ARC_LINK_KINK ||
@@ -85,7 +117,7 @@ static bool try_single(struct link_search *s)
             continue;
         s->pieces->n = 0;
         add_piece(s, arc, 0, (double)last_point(s));
-        if (is_good(s))
+        if (is_good(s, 0))
             return true;
     }
     return false;
@@ -126,42 +158,88 @@ static size_t point_at(const struct reference *r, double part)
     return k;
 }
 
-/* Joints of `n` biarcs: the ends, and points of the reference between. */
-static void set_joints(const struct link_search *s, int n, double turned, double raised,
-                       struct link_joint *joint)
+/* A joint at so much of the length, `height` mm out of the part; at the end, the direction is turned
+ * out. */
+static struct link_joint joint_at(const struct link_search *s, double part, double height,
+                                  double turned)
 {
     const struct reference *r = s->reference;
-    size_t last = last_point(s);
-    double height = raised * r->length[last] / n;
+    size_t k = point_at(r, part);
 
-    joint[0] = (struct link_joint){r->point[0], turned_out(s, false, turned), 0};
-    joint[n] = (struct link_joint){r->point[last], turned_out(s, true, turned), last};
-    for (int i = 1; i < n; i++) {
-        size_t k = point_at(r, (double)i / n);
-        struct vec3 p = vec_along(r->point[k], height, r->axis[k]);
-        joint[i] = (struct link_joint){vec_round(p, s->options->digits), r->tangent[k], k};
+    if (part >= 1)
+        return (struct link_joint){r->point[k], turned_out(s, true, turned), k};
+    struct vec3 p = vec_along(r->point[k], height, out_at(s, k));
+    return (struct link_joint){vec_round(p, s->options->digits), r->tangent[k], k};
+}
+
+/* Appends the biarc from joint to joint if it is good. */
+static bool try_biarc(struct link_search *s, const struct link_joint *a, const struct link_joint *b,
+                      double ratio)
+{
+    size_t n = s->pieces->n;
+
+    if (b->at > a->at && add_biarc(s, a, b, ratio) && is_good(s, n))
+        return true;
+    s->pieces->n = n;
+    return false;
+}
+
+/* From joint to end by one biarc. */
+static bool try_end(struct link_search *s, const struct link_joint *a)
+{
+    for (int k = 0; k < TURNS; k++) {
+        struct link_joint b = joint_at(s, 1, 0, TURNED[k] * ARC_LINK_KINK);
+        for (int i = 0; i < RATIOS; i++)
+            if (try_biarc(s, a, &b, RATIO[i]))
+                return true;
     }
+    return false;
 }
 
-static bool try_chain(struct link_search *s, int n, double turned, double raised, double ratio)
+/* By one biarc as far along the way as it goes; its end becomes the joint, at so many PLACES.  False:
+ * it goes nowhere. */
+static bool try_on(struct link_search *s, struct link_joint *a, int *at)
 {
-    struct link_joint joint[JOINTS];
-    bool good = true;
+    double length = s->reference->length[last_point(s)];
 
-    set_joints(s, n, turned, raised, joint);
+    for (int to = PLACES - 1; to > *at; to--)
+        for (int raise = 0; raise < RAISES; raise++) {
+            double height = RAISED[raise] * length * (to - *at) / PLACES;
+            struct link_joint b = joint_at(s, (double)to / PLACES, height, 0);
+            if (!try_biarc(s, a, &b, 1))
+                continue;
+            *a = b;
+            *at = to;
+            return true;
+        }
+    return false;
+}
+
+/* One biarc after the other, from a direction turned out so far, at most `most` of them. */
+static bool try_chain(struct link_search *s, double turned, int most)
+{
+    struct link_joint a = {s->reference->point[0], turned_out(s, false, turned), 0};
+    int at = 0;
+
     s->pieces->n = 0;
-    for (int i = 0; i < n && good; i++)
-        good = add_biarc(s, &joint[i], &joint[i + 1], ratio);
-    return good && is_good(s);
+    for (int i = 1; i <= most; i++) {
+        if (try_end(s, &a))
+            return true;
+        if (i < most && !try_on(s, &a, &at))
+            return false;
+    }
+    return false;
 }
 
-static bool try_chains(struct link_search *s, int n)
+/* The shorter ones first. */
+static bool try_chains(struct link_search *s)
 {
-    for (int k = 0; k < TURNS; k++)
-        for (int raise = 0; raise < (n > 1 ? RAISES : 1); raise++)
-            for (int ratio = 0; ratio < (n > 1 ? 1 : RATIOS); ratio++)
-                if (try_chain(s, n, TURNED[k] * ARC_LINK_KINK, RAISED[raise], RATIO[ratio]))
-                    return true;
+    static const int most[] = {1, 2, CHAINED};
+
+    for (size_t i = 0; i < sizeof most / sizeof *most; i++)
+        for (int k = 0; k < TURNS; k++)
+            if (try_chain(s, TURNED[k] * ARC_LINK_KINK, most[i]))
+                return true;
     return false;
 }
 
@@ -169,7 +247,6 @@ bool arcfit_link(const struct reference *reference, const struct arc_link_option
                  struct pieces *pieces)
 {
     struct link_search s = {.reference = reference, .options = options, .pieces = pieces};
-    bool good = false;
 
     pieces->n = 0;
     if (reference->n < 2)
@@ -177,10 +254,11 @@ bool arcfit_link(const struct reference *reference, const struct arc_link_option
     s.leave = vec_length(options->leave) > 0 ? options->leave : reference->tangent[0];
     s.arrive =
         vec_length(options->arrive) > 0 ? options->arrive : reference->tangent[last_point(&s)];
-    good = try_single(&s);
-    for (int n = 1; n <= CHAINED && !good; n++)
-        good = try_chains(&s, n);
-    if (!good)
-        pieces->n = 0;
-    return good;
+    for (int i = 0; i < 2; i++)
+        s.out[i] = vec_length(options->out[i]) > 0 ? options->out[i]
+                                                   : reference->axis[i ? last_point(&s) : 0];
+    if (try_single(&s) || try_chains(&s))
+        return true;
+    pieces->n = 0;
+    return false;
 }

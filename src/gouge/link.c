@@ -284,6 +284,39 @@ void link_thin(const struct link_options *options, const struct run_point *from,
     link->n = kept;
 }
 
+/* All points between two may be left out. */
+static bool are_spare(const struct link_options *options, const struct run_point *before,
+                      const struct run_point *p, size_t n, const struct run_point *after,
+                      double off)
+{
+    for (size_t i = 0; i < n; i++)
+        if (is_at_pole(options, &p[i]) ||
+            vec_segment_distance(before->ball, after->ball, p[i].ball) > off ||
+            vec_segment_distance(before->tip, after->tip, p[i].tip) > off)
+            return false;
+    return is_spare(options, before, p, after, off);
+}
+
+void link_straighten(const struct link_options *options, const struct run_point *from,
+                     const struct run_point *to, double off, struct run *link)
+{
+    struct run_point before = *from;
+    size_t kept = 0;
+
+    for (size_t i = 0; i < link->n;) {
+        size_t n = 0;
+        while (i + n < link->n && are_spare(options, &before, &link->item[i], n + 1,
+                                            i + n + 1 < link->n ? &link->item[i + n + 1] : to, off))
+            n++;
+        i += n;
+        if (i == link->n)
+            break;
+        before = link->item[i];
+        link->item[kept++] = link->item[i++];
+    }
+    link->n = kept;
+}
+
 /* ---- over the clearance plane */
 
 /* Half-way round z from one direction to another, level. */

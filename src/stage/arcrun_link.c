@@ -11,9 +11,7 @@ static const double OFF = 0.4;
 
 /* What is looked at with each try. */
 struct link_check {
-    const struct reference *reference;
     const struct gouge_refit_options *gouge;
-    struct printeds printed;
     struct gouge_track track;
 };
 
@@ -30,14 +28,14 @@ static bool is_clear(void *context, const struct pieces *pieces)
 {
     struct link_check *c = context;
     struct gouges gouges = {0};
-    struct deviation off = arcprint_pieces(c->reference, pieces, NULL, &c->printed);
-    bool clear = isfinite(off.point);
 
-    for (size_t i = 0; i < c->printed.n && clear; i++) {
-        struct motion motion = motion_of(&c->printed.item[i]);
+    for (size_t i = 0; i < pieces->n && gouges.n == 0; i++) {
+        const struct arc_piece *piece = &pieces->item[i];
+        struct printed printed = arcprint_piece(piece, vec_round(piece->arc.from, PATH_COORDINATE));
+        struct motion motion = motion_of(&printed);
         gouge_refit_motion(c->gouge, &motion, &c->track, &gouges);
-        clear = gouges.n == 0;
     }
+    bool clear = gouges.n == 0;
     array_free(&gouges);
     return clear;
 }
@@ -50,23 +48,28 @@ bool arcrun_fit_link(const struct run *run, const struct arcrun_link *link,
 
     run_densify(run, ARC_DENSE * options->tolerance, &dense);
     struct reference reference = reference_of(&dense, 0, dense.n, options->centre, false);
-    struct link_check check = {.reference = &reference, .gouge = link->gouge};
+    struct link_check check = {.gouge = link->gouge};
     struct arc_link_options search = {.leave = link->leave,
                                       .arrive = link->arrive,
+                                      .out = {link->out[0], link->out[1]},
                                       .off = OFF * run->radius,
+                                      .below = options->tolerance,
                                       .least = fmin(options->least, ARC_SHORTEST),
                                       .digits = PATH_COORDINATE,
                                       .clear = is_clear,
                                       .context = &check};
     struct pieces pieces = {0};
+    struct printeds printed = {0};
     bool good = run->radius > 0 && arcfit_link(&reference, &search, &pieces);
 
     if (good) {
         struct arc_output output = {options, dense.item, &reference};
-        arc_output_add(&output, &check.printed, out, report);
+        good = isfinite(arcprint_pieces(&reference, &pieces, NULL, &printed).point);
+        if (good)
+            arc_output_add(&output, &printed, out, report);
     }
     array_free(&pieces);
-    array_free(&check.printed);
+    array_free(&printed);
     gouge_track_free(&check.track);
     reference_free(&reference);
     array_free(&dense);

@@ -78,7 +78,8 @@ static void find_links(const struct path *in, struct range range, size_t pass, d
                                  .link = true,
                                  .rough = !is_smooth(in, begin, end, tolerance),
                                  .leave = path_run_direction(in, begin, true),
-                                 .arrive = path_run_direction(in, end - 1, false)};
+                                 .arrive = path_run_direction(in, end - 1, false),
+                                 .out = {path_run_normal(in, begin), path_run_normal(in, end - 1)}};
         *array_push(runs) = run;
     }
 }
@@ -141,6 +142,8 @@ static struct fitted_run part_of(const struct path *in, const struct fitted_run 
                               .link = run->link,
                               .rough = run->rough};
 
+    part.out[0] = run->out[0];
+    part.out[1] = run->out[1];
     part.leave = from > run->from ? path_run_direction(in, from, true) : run->leave;
     part.arrive = to < run->to ? path_run_direction(in, to - 1, false) : run->arrive;
     return part;

@@ -27,6 +27,9 @@ static const double SIGMAS = 1.5;
 static const double SURE = 0.5, SOME = 0.8;
 enum { STAGES = 2 };
 
+/* Of the radius: strips in planes are no shorter. */
+static const double SHORT = 1;
+
 /* Points on a mesh that are looked at, at most. */
 static const double MOST = 300000;
 
@@ -130,7 +133,8 @@ static struct rest_options options_of(const struct path_coverage *c, size_t roun
                                  .turned = round % 2 == 1,
                                  .rough = round > 1,
                                  .step = step,
-                                 .gap = fmax(c->options.radius / 2, 2 * step)};
+                                 .gap = fmax(c->options.radius / 2, 2 * step),
+                                 .longest = SHORT * c->options.radius};
 }
 
 void path_coverage_rest(struct path_coverage *c, struct vec3 planes, struct toolpath *t)

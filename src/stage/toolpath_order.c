@@ -147,16 +147,23 @@ static const struct run_point *end_of(const struct orderer *o, size_t k, bool la
     return &run.item[last ? run.n - 1 : 0];
 }
 
+static const double TURN = 2;   /* radii: what a radian that the axis turns counts as way */
+static const double EASY = 0.5; /* radians: what a link turns on its way */
+
+double toolpath_way(const struct toolpath *t, const struct run_point *a, const struct run_point *b)
+{
+    return vec_distance(a->ball, b->ball) + TURN * t->rule.radius * vec_angle(a->axis, b->axis);
+}
+
 /* How far it is from one place to another, mm, with the turn of the axis: along rows only beyond
  * what a link turns on its way; to a rest pass, which may be anywhere, all of it. */
 static double way_to(const struct orderer *o, const struct run_point *a, const struct run_point *b,
                      bool rest)
 {
-    const double turn = 2, easy = 0.5; /* radii for a radian; radians */
-    double angle = vec_angle(a->axis, b->axis);
+    double angle = fmax(0, vec_angle(a->axis, b->axis) - EASY);
 
-    angle = rest ? angle : fmax(0, angle - easy);
-    return vec_distance(a->ball, b->ball) + turn * o->t->rule.radius * angle;
+    return rest ? toolpath_way(o->t, a, b)
+                : vec_distance(a->ball, b->ball) + TURN * o->t->rule.radius * angle;
 }
 
 /* Parts may be cut from either end. */
@@ -245,8 +252,10 @@ static size_t next_region(const struct orderer *o, const struct toolpath_part *l
     return best;
 }
 
-static void turn_round(struct run run)
+void toolpath_part_turn(const struct toolpath *t, const struct toolpath_part *part)
 {
+    struct run run = toolpath_part_run(t, part);
+
     for (size_t i = 0, k = run.n; i + 1 < k; i++) {
         struct run_point p = run.item[i];
         run.item[i] = run.item[--k];
@@ -275,13 +284,16 @@ void toolpath_order(const struct toolpath *t, struct toolpath_parts *parts)
             next = ordered.n > 0 ? next_region(&o, &ordered.item[ordered.n - 1], reach, &turned)
                                  : o.first;
         if (turned)
-            turn_round(toolpath_part_run(t, &parts->item[next]));
+            toolpath_part_turn(t, &parts->item[next]);
         *array_push(&ordered) = parts->item[next];
         o.done[next] = true;
     }
+    bool turn = may_turn(&o);
     free(o.done);
     array_free(parts);
     *parts = ordered;
+    if (turn)
+        toolpath_shorten(t, parts);
 }
 
 /* ---- joined with the tool down */

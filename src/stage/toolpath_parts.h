@@ -54,6 +54,17 @@ size_t toolpath_drop_slivers(const struct toolpath *t, struct toolpath_parts *pa
  */
 void toolpath_order(const struct toolpath *t, struct toolpath_parts *parts);
 
+/* How far it is from one place to another, mm, where a turn of the axis counts as way. */
+double toolpath_way(const struct toolpath *t, const struct run_point *a, const struct run_point *b);
+
+/* Turns the points of a part round. */
+void toolpath_part_turn(const struct toolpath *t, const struct toolpath_part *part);
+
+/* Rest parts that follow each other in another order, some turned round, where the ways between
+ * them are shorter then: parts of the order turned round as a whole, or a few put elsewhere, until
+ * none helps. */
+void toolpath_shorten(const struct toolpath *t, struct toolpath_parts *parts);
+
 /* Finds how the tool goes with its tip down from each part to the next (`low`, `link`), where it
  * can. */
 void toolpath_join(const struct toolpath *t, struct toolpath_parts *parts);

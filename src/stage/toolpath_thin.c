@@ -1,7 +1,8 @@
 /* toolpath_thin - see toolpath_parts.h: no two points in one place. */
 #include "toolpath_parts.h"
 
-static const double LEAST = 0.021; /* mm: the next block is read before a shorter one is over */
+static const double LINK_OFF = 0.01; /* of the radius: straight lines of a link off its way */
+static const double LEAST = 0.021;   /* mm: the next block is read before a shorter one is over */
 
 /* Leaves out of a part's points one of two that would be such blocks, where the path goes straight
  * past it. */
@@ -51,8 +52,11 @@ void toolpath_thin(const struct toolpath *t, struct toolpath_parts *parts)
             thin_part(t, &options, part);
         struct run a = toolpath_part_run(t, k > 0 ? part - 1 : part),
                    b = toolpath_part_run(t, part);
-        if (k > 0 && part->low && part->link.n > 0)
+        if (k > 0 && part->low && part->link.n > 0) {
+            link_straighten(&options, &a.item[a.n - 1], &b.item[0], LINK_OFF * t->rule.radius,
+                            &part->link);
             link_thin(&options, &a.item[a.n - 1], &b.item[0], LEAST, HUGE_VAL, &part->link);
+        }
         if (k > 0 && part->low && t->lift.between)
             thin_joint(&options, &a, &b, part);
     }

@@ -3,10 +3,13 @@
 
 #include <stdlib.h>
 
+#include "rest_chain.h"
+
 enum { AHEAD = 64, EVENED = 2 };
 
 static const double FACING = 0.7; /* a plane serves where its normal is so far off the surface's */
 static const double LITTLE = 0.3; /* of the step: nearer points on a strip are one */
+static const double BESIDE = 0.4; /* of the step: a strip cuts what is no further beside it */
 static const double ALIKE = 0.5;  /* cosine: points of a strip face the same way */
 
 /* A family of planes: their normal, and two directions in them. */
@@ -20,7 +23,7 @@ struct place {
     long plane;
     double at; /* along the strip */
     size_t index;
-    struct contact contact;
+    struct contact given, contact; /* as it is, and on the plane */
 };
 
 static int compare_places(const void *pa, const void *pb)
@@ -55,7 +58,8 @@ static void find_families(const struct rest_options *o, struct family family[3])
 static struct place place_of(const struct family family[3], const struct rest_options *o,
                              const struct coverage_point *point, size_t index)
 {
-    struct place place = {.index = index, .contact = {point->p, point->normal}};
+    struct contact given = {point->p, point->normal};
+    struct place place = {.index = index, .given = given, .contact = given};
     struct vec3 n = point->normal;
 
     while (place.family < 2 && fabs(vec_dot(n, family[place.family].normal)) >= FACING)
@@ -116,29 +120,59 @@ static void widen_point(struct contacts *c, struct vec3 planes, double step)
         *array_push(c) = (struct contact){vec_along(at.p, i * LITTLE * step, along), at.n};
 }
 
-/* Strips of the places [from, to), which lie on one plane. */
+static double length_of(const struct contacts *c)
+{
+    double length = 0;
+
+    for (size_t i = 1; i < c->n; i++)
+        length += vec_distance(c->item[i - 1].p, c->item[i].p);
+    return length;
+}
+
+/* Strips of the places [from, to), which lie on one plane; the points of those that are too short
+ * go to `few`. */
 static void chain_places(const struct place *place, size_t from, size_t to, struct vec3 planes,
-                         const struct rest_options *o, bool *used, struct rest_strips *strips)
+                         const struct rest_options *o, bool *used, struct rest_strips *strips,
+                         struct contacts *few)
 {
     for (size_t first = from; first < to; first++) {
         struct rest_strip strip = {.planes = planes};
+        size_t before = few->n;
         for (size_t i = first; i < to; i = next_place(place, used, i, to, o)) {
             struct contacts *c = &strip.contact;
             if (used[i])
                 break;
             used[i] = true;
+            *array_push(few) = place[i].given;
             if (c->n == 0 ||
                 vec_distance(c->item[c->n - 1].p, place[i].contact.p) > LITTLE * o->step)
                 *array_push(c) = place[i].contact;
         }
         if (strip.contact.n == 0)
             continue;
+        if (length_of(&strip.contact) < o->longest) {
+            array_free(&strip.contact);
+            continue;
+        }
+        few->n = before;
         if (strip.contact.n == 1)
             widen_point(&strip.contact, planes, o->step);
         else if (!o->rough)
             even_normals(&strip.contact);
         *array_push(strips) = strip;
     }
+}
+
+/* Strips through the points that are few. */
+static void chain_few(const struct contacts *few, const struct rest_options *o,
+                      struct rest_strips *strips)
+{
+    size_t first = strips->n;
+
+    rest_chain_points(few, o->gap, BESIDE * o->step, strips);
+    for (size_t k = first; k < strips->n; k++)
+        if (strips->item[k].contact.n == 1)
+            widen_point(&strips->item[k].contact, strips->item[k].planes, o->step);
 }
 
 /* Each next strip begins, turned round if need be, nearest to where the one before ends. */
@@ -172,6 +206,7 @@ struct rest_strips rest_passes_find(const struct coverage_point *point, size_t n
                                     const struct rest_options *options)
 {
     struct rest_strips strips = {0};
+    struct contacts few = {0};
     struct family family[3];
     struct place *place = mem_alloc(n + 1, sizeof *place);
     bool *used = mem_alloc(n + 1, sizeof *used);
@@ -187,8 +222,11 @@ struct rest_strips rest_passes_find(const struct coverage_point *point, size_t n
                             place[to].plane == place[from].plane &&
                             place[to].turned == place[from].turned;)
             to++;
-        chain_places(place, from, to, family[place[from].family].normal, options, used, &strips);
+        chain_places(place, from, to, family[place[from].family].normal, options, used, &strips,
+                     &few);
     }
+    chain_few(&few, options, &strips);
+    array_free(&few);
     free(place);
     free(used);
     order_strips(&strips);

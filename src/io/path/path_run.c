@@ -1,6 +1,8 @@
 /* path_run - see path_run.h. */
 #include "io/path/path_run.h"
 
+static const double SAME = 1e-5; /* mm: points that are nearer are in one place */
+
 struct run path_run_read(const struct path *path, size_t from, size_t to)
 {
     double ball = path->head.track == TRACK_CONTACT ? 0 : path_ball(path);
@@ -26,7 +28,6 @@ struct run path_run_read(const struct path *path, size_t from, size_t to)
  * there is none. */
 static size_t next_point(const struct path *path, size_t at, bool before)
 {
-    const double same = 1e-5; /* mm */
     const struct path_item *item = path->item.item;
     size_t i = at;
 
@@ -36,7 +37,7 @@ static size_t next_point(const struct path *path, size_t at, bool before)
             continue;
         if (item[i].kind != PATH_POINT || (item[i].rapid && !before))
             break;
-        if (vec_distance(item[i].to.p, item[at].to.p) > same)
+        if (vec_distance(item[i].to.p, item[at].to.p) > SAME)
             return i;
     }
     return at;
@@ -56,4 +57,19 @@ struct vec3 path_run_direction(const struct path *path, size_t at, bool before)
     if (after != next && vec_dot(a, b) > 0)
         t = vec_along(t, la / (la + lb), vec_sub(t, vec_scale(1 / lb, b)));
     return vec_scale(before ? -1 : 1, vec_unit(t));
+}
+
+struct vec3 path_run_normal(const struct path *path, size_t at)
+{
+    const struct path_item *item = path->item.item;
+    size_t next = at + 1;
+
+    while (next < path->item.n && item[next].kind == PATH_PASS)
+        next++;
+    if (item[at].touches)
+        return path->contact.item[item[at].contact].n;
+    if (next < path->item.n && item[next].kind == PATH_POINT && item[next].touches &&
+        vec_distance(item[next].to.p, item[at].to.p) < SAME)
+        return path->contact.item[item[next].contact].n;
+    return vec(0, 0, 0);
 }

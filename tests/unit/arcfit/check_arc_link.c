@@ -52,6 +52,7 @@ static struct arc_link_options options_of(struct ground *ground, struct vec3 lea
     return (struct arc_link_options){.leave = leave,
                                      .arrive = arrive,
                                      .off = RADIUS / 2,
+                                     .below = 0.01,
                                      .least = LEAST,
                                      .digits = 6,
                                      .clear = is_clear,
