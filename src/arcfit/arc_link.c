@@ -158,8 +158,8 @@ static size_t point_at(const struct reference *r, double part)
     return k;
 }
 
-/* A joint at so much of the length, `height` mm out of the part; at the end, the direction is turned
- * out. */
+/* A joint at so much of the length, `height` mm out of the part; at the end, the direction is
+ * turned out. */
 static struct link_joint joint_at(const struct link_search *s, double part, double height,
                                   double turned)
 {
@@ -196,8 +196,8 @@ static bool try_end(struct link_search *s, const struct link_joint *a)
     return false;
 }
 
-/* By one biarc as far along the way as it goes; its end becomes the joint, at so many PLACES.  False:
- * it goes nowhere. */
+/* By one biarc as far along the way as it goes; its end becomes the joint, at so many PLACES.
+ * False: it goes nowhere. */
 static bool try_on(struct link_search *s, struct link_joint *a, int *at)
 {
     double length = s->reference->length[last_point(s)];

@@ -26,8 +26,8 @@ static bool face_alike(const struct chainer *c, size_t i, size_t k)
     return vec_dot(c->points->item[i].n, c->points->item[k].n) > ALIKE;
 }
 
-/* The next point of a chain that has come to point i by way of `ahead` (zero: by none): the nearest,
- * where a turn counts as way.  points->n: there is none. */
+/* The next point of a chain that has come to point i by way of `ahead` (zero: by none): the
+ * nearest, where a turn counts as way.  points->n: there is none. */
 static size_t next_point(struct chainer *c, size_t i, struct vec3 ahead)
 {
     size_t best = c->points->n;

@@ -18,7 +18,7 @@ struct run path_run_read(const struct path *path, size_t from, size_t to);
  * which it ends, unit: between passes too, but with no rapid; zero where there are none. */
 struct vec3 path_run_direction(const struct path *path, size_t at, bool before);
 
-/* The surface's normal at an item, or at the next one that is in the same place; zero: not known. */
+/* The surface's normal at an item, or at the next one in the same place; zero: not known. */
 struct vec3 path_run_normal(const struct path *path, size_t at);
 
 #endif
