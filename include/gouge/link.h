@@ -51,9 +51,9 @@ bool link_low(const struct link_options *options, const struct run_point *from,
 void link_thin(const struct link_options *options, const struct run_point *from,
                const struct run_point *to, double least, double off, struct run *link);
 
-/* Leaves out points of a link as long as the straight motions past them are no further than `off` mm
- * beside each, and the whole tool is clear there: a link of many points was looked at finely, and
- * need not be so many blocks.  Points at the pole stay. */
+/* Leaves out points of a link as long as the straight motions past them are no further than `off`
+ * mm beside each, and the whole tool is clear there: a link of many points was looked at finely,
+ * and need not be so many blocks.  Points at the pole stay. */
 void link_straighten(const struct link_options *options, const struct run_point *from,
                      const struct run_point *to, double off, struct run *link);
 
