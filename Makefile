@@ -83,12 +83,15 @@ $(BUILD)/%.o: %.c
 # edges are few, as are the lifts of a strip and its links beside what they ask: at most -O2, so that
 # no tool has more than 1 MB.  An optimiser changes no byte of a result.
 once := io/nurbs/% nurbs/trim_% nurbs/construct nurbs/uv_polygon machine/machine% stage/% \
-  mesh/mesh_clip mesh/mesh_repair toolpath/pass_extend toolpath/rest_passes base/cli \
+  mesh/mesh_clip mesh/mesh_repair toolpath/pass_extend toolpath/rest_% base/cli \
   cloud/crest_fit cloud/edge_points cloud/edge_meet cloud/edge_crest cloud/edge_fill \
   cloud/edge_flank cloud/edge_along cloud/cone_tip cloud/roof cloud/sheets cloud/holes io/path/path_tool \
   gouge/guard_mesh io/mesh/ply io/mesh/ply_source \
   gouge/gouge_lift gouge/lift_smooth gouge/link gouge/smooth_up gouge/smooth_aside
 $(once:%=$(BUILD)/src/%.o): CFLAGS := $(CFLAGS:-O3=-O2)
+# Of these, IGES files and where rest passes go, also without what makes -O2 longer.
+small := io/nurbs/iges% toolpath/rest_% stage/toolpath_shorten stage/toolpath_order
+$(small:%=$(BUILD)/src/%.o): CFLAGS := $(CFLAGS:-O3=-Os)
 
 # The file VERSION is what `--version`, the tarball and the packages say.
 $(BUILD)/version.c: VERSION
