@@ -271,9 +271,11 @@ lint:
 	  samples/*.sh samples/tasks/*.sh man/*.sh .ci/run
 
 # What is abandoned when a process ends, and asking for more memory than there is, are no faults.
+# Without the tests of texts, of the build and of libraries put before others.
 sanitize:
 	mkdir -p $(BUILD)/sanitize && printf "leak:%s\n" create_beside out_open >$(BUILD)/sanitize/leaks
-	ASAN_OPTIONS=allocator_may_return_null=1 \
+	SLOWER=10 WITHOUT='house/(man|layers|bare|install|portability|faults)[.]t' \
+	  ASAN_OPTIONS=allocator_may_return_null=1 \
 	  LSAN_OPTIONS=print_suppressions=0:suppressions=$(abspath $(BUILD))/sanitize/leaks \
 	  $(MAKE) BUILD=$(BUILD)/sanitize CC=clang \
 	  CFLAGS='-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all' check
