@@ -7,6 +7,7 @@
 #include <stdlib.h>
 
 #include "base/array.h"
+#include "math/elementary.h"
 #include "nurbs/construct.h"
 #include "seed.h"
 
@@ -192,6 +193,36 @@ START_TEST(splines)
 }
 END_TEST
 
+/* A straight line is in the spline space of every degree, up to the highest there is. */
+START_TEST(interpolation_of_every_degree)
+{
+    for (int degree = 1; degree <= NURBS_DEGREE_MAX; degree++)
+        for (size_t spans = 1; spans <= 4; spans++) {
+            struct nurbs_axis axis = {.degree = degree, .poles = (size_t)degree + spans, .to = 1};
+            size_t knots = axis.poles + (size_t)degree + 1;
+            struct vec3 *value = mem_alloc(axis.poles, sizeof *value);
+            axis.knot = mem_alloc(knots, sizeof *axis.knot);
+            for (size_t k = 0; k < knots; k++)
+                axis.knot[k] = k <= (size_t)degree ? 0
+                               : k >= axis.poles   ? 1
+                                                   : (double)(k - (size_t)degree) / (double)spans;
+            for (size_t i = 0; i < axis.poles; i++) {
+                double t = construct_greville(&axis, i);
+                value[i] = vec(3 * t - 1, 2, -t);
+            }
+            struct nurbs_pole *pole = construct_interpolation(&axis, value);
+            /* the condition of the basis is about the degree times 2 to its power (de Boor) */
+            double rounding = 1e-14 * degree * pow(2, degree);
+            for (size_t i = 0; i < axis.poles; i++)
+                ck_assert_double_lt(vec_distance(vec(pole[i].wx, pole[i].wy, pole[i].wz), value[i]),
+                                    rounding);
+            free(pole);
+            free(axis.knot);
+            free(value);
+        }
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("construct");
@@ -204,6 +235,7 @@ int main(void)
     tcase_add_test(tests, foot_beside_a_corner);
     tcase_add_test(tests, ruled);
     tcase_add_test(tests, splines);
+    tcase_add_test(tests, interpolation_of_every_degree);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);
     int failed = srunner_ntests_failed(runner);

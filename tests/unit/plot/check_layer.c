@@ -193,6 +193,7 @@ START_TEST(of_points_and_facets)
     ck_assert_str_eq(layer.figures, "4 vertices, 2 facets, 4.0 \u00d7 3.0 \u00d7 0.0 mm");
     ck_assert_uint_eq(layer.normal.n, 4);
     ck_assert_double_lt(vec_distance(layer.normal.item[3].direction, vec(0, 0, 1)), 1e-12);
+    layer_free(&layer);
     ck_assert_int_eq(layer_read("/no/such/file", &options, &layer, &error), -1);
 }
 END_TEST
