@@ -34,4 +34,15 @@ static inline void pair_put(double *x, pair p)
     memcpy(x, &p, sizeof p);
 }
 
+/* The lesser, and the greater, of each; of two equals, or beside a NaN, the second. */
+static inline pair pair_lesser(pair a, pair b)
+{
+    return (pair){a[0] < b[0] ? a[0] : b[0], a[1] < b[1] ? a[1] : b[1]};
+}
+
+static inline pair pair_greater(pair a, pair b)
+{
+    return (pair){a[0] > b[0] ? a[0] : b[0], a[1] > b[1] ? a[1] : b[1]};
+}
+
 #endif

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "base/array.h"
+#include "math/pair.h"
 
 struct plan_extent plan_extent_begin(double direction)
 {
@@ -18,13 +19,15 @@ struct plan_extent plan_extent_begin(double direction)
 
 void plan_extent_add(struct plan_extent *f, const struct vec3 *point, size_t n)
 {
+    pair least = {f->xmin, f->ymin}, most = {f->xmax, f->ymax};
     for (size_t i = 0; i < n; i++) {
         struct vec3 p = plan_extent_turn(f, point[i]);
-        f->xmin = p.x < f->xmin ? p.x : f->xmin;
-        f->xmax = p.x > f->xmax ? p.x : f->xmax;
-        f->ymin = p.y < f->ymin ? p.y : f->ymin;
-        f->ymax = p.y > f->ymax ? p.y : f->ymax;
+        pair at = {p.x, p.y};
+        least = pair_lesser(at, least);
+        most = pair_greater(at, most);
     }
+    f->xmin = least[0], f->ymin = least[1];
+    f->xmax = most[0], f->ymax = most[1];
 }
 
 struct plan_extent plan_extent_of(const struct vec3 *point, size_t n, double direction)

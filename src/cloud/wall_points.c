@@ -64,8 +64,8 @@ static bool make_raster(const struct vec3 *point, size_t n, double spacing, stru
     }
     for (size_t i = 0; i < n; i++) {
         size_t c = cell_of(r, point[i]);
-        r->low[c] = fmin(r->low[c], point[i].z);
-        r->high[c] = fmax(r->high[c], point[i].z);
+        r->low[c] = point[i].z < r->low[c] ? point[i].z : r->low[c];
+        r->high[c] = point[i].z > r->high[c] ? point[i].z : r->high[c];
     }
     return true;
 }

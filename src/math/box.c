@@ -1,6 +1,8 @@
 /* box - see box.h. */
 #include "math/box.h"
 
+#include "math/pair.h"
+
 struct box box_empty(void)
 {
     return (struct box){vec(INFINITY, INFINITY, INFINITY), vec(-INFINITY, -INFINITY, -INFINITY)};
@@ -8,11 +10,17 @@ struct box box_empty(void)
 
 struct box box_around(const struct vec3 *point, size_t n)
 {
-    struct box box = box_empty();
+    pair low = pair_both(INFINITY), high = -low;
+    double bottom = INFINITY, top = -INFINITY;
 
-    for (size_t i = 0; i < n; i++)
-        box_add(&box, point[i]);
-    return box;
+    for (size_t i = 0; i < n; i++) { /* as box_add has it */
+        pair at = pair_at(&point[i].x);
+        low = pair_lesser(at, low);
+        high = pair_greater(at, high);
+        bottom = point[i].z < bottom ? point[i].z : bottom;
+        top = point[i].z > top ? point[i].z : top;
+    }
+    return (struct box){vec(low[0], low[1], bottom), vec(high[0], high[1], top)};
 }
 
 void box_add(struct box *box, struct vec3 p)

@@ -17,24 +17,14 @@ static double coordinate(struct vec3 p, int axis)
     return axis == 0 ? p.x : p.y;
 }
 
-static inline pair lesser(pair a, pair b)
-{
-    return (pair){a[0] < b[0] ? a[0] : b[0], a[1] < b[1] ? a[1] : b[1]};
-}
-
-static inline pair greater(pair a, pair b)
-{
-    return (pair){a[0] > b[0] ? a[0] : b[0], a[1] > b[1] ? a[1] : b[1]};
-}
-
 /* The box of the points seen from above. */
 static void range_of(const struct vec3 *point, size_t n, pair *low, pair *high)
 {
     *low = *high = pair_at(&point[0].x);
     for (size_t i = 1; i < n; i++) {
         pair at = pair_at(&point[i].x);
-        *low = lesser(at, *low);
-        *high = greater(at, *high);
+        *low = pair_lesser(at, *low);
+        *high = pair_greater(at, *high);
     }
 }
 
@@ -122,7 +112,7 @@ static inline uint32_t cell_of(const struct cells *c, const struct vec3 *p)
 {
     const pair none = {0, 0};
     pair at = (pair_at(&p->x) - c->corner) / c->width;
-    at = lesser(greater(at, none), c->last);
+    at = pair_lesser(pair_greater(at, none), c->last);
     return (uint32_t)(int64_t)at[1] * c->columns + (uint32_t)(int64_t)at[0];
 }
 
@@ -339,9 +329,21 @@ void point_grid_free(struct point_grid *point_grid)
     point_grid->first = NULL;
 }
 
+static bool has_any(const unsigned char *out, size_t n)
+{
+    enum { BLOCK = 64 };
+    unsigned char any = 0;
+    for (size_t i = 0; i < n && !any; i += BLOCK)
+        for (size_t k = i; k < n && k < i + BLOCK; k++)
+            any |= out[k];
+    return any != 0;
+}
+
 void point_grid_remove(struct point_grid *b, const unsigned char *out)
 {
     size_t cells = b->columns * b->rows, kept = 0;
+    if (!has_any(out, b->n))
+        return;
     for (size_t c = 0; c < cells; c++) {
         size_t from = b->first[c], to = b->first[c + 1];
         b->first[c] = (uint32_t)kept;

@@ -56,7 +56,8 @@ static bool meet_upright(const struct quadric *q, struct vec3 *place)
         struct vec3 on = vec_add(p, vec(dx, dy, -(n.x * dx + n.y * dy) / n.z));
         struct vec3 local = quadric_local(q, on);
         p = quadric_at(q, local.x, local.y);
-        if (vec_compare(&p, &before) == 0) /* nor would it move in the next turn */
+        if (p.x == before.x && p.y == before.y &&
+            p.z == before.z) /* nor would it move in the next turn */
             break;
     }
     if (hypot(place->x - p.x, place->y - p.y) > 1e-6)
