@@ -45,12 +45,17 @@ static inline int num_digits(uint64_t eight, uint64_t *value)
     return bits / 8;
 }
 
-/*
- * A faster num_read for plain numbers, at most 15 digits without an exponent, of which files have
- * millions.  Returns the end of the number, or NULL if it is not plain.  It reads eight digits at a
- * time, and so up to eight characters after the number.
- */
-static inline const char *num_plain(const char *p, double *value)
+/* The number of leading digits alone. */
+static inline int num_leading(uint64_t eight)
+{
+    static const uint64_t each = 0x0101010101010101;
+    uint64_t digit = eight ^ (0x30 * each);
+    uint64_t other = ((digit + 0x76 * each) | digit) & (0x80 * each);
+    return other ? __builtin_ctzll(other) / 8 : 8;
+}
+
+/* num_plain of any length. */
+static inline const char *num_long(const char *p, double *value)
 {
     static const uint64_t scale[] = {1, 10, 100, 1000, 10000, 100000, 1000000, 10000000, 100000000};
     bool negative = *p == '-';
@@ -78,6 +83,31 @@ static inline const char *num_plain(const char *p, double *value)
     double magnitude = (double)(int64_t)mantissa / num_ten[decimals];
     *value = negative ? -magnitude : magnitude;
     return p;
+}
+
+/*
+ * A faster num_read for plain numbers, at most 15 digits without an exponent, of which files have
+ * millions.  Returns the end of the number, or NULL if it is not plain.  It reads eight digits at a
+ * time, and so up to eight characters after the number; most numbers have no more, those before and
+ * behind the point together.
+ */
+static inline const char *num_plain(const char *p, double *value)
+{
+    bool negative = *p == '-';
+    const char *q = p + negative;
+    int before = num_leading(num_eight(q));
+    if (before < 8 && q[before] == '.') {
+        const uint64_t first = ((uint64_t)1 << 8 * before) - 1; /* those before the point */
+        uint64_t mantissa;
+        int digits = num_digits((num_eight(q) & first) | (num_eight(q + 1) & ~first), &mantissa);
+        q += digits + 1;
+        if (digits > 0 && (unsigned char)*q < '0') { /* neither a further digit nor an exponent */
+            double magnitude = (double)(int64_t)mantissa / num_ten[digits - before];
+            *value = negative ? -magnitude : magnitude;
+            return q;
+        }
+    }
+    return num_long(p, value);
 }
 
 /*

@@ -270,8 +270,10 @@ static bool is_smooth_block(const struct search *s, const struct block *k)
         }
     if (n < FEWEST_BLOCK || quadric_fit(point, n, point[0], vec(0, 0, 1), &q) < 0)
         return false;
+    double off[MOST_BLOCK];
+    quadric_off_all(&q, point, n, off);
     for (size_t i = 0; i < n; i++)
-        if (fabs(quadric_off(&q, point[i])) > least)
+        if (fabs(off[i]) > least)
             return false;
     return true;
 }

@@ -32,6 +32,35 @@ START_TEST(reading_gives_the_nearest_double)
 }
 END_TEST
 
+/* Numbers of all lengths before and behind the point, with what may follow them in a row: the same
+ * double and the same end as strtod's, or none; and none that strtod reads on from. */
+START_TEST(plain_numbers_as_strtod)
+{
+    static const char *const follow[] = {" ", "\n", ",1", "\t", ";", "\r\n", ".", "e5", "E-3", "x"};
+    for (int i = 0; i < 400000; i++) {
+        char text[64] = {0}, *to = text;
+        int before = i % 10, behind = i / 10 % 10, point = i / 100 % 3;
+        if (i & 1024)
+            *to++ = '-';
+        for (int k = 0; k < before; k++)
+            *to++ = (char)('0' + next_random() % 10 * (next_random() % 4 > 0));
+        if (point)
+            *to++ = '.';
+        for (int k = 0; k < behind && point; k++)
+            *to++ = (char)('0' + next_random() % 10 * (next_random() % 4 > 0));
+        int kind = (int)(next_random() % (sizeof follow / sizeof *follow));
+        strcpy(to, follow[kind]);
+        char *end;
+        double value, truth = strtod(text, &end);
+        const char *p = num_plain(text, &value);
+        bool number = before + (point ? behind : 0) > 0, exponent = end != text && end > to;
+        if (p ? p != end || memcmp(&value, &truth, sizeof value) != 0
+              : number && !exponent && before + behind < 15 && kind < 6)
+            ck_abort_msg("%s: %.17g", text, value);
+    }
+}
+END_TEST
+
 static const struct {
     const char *text;
     bool good;
@@ -149,6 +178,7 @@ int main(void)
     Suite *suite = suite_create("num");
     TCase *tests = tcase_create("num");
     tcase_add_test(tests, reading_gives_the_nearest_double);
+    tcase_add_test(tests, plain_numbers_as_strtod);
     tcase_add_loop_test(tests, spellings_of_a_number, 0,
                         (int)(sizeof spellings / sizeof *spellings));
     tcase_add_loop_test(tests, writings_of_a_number, 0, (int)(sizeof writings / sizeof *writings));
