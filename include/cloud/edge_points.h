@@ -27,10 +27,13 @@
  *      round it as far as all neighbours know.  Where sides are so narrow, or bend so much, that
  *      none is certain, both sides of a crest are fitted together (crest_fit.h), and places put on
  *      it and on them.
- *   6. Where two neighbours make a sharp corner with a point, as seen from outside, and neither its
- *      surface nor a place of an edge is known, the part may go on in front of it: this is counted,
- *      if there are two such points near each other, the scan goes on round them, and the surface
- *      of a third of the points about is certain (elsewhere all of it is rough).
+ *   6. Where a point is the foremost of its neighbours over 60 degrees of directions, as on an edge
+ *      or a tip, and neither its surface nor a place of an edge is known, the part may go on in
+ *      front of it; the same where a point stands out from those about it and no surface that bends
+ *      comes near to all of these, as on a rib as thin as points are apart; and at the corners of
+ *      flanks that end above a wall.  It is counted, if there are two such points near each other,
+ *      the scan goes on round them, and the surface of a third of the points about is certain
+ *      (elsewhere all of it is rough).
  * On scan lines (scan_lines.h) flanks are those of neighbours on several lines, for through three
  * lines a smooth surface goes whatever is between; where these do not tell, of neighbours on few.
  * No edge is put where points near to it lie off both flanks, and on no flank of their own: there

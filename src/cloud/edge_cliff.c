@@ -1,11 +1,18 @@
 /* edge_cliff - see edge_steps.h. */
 #include "edge_steps.h"
 
+#include <stdlib.h>
+
 /* A point so far below a flank, by its distance, is down a wall; where the other side is known,
  * too, and lies as far below: down a step. */
 static const double WALL = 0.9, STEP = 0.1;
 static const double CORNER = 1.5;  /* spacings */
 static const double FACING = 0.35; /* least z of a flank that is continued over its wall */
+
+/* Seen from above the flank is open about a point of a corner by more: its sides make less than 110
+ * degrees. */
+static const double CORNER_OPEN = RADIANS(250);
+enum { CORNER_FEWEST = 2 };
 
 /* What is seen from above about a point of a flank: points of the flank, those so steeply below it
  * that a wall is between, and points whose flank meets it in a known edge. */
@@ -229,4 +236,60 @@ double edge_cliff_add(const struct edge_work *work, size_t i, struct vec3s *to)
     array_free(&cliff.below);
     array_free(&cliff.beyond);
     return width;
+}
+
+/* ---- corners */
+
+static int compare_angles(const void *pa, const void *pb)
+{
+    double a = *(const double *)pa, b = *(const double *)pb;
+
+    return (a > b) - (a < b);
+}
+
+/* The widest angle about the point, seen from above, without points of its flank; *amid: its
+ * middle. */
+static double open_angle(const struct cliff *cliff, double *amid)
+{
+    size_t n = cliff->on.n;
+    double *turn = mem_alloc(n + 1, sizeof *turn), widest = 0;
+
+    for (size_t k = 0; k < n; k++)
+        turn[k] = atan2(cliff->on.item[k].y - cliff->from.y, cliff->on.item[k].x - cliff->from.x);
+    qsort(turn, n, sizeof *turn, compare_angles);
+    turn[n] = n > 0 ? turn[0] + 2 * PI : 0;
+    for (size_t k = 0; k < n; k++)
+        if (turn[k + 1] - turn[k] > widest) {
+            widest = turn[k + 1] - turn[k];
+            *amid = turn[k] + widest / 2;
+        }
+    free(turn);
+    return widest;
+}
+
+/* To the nearest point down a wall there; 0: it is no wall. */
+static double room_ahead(const struct cliff *cliff, double turn)
+{
+    const double beside = 0.7;
+    double x = cos(turn), y = sin(turn), least = HUGE_VAL;
+
+    for (size_t k = 0; k < cliff->below.n; k++) {
+        struct vec3 to = vec_sub(cliff->below.item[k], cliff->from);
+        double far = hypot(to.x, to.y);
+        if (to.x * x + to.y * y > beside * far && -to.z > far)
+            least = fmin(least, far);
+    }
+    return least < HUGE_VAL ? least : 0;
+}
+
+double edge_cliff_corner(const struct edge_work *work, size_t i)
+{
+    struct cliff cliff = find_cliff(work, i);
+    double amid = 0, open = open_angle(&cliff, &amid);
+    double depth = cliff.on.n >= CORNER_FEWEST && open > CORNER_OPEN ? room_ahead(&cliff, amid) : 0;
+
+    array_free(&cliff.on);
+    array_free(&cliff.below);
+    array_free(&cliff.beyond);
+    return depth;
 }

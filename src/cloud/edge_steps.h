@@ -102,15 +102,20 @@ void edge_meet_add(const struct edge_work *work, const struct edge_hood *near, s
 
 double edge_cliff_add(const struct edge_work *work, size_t i, struct vec3s *to);
 
+/* How far the flank may go on before point i of such a wall, mm, where that is a sharp corner: a
+ * tip of it passes between points below; 0: it is none. */
+double edge_cliff_corner(const struct edge_work *work, size_t i);
+
 /* ---- edge_crest: appends the places of crests (crest_fit.h) about points whose own sides are not
  * certain to work->found, and of both their sides to work->between, as dense as those of edges are:
  * each about the nearest point that has one. */
 
 void edge_crests_add(const struct edge_work *work);
 
-/* ---- edge_unknown: how far the part may go on in front of point i, mm, where its neighbours to
- * two sides make less than 120 degrees, none is in front, and no guard was found there, though no
- * surface is known of it, but of most about it; else 0. */
+/* ---- edge_unknown: how far the part may go on in front of point i, mm, where it is on a sharp
+ * edge or tip and no guard was found there, or stands out on something that the points do not
+ * resolve, though no surface is known of it, but of most about it, or is a corner above a wall;
+ * else 0. */
 
 double edge_unknown_depth(const struct edge_work *work, size_t i);
 

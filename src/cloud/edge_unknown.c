@@ -1,18 +1,28 @@
 /* edge_unknown - see edge_steps.h. */
 #include "edge_steps.h"
+#include "math/cubic.h"
+#include "math/sphere_grid.h"
 
-/* Cosine of 120 degrees: the sides of an edge make less. */
-static const double SHARPER = -0.5;
+/* Directions over the sphere that a point is looked at from. */
+enum { DIRECTIONS = 500 };
 
-/* In spacings: neighbours that are sides of an edge, no nearer and no farther; places before the
- * point; neighbours that may stand in front of it. */
-static const double APART = 0.5, BESIDE = 2, AHEAD = 1.5, ABOUT = 3;
+/* Cosine of 60 degrees: over so much the point is the foremost; the sides of an edge make less than
+ * 120. */
+static const double SHARPER = 0.5;
 
-/* Seen from above the sides lie more than 105 degrees apart: at the foot of a wall they do not. */
-static const double OPPOSITE = -0.25;
+/* In spacings: neighbours that are sides of an edge, no nearer across it and no farther; places
+ * before the point; neighbours that may stand in front of it. */
+static const double APART = 0.3, BESIDE = 2, AHEAD = 1.5, ABOUT = 3;
 
 /* Of its way: no neighbour is so far in front of the highest point. */
 static const double FRONT = 0.1;
+
+/* In spacings: a point stands out by more from those about it, few and more, a surface with all
+ * bends is further off these, and no place of an edge is as near: a feature not resolved. */
+static const double OUT = 0.1, ROUGH = 0.08, BARE = 0.5;
+
+/* Least z of the middle of these directions: no ball comes from below. */
+static const double UP = 0.05;
 
 /* Its surface is known, or it is guarded as the points below let it be. */
 static bool is_explained(const struct edge_work *work, size_t i)
@@ -51,12 +61,51 @@ static bool is_foremost(const struct edge_hood *near, struct vec3 front)
     return true;
 }
 
-/* How far in front the line from a on through the point goes until it is over b. */
-static double goes_on(struct vec3 a, struct vec3 b, struct vec3 front)
-{
-    double level = hypot(a.x, a.y);
+/* An edge that the point is on: of the directions in which it is the foremost of all about it the
+ * two that are furthest apart, the one amid them, and across the edge. */
+struct sharp_edge {
+    struct vec3 front, across;
+    double cosine; /* of the two: the less the sharper */
+};
 
-    return level > 0 ? fmax(0, -vec_dot(front, a) * hypot(b.x, b.y) / level) : vec_length(b);
+static struct sharp_edge find_sharp(const struct edge_hood *near)
+{
+    struct sharp_edge edge = {.cosine = 1};
+    struct vec3 front[DIRECTIONS];
+    size_t n = 0;
+
+    for (int k = 0; k < DIRECTIONS; k++) {
+        struct vec3 way = sphere_spiral(k, 1 - (2 * k + 1.0) / DIRECTIONS);
+        if (is_foremost(near, way))
+            front[n++] = way;
+    }
+    for (size_t a = 0; a < n; a++)
+        for (size_t b = a + 1; b < n; b++) {
+            struct vec3 amid = vec_unit(vec_add(front[a], front[b]));
+            if (vec_dot(front[a], front[b]) >= edge.cosine || !is_foremost(near, amid))
+                continue; /* or it is the foremost on both sides of a plane */
+            edge.cosine = vec_dot(front[a], front[b]);
+            edge.front = amid;
+            edge.across = vec_unit(vec_sub(front[a], front[b]));
+        }
+    return edge;
+}
+
+/* How far in front of the point the line from a neighbour goes on through it until it is over
+ * another one on the other side, both as seen along the edge: at most. */
+static double goes_on(const struct edge_hood *near, const struct sharp_edge *edge)
+{
+    double reach = BESIDE * near->spacing, steepest[2] = {0, 0}, widest[2] = {0, 0};
+
+    for (size_t k = 1; k < near->n && near->distance2[k] < reach * reach; k++) {
+        struct vec3 to = vec_sub(near->point[k], near->point[0]);
+        double beside = vec_dot(to, edge->across), behind = -vec_dot(to, edge->front);
+        if (fabs(beside) < APART * near->spacing)
+            continue;
+        steepest[beside > 0] = fmax(steepest[beside > 0], behind / fabs(beside));
+        widest[beside > 0] = fmax(widest[beside > 0], fabs(beside));
+    }
+    return fmin(fmax(steepest[0] * widest[1], steepest[1] * widest[0]), reach);
 }
 
 /* The scan ends beside the point: seen from above three of eight sectors beside each other have no
@@ -91,43 +140,79 @@ bool edge_on_known(const struct edge_work *work, size_t i)
     return 3 * known > n;
 }
 
-/* The sides a and b of the point are those of an edge. */
-static bool is_edge(struct vec3 a, struct vec3 b)
+/* How far the point is above the middle of the n nearest. */
+static double stands_out(const struct edge_hood *near, size_t n)
 {
-    return vec_dot(vec_unit(a), vec_unit(b)) > SHARPER &&
-           a.x * b.x + a.y * b.y < OPPOSITE * hypot(a.x, a.y) * hypot(b.x, b.y);
+    struct vec3 up = plane_normal(near->point, n), mean = vec(0, 0, 0);
+
+    for (size_t k = 0; k < n; k++)
+        mean = vec_along(mean, 1 / (double)n, near->point[k]);
+    double out = vec_dot(up, vec_sub(near->point[0], mean));
+    return up.z < 0 ? -out : out;
+}
+
+static bool is_bare(const struct edge_work *work, const struct edge_hood *near)
+{
+    for (size_t k = 0; k < near->n; k++) {
+        const struct vec3s *lists[] = {&work->found[near->index[k]],
+                                       &work->between[near->index[k]]};
+        for (int list = 0; list < 2; list++)
+            for (size_t e = 0; e < lists[list]->n; e++)
+                if (vec_distance(lists[list]->item[e], near->point[0]) < BARE * near->spacing)
+                    return false;
+    }
+    return true;
+}
+
+/* No surface that bends comes near to all points about. */
+static bool is_rough(const struct edge_hood *near)
+{
+    double least = ROUGH * near->spacing;
+    struct quadric q, cubic;
+
+    return quadric_fit_free(near->point, EDGE_SMOOTH, near->point[0], &q) != 0 ||
+           (quadric_spread(&q, near->point, EDGE_SMOOTH, 6) > least &&
+            (cubic_fit(near->point, NULL, EDGE_SMOOTH, near->point[0], quadric_normal(&q),
+                       &cubic) != 0 ||
+             quadric_spread(&cubic, near->point, EDGE_SMOOTH, 10) > least));
+}
+
+/* How far the point stands out amid a scan whose surface is known, of what is so small that the
+ * points do not tell its shape. */
+static double unresolved_depth(const struct edge_work *work, const struct edge_hood *near)
+{
+    double out = stands_out(near, EDGE_SMOOTH / 2), wide = stands_out(near, EDGE_SMOOTH);
+
+    return fmin(out, wide) > OUT * near->spacing && is_rough(near) && is_bare(work, near)
+               ? fmax(out, wide)
+               : 0;
 }
 
 double edge_unknown_depth(const struct edge_work *work, size_t i)
 {
     struct edge_hood near;
-    double most = 0;
 
-    if (is_explained(work, i))
+    if (!(work->gap[i] > 0) && is_explained(work, i))
         return 0;
     edge_hood_find(work, i, &near);
-    double least = APART * near.spacing, reach = BESIDE * near.spacing;
-    if (!edge_on_known(work, i) || is_at_border(&near))
+    if (is_at_border(&near))
         return 0;
-    for (size_t j = 1; j < near.n && near.distance2[j] < reach * reach; j++)
-        for (size_t k = j + 1; k < near.n && near.distance2[k] < reach * reach; k++) {
-            struct vec3 a = vec_sub(near.point[j], near.point[0]);
-            struct vec3 b = vec_sub(near.point[k], near.point[0]);
-            if (near.distance2[j] < least * least || !is_edge(a, b))
-                continue;
-            struct vec3 front = vec_unit(vec_scale(-1, vec_add(vec_unit(a), vec_unit(b))));
-            double depth = fmax(goes_on(a, b, front), goes_on(b, a, front));
-            if (front.z > 0 && depth > most && is_foremost(&near, front) &&
-                !has_place(work, &near, front))
-                most = depth;
-        }
-    return most;
+    if (work->gap[i] > 0)
+        return edge_cliff_corner(work, i);
+    if (!edge_on_known(work, i))
+        return 0;
+    struct sharp_edge edge = find_sharp(&near);
+    if (edge.cosine > SHARPER || edge.front.z < UP || has_place(work, &near, edge.front))
+        return unresolved_depth(work, &near);
+    return goes_on(&near, &edge);
 }
 
 bool edge_unknown_counts(const struct edge_work *work, size_t i)
 {
     struct edge_hood near;
 
+    if (work->gap[i] > 0)
+        return true;
     edge_hood_find(work, i, &near);
     for (size_t k = 1; k < near.n; k++)
         if (work->unknown[near.index[k]] > 0)

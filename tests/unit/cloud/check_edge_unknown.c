@@ -1,6 +1,7 @@
 /* edge_unknown: the crest of a blade with one or two points across is told, and how far it may go
- * on; a roof, whose sides are known, an even scan, a mesa, whose wall is guarded, and a single
- * point that is astray are not. */
+ * on; and so are the upright edges at the end of a fin, a rib as wide as the points are apart, and
+ * the corners of a post; a roof, whose sides are known, an even scan, a mesa, whose wall is
+ * guarded, and a single point that is astray are not. */
 #include <check.h>
 #include <stdlib.h>
 
@@ -12,6 +13,24 @@ static const double RADIUS = 6, HIGH = 3;
 static double ring(double x, double y)
 {
     return fmax(0, HIGH - HIGH / 0.7 * fabs(hypot(x - 0.13, y + 0.07) - RADIUS));
+}
+
+/* It stands alone, turned, and ends: 1.6 mm thick at its foot, 0.4 at its top. */
+static double fin(double x, double y)
+{
+    double u = 0.97 * x + 0.24 * y - 0.31, v = 0.97 * y - 0.24 * x + 0.17;
+    return fmax(0, fmin(5, fmin(5 - (fabs(u) - 0.2) * 8, 5 - (fabs(v) - 6) * 4)));
+}
+
+static double rib(double x, double y)
+{
+    return fabs(0.97 * x + 0.24 * y - 0.31) < 0.25 ? 0.8 : 0;
+}
+
+static double post(double x, double y)
+{
+    double u = 0.97 * x + 0.24 * y - 0.31, v = 0.97 * y - 0.24 * x + 0.17;
+    return fabs(u) < 3 && fabs(v) < 2 ? HIGH : 0;
 }
 
 static double mesa(double x, double y)
@@ -56,6 +75,24 @@ START_TEST(thin_ring)
 }
 END_TEST
 
+/* Some point that is told is within 1.5 mm of the edge's end as seen from above. */
+START_TEST(ends_and_corners)
+{
+    static const struct {
+        double (*height)(double, double);
+        double u, v; /* half of what it measures */
+    } of[] = {{fin, 0.5, 6.5}, {rib, 0.25, 12}, {post, 3, 2}};
+    struct edge_gaps gaps = told(of[_i / 2].height, _i % 2, 0);
+    double x = gaps.unknown_at.x, y = gaps.unknown_at.y;
+    double u = fabs(0.97 * x + 0.24 * y - 0.31), v = fabs(0.97 * y - 0.24 * x + 0.17);
+
+    ck_assert_uint_gt(gaps.unknown, 0);
+    ck_assert_double_gt(gaps.depth, 0);
+    ck_assert_double_le(fabs(u - of[_i / 2].u), 1.5);
+    ck_assert(v <= of[_i / 2].v + 1.5);
+}
+END_TEST
+
 START_TEST(nothing_told)
 {
     static double (*const of[])(double, double) = {edge_trial_roof, mesa, even, astray};
@@ -71,6 +108,7 @@ int main(void)
     TCase *tests = tcase_create("edge_unknown");
     SRunner *runner = srunner_create(suite);
     tcase_add_loop_test(tests, thin_ring, 0, 2);
+    tcase_add_loop_test(tests, ends_and_corners, 0, 6);
     tcase_add_loop_test(tests, nothing_told, 0, 8);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);
