@@ -23,8 +23,9 @@ bool aside_add(struct aside *aside, void (*work)(void *context), void *context);
 /* A piece waits: aside_add would have no room. */
 bool aside_is_full(struct aside *aside);
 
-/* Forgets the piece that waits; the one in hand goes on. */
-void aside_drop(struct aside *aside);
+/* Forgets the piece that waits, and returns its context (NULL: none waits); the one in hand goes
+ * on. */
+void *aside_drop(struct aside *aside);
 
 /* Returns when what was asked for is done. */
 void aside_wait(struct aside *aside);

@@ -84,11 +84,13 @@ bool aside_is_full(struct aside *a)
     return full;
 }
 
-void aside_drop(struct aside *a)
+void *aside_drop(struct aside *a)
 {
     pthread_mutex_lock(&a->lock);
+    void *context = a->next.work ? a->next.context : NULL;
     a->next = (struct piece){0};
     pthread_mutex_unlock(&a->lock);
+    return context;
 }
 
 void aside_do(struct aside *a, void (*work)(void *context), void *context)

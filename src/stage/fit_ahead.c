@@ -243,7 +243,9 @@ int fit_ahead_rest(struct fit_ahead *a, struct path *in, struct range range,
 void fit_ahead_free(struct fit_ahead *a)
 {
     if (a->aside) {
-        aside_drop(a->aside);
+        struct chunk *left = aside_drop(a->aside);
+        if (left && (void *)left != (void *)a) /* no reading of the scan */
+            free_chunk(left);
         aside_end(a->aside);
     }
     gouge_options_drop(a->scan);

@@ -134,6 +134,7 @@ START_TEST(a_net_as_asked)
     ck_assert_uint_le(s->u.poles, 3 * 4U + 1);
     ck_assert_uint_le(s->v.poles, 3 * 3U + 1);
     options.spacing = 0.001;
+    patches_free(&result.patches);
     ck_assert_int_eq(cloud_surface_make(&options, &points, &result, &error), -1);
     ck_assert_ptr_nonnull(strstr(error.text, "0.001"));
 }

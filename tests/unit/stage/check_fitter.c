@@ -15,7 +15,7 @@ static const double R = 4;
 /* What the fitter was asked for, in the order of the runs (one thread). */
 struct asked {
     size_t from, to, points;
-    bool link;
+    bool link, rough;
     double axis_share, work;
 };
 
@@ -53,7 +53,7 @@ static void fit(const void *settings, const struct fit_request *request, struct 
     ck_assert_double_eq(result->spent, 0);
     ck_assert_ptr_null(result->held);
     *array_push(&told.asked) = (struct asked){
-        run->from, run->to, points->n, run->link, request->axis_share, request->work};
+        run->from, run->to, points->n, run->link, run->rough, request->axis_share, request->work};
     const struct path_item *last = &request->in->item.item[run->to - 1];
     path_add_point(&run->fitted, last->to, false);
     *result = (struct result){told.spends * (double)run->pass, malloc(8)};
@@ -359,10 +359,10 @@ static const char *with_link(int n)
     return name;
 }
 
-/* Ways with the tool down are fitted as runs of their own where a scan guards, they have points
- * enough and are smooth: straight lines between them no further off a curve than ten tolerances,
- * which is 2 (1 - cos 22.5 degrees) = 0.15 mm with three, and 0.049 with six, which turn by 26
- * degrees: then it may be thirty.  They begin at the point before. */
+/* Ways with the tool down are runs of their own where a scan guards and they have points enough.
+ * They are rough where they are not smooth: straight lines between their points further off a curve
+ * than ten tolerances, which is 2 (1 - cos 22.5 degrees) = 0.15 mm with three, and 0.049 with six,
+ * which turn by 26 degrees: then it may be thirty.  They begin at the point before. */
 START_TEST(links)
 {
     static const struct {
@@ -370,11 +370,12 @@ START_TEST(links)
         double tolerance;
         bool stay, paper, guarded;
         size_t runs;
-    } row[] = {{8, 0.02, false, false, true, 3},  {3, 0.02, false, false, true, 3},
-               {2, 0.1, false, false, true, 2},   {3, 0.01, false, false, true, 2},
-               {6, 0.003, false, false, true, 3}, {6, 0.001, false, false, true, 2},
-               {8, 0.02, true, false, true, 2},   {8, 0.02, false, true, true, 2},
-               {8, 0.02, false, false, false, 2}};
+        bool rough;
+    } row[] = {{8, 0.02, false, false, true, 3, false},  {3, 0.02, false, false, true, 3, false},
+               {2, 0.1, false, false, true, 2, false},   {3, 0.01, false, false, true, 3, true},
+               {6, 0.003, false, false, true, 3, false}, {6, 0.001, false, false, true, 3, true},
+               {8, 0.02, true, false, true, 2, false},   {8, 0.02, false, true, true, 2, false},
+               {8, 0.02, false, false, false, 2, false}};
     char scan[400];
     snprintf(scan, sizeof scan, "%s.scan", scratch_name());
     FILE *f = fopen(scan, "w");
@@ -399,6 +400,7 @@ START_TEST(links)
         for (size_t i = 0; i < told.asked.n; i++) {
             const struct asked *a = &told.asked.item[i];
             ck_assert_int_eq(a->link, row[k].runs == 3 && i == 1);
+            ck_assert_int_eq(a->rough, a->link && row[k].rough);
             ck_assert_uint_eq(a->points, a->link ? (size_t)row[k].n + 1 : 11);
             if (i > 0 && told.asked.item[i].link)
                 ck_assert_uint_eq(a->from, told.asked.item[i - 1].to - 1);

@@ -148,6 +148,7 @@ static void free_guard(struct gouge_check *guard, struct guard_read_options *rul
     gouge_free(guard);
     array_free(&rule->certain);
     array_free(&rule->doubtful);
+    array_free(&rule->curtain);
 }
 
 static struct vec3 floor_point(double x, double y, struct vec3 *normal)
