@@ -95,6 +95,12 @@ text 's/;  /   /' "expected|cut short" "parameters without an end"
 text 's/^108,0,0,2/108,0,0,0/' "a normal of no length" "a plane without a normal"
 text 's/^102,2,3,/102,2,1,/' "expected a curve" "a surface for a curve"
 text 's/^120,13,15/120,13,1 /' "expected a curve" "a surface for a profile"
+text 's/^144,1,1,0,9; /144,11,1,0,9;/' "expected a surface" "a face on itself"
+text 's/^144,1,1,0/144,7,1,0/' "on entity 7 of type 102, expected a surface" "a face on a curve"
+{ cylinder_shell && echo 'solid 186 0 {shell},1,0'; } | iges sound
+status 0 "a sound solid is read" nurbs2mesh -n 2 "$TMP/sound.igs"
+text 's/^504,3,/504,1,/' "1 as count of edges, expected" "an edge beyond the list"
+text 's/^186,[0-9]*,/186,37,/' "expected a shell" "a solid bounded by itself"
 
 # ---- STEP
 
@@ -159,6 +165,9 @@ text "s/OPEN_SHELL('',([^)]*))/OPEN_SHELL('',())/" "without faces" "a shell with
 text "s/OPEN_SHELL('',([^)]*))/OPEN_SHELL('',('a'))/" "no face where one belongs" "a text for a face"
 text "s/OPEN_SHELL(/OPEN_SHOAL(/" "no face of a solid" "no shell"
 text '/^#/d' "no instances" "no instances"
+text "s/\\(ADVANCED_FACE('',(#[0-9]*),\\)#[0-9]*/\\1#1/" "which is a .* expected a surface" "a face on a point"
+text 's/\.METRE\./.YARD./' "expected some of .METRE." "a unit that there is not"
+text 's/\.MILLI\.,\.METRE\./.MILLY.,.METRE./' "expected some of .METRE." "a prefix that there is not"
 sed "s/OPEN_SHELL('',(/&#1,/" "$TMP/sound.step" >"$TMP/more.step"
 nurbs2mesh -n 2 "$TMP/more.step" >/dev/null 2>"$TMP/told"
 ok "STEP: a shell that holds something else" test $? -eq 3

@@ -58,6 +58,17 @@ static int count_of(const struct walk *w, const struct iges_values *v, const str
     return 0;
 }
 
+/* What bounds a solid is a shell. */
+static int check_shell(const struct walk *w, const struct iges_values *solid,
+                       const struct iges_entity *shell, struct error *error)
+{
+    return shell->type == 514 ? 0
+                              : error_at(error, w->iges->name, solid->line,
+                                         "a solid (186) bounded by an entity of type %d, expected "
+                                         "a shell (514)",
+                                         shell->type);
+}
+
 /* Marks what definitions and solids hold: it has no place of its own. */
 static int mark_inside(const struct walk *w, bool *inside, struct error *error)
 {
@@ -83,6 +94,8 @@ static int mark_inside(const struct walk *w, bool *inside, struct error *error)
         if (status == 0 && (first[i].type == 186 || first[i].type == 430)) {
             const struct iges_entity *e;
             status = iges_pointer(w->iges, &v, 1, &e, error);
+            if (status == 0 && first[i].type == 186)
+                status = check_shell(w, &v, e, error);
             if (status == 0)
                 inside[e - first] = true;
         }

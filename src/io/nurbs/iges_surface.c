@@ -330,6 +330,20 @@ static int basis_of(const struct source *s, const struct iges_entity *e,
     return status;
 }
 
+/* What a face lies on is none that is read: left out where it is of a kind that the standard leaves
+ * to others, else an error. */
+static int no_surface(const struct source *s, const struct iges_entity *face,
+                      const struct iges_entity *on, struct error *error)
+{
+    const int others = 5000;
+    if (on->type < others)
+        return error_at(error, s->iges->name, face->at,
+                        "entity %d of type %d on entity %d of type %d, expected a surface",
+                        face->number, face->type, on->number, on->type);
+    leave_out(s, on);
+    return 0;
+}
+
 /* All faces where the file places them, in the order of their surfaces' directory entries: each
  * surface once for each entity that trims it, or once as it is. */
 static int find_trimmed(const struct source *s, struct all_trimmed *all, struct error *error)
@@ -351,6 +365,8 @@ static int find_trimmed(const struct source *s, struct all_trimmed *all, struct 
         bool surface = is_surface(p->entity->type);
         status = basis_of(s, p->entity, &basis, error);
         const struct iges_entity *on = surface ? p->entity : basis;
+        if (status == 0 && !surface && !is_surface(on->type))
+            status = no_surface(s, p->entity, on, error);
         if (status == 0 && is_surface(on->type) && !(surface && used[on - first]))
             *array_push(all) = (struct trimmed){(size_t)(on - first),
                                                 surface ? NULL : p->entity,

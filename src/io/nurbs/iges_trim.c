@@ -101,9 +101,12 @@ static int edge_504(const struct iges_trimming *s, const struct iges_entity *lis
 {
     struct iges_values v;
     size_t first = loop->n;
+    long count;
     if (iges_values(s->iges, list, &v, error) < 0)
         return -1;
-    int got = curve_at(s, &v, 2 + 5 * (size_t)(index - 1), loop, unknown, error);
+    int got = iges_whole(s->iges, &v, 1, index, COUNT_MAX, "count of edges", &count, error);
+    if (got == 0)
+        got = curve_at(s, &v, 2 + 5 * (size_t)(index - 1), loop, unknown, error);
     array_free(&v);
     for (size_t i = first, k = loop->n; i < k && !forwards && got == 0; i++) {
         struct nurbs_curve last = loop->item[--k];

@@ -321,7 +321,7 @@ START_TEST(refusals)
     struct file f = new_file(MM);
     struct patches patches;
     struct error error;
-    refused(144, "144,1,1,0,5;", "no surface");
+    refused(144, "144,1,1,0,5;", "expected a surface");
     refused(128, "128,1,1,1,1,0,0,1,0,0,0.,0.,1.,1.,0.,0.,1.,1.,1.,1.,1.,1.,0.;", "expected 34");
     refused(128, "128,1,1,1,1,0,0,1,0,0,0.,0.,1.,1.", "cut short");
     refused(128, "128,1.5,1,1,1;", "whole number");
