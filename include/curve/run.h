@@ -43,6 +43,8 @@ static inline double run_point_height(const struct run_point *p)
  * Tangents of the ball's path, unit: three-point (Bessel) tangents of the centres, projected
  * perpendicular to the normal where there is one (a centre that is lifted off its contact point
  * has those of the centres alone where they keep near to the chords, else the slope of its lift);
+ * where a curve along them would go more than 0.01 mm astray over a chord they give way to those of
+ * the centres alone, or beside a sharp turn to the longer chord, as far as these go less astray;
  * points that coincide have one tangent, all of them the zero vector when the run has no length.
  * At the ends T0 = 2 (v0 . T1) v0 - T1, v0 the first chord.  Paper 1, 3.4 instead with `forward`:
  * n x (PiPi+1 x n).  tangent[n].

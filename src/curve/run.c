@@ -11,6 +11,9 @@
 static const double SAME = 1e-7;          /* mm: centres nearer than this are one station */
 static const double CORNER = PI / 3;      /* a turn above this in one point is a corner */
 static const double AXIS_SMOOTH = PI / 3; /* axes further apart than this: great circle */
+static const double SHARP = PI / 18;      /* and one above this may be beside one */
+static const double ASTRAY = 0.01;        /* mm: what a curve may be off a chord unasked */
+static const double NEAR = 0.003;         /* mm: a curve so near a chord is as good as it */
 static const double STEEP = 0.7;          /* slope of the centres against the surface: no tangent */
 
 enum { PARTS_MAX = 10000 }; /* pieces of one interval */
@@ -57,25 +60,52 @@ static bool is_lifted(const struct run_point *a, const struct run_point *b)
     return fabs(run_point_height(a) - run_point_height(b)) > printed;
 }
 
-/* A curve over the chord that begins or ends along the tangent, and else along the chord, is not
- * far from it: a cubic's 4/27 of length and slope. */
+/* How far a curve over the chord that begins or ends along the tangent, and else along the chord, is
+ * off it: a cubic's 4/27 of length and slope. */
+static double bulge_of(struct vec3 chord, struct vec3 tangent)
+{
+    return 4 / 27.0 * vec_length(vec_reject(chord, tangent));
+}
+
 static bool is_near(struct vec3 chord, struct vec3 tangent)
 {
-    const double least = 0.003; /* mm */
-
-    return 4 / 27.0 * vec_length(vec_reject(chord, tangent)) <= least;
+    return bulge_of(chord, tangent) <= NEAR;
 }
 
 /*
  * The centre of a ball that touches moves perpendicular to the normal; one that is being lifted
- * moves by the slope of its lift against it.
+ * moves by the slope of its lift against it.  False where it is too steep to tell.
  */
-static struct vec3 along_surface(struct vec3 tangent, struct vec3 normal, double slope)
+static bool along_surface(struct vec3 tangent, struct vec3 normal, double slope, struct vec3 *along)
 {
     struct vec3 t = vec_reject(tangent, normal);
     if (fabs(slope) > STEEP || vec_length(t) < STEEP)
+        return false;
+    *along = vec_unit(vec_along(vec_unit(t), slope, normal));
+    return true;
+}
+
+/* The larger bulge of curves along the tangent over the chords before and after it. */
+static double worst_bulge(struct vec3 tangent, struct vec3 in, struct vec3 out)
+{
+    return fmax(bulge_of(in, tangent), bulge_of(out, tangent));
+}
+
+/*
+ * A tangent along which a curve goes astray gives way to one along which it does so less: to that
+ * of the centres alone, for what stops a ball need not be what the normals tell of; and where the
+ * way turns sharply between a short chord and a long one, as beside an inner edge, to the long one.
+ */
+static struct vec3 least_bulge(struct vec3 tangent, struct vec3 of_centres, struct vec3 in,
+                               struct vec3 out)
+{
+    double worst = worst_bulge(tangent, in, out), centres = worst_bulge(of_centres, in, out);
+    struct vec3 longer = vec_unit(vec_length(in) > vec_length(out) ? in : out);
+    if (worst <= ASTRAY)
         return tangent;
-    return vec_unit(vec_along(vec_unit(t), slope, normal));
+    if (vec_angle(in, out) > SHARP && worst_bulge(longer, in, out) < fmin(worst, centres))
+        return longer;
+    return centres < worst ? of_centres : tangent;
 }
 
 /* Derivative at the middle one of three values on a parabola; h: the lengths between them. */
@@ -97,9 +127,10 @@ static struct vec3 bessel_tangent(const struct run *run, const struct stations *
         return t;
     if ((is_lifted(a, b) || is_lifted(b, c)) && is_near(in, t) && is_near(out, t))
         return t;
-    return along_surface(
-        t, b->normal,
-        parabola_slope(run_point_height(a), h0, run_point_height(b), h1, run_point_height(c)));
+    double slope =
+        parabola_slope(run_point_height(a), h0, run_point_height(b), h1, run_point_height(c));
+    struct vec3 along;
+    return least_bulge(along_surface(t, b->normal, slope, &along) ? along : t, t, in, out);
 }
 
 /* At an end: the tangent of the circle that the end chord and the tangent beyond it make. */
@@ -116,7 +147,9 @@ static struct vec3 end_tangent(const struct run *run, const struct stations *s, 
         (is_lifted(a, b) && is_near(vec_scale(h, v), t)))
         return t;
     double slope = (run_point_height(b) - run_point_height(a)) / h;
-    return along_surface(t, a->normal, next > end ? slope : -slope);
+    struct vec3 along, chord = vec_scale(h, v);
+    bool found = along_surface(t, a->normal, next > end ? slope : -slope, &along);
+    return found ? least_bulge(along, t, chord, chord) : t;
 }
 
 static void set_bessel_tangents(const struct run *run, struct stations *s)

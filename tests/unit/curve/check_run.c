@@ -74,6 +74,48 @@ START_TEST(a_lifted_centre_keeps_its_slope)
 }
 END_TEST
 
+/* A centre that comes down a flank or off an edge onto a floor, in short steps and at once in a long
+ * one: x and height of the ball, of R 3, with its normal's x and how far it is off its contact. */
+static double deepest_below(const double way[][4], size_t n, double floor)
+{
+    struct run run = {.radius = 3};
+    double deepest = 0;
+    for (size_t i = 0; i < n; i++) {
+        struct run_point p = pose(vec(way[i][0], 0, way[i][1]), vec(0, 0, 1), 3);
+        p.normal = vec(way[i][2], 0, sqrt(1 - way[i][2] * way[i][2]));
+        p.contact = vec_along(p.ball, -way[i][3], p.normal);
+        *array_push(&run) = p;
+    }
+    struct run dense = {.radius = 3};
+    run_densify(&run, 1e-4, &dense);
+    for (size_t i = 0; i < dense.n; i++)
+        deepest = fmax(deepest, floor - dense.item[i].ball.z);
+    array_free(&run);
+    array_free(&dense);
+    return deepest;
+}
+
+START_TEST(beside_an_inner_edge_the_way_stays_on_its_chords)
+{
+    static const double flank[][4] = {{-9.0140, 12.9545, -0.978, 3}, {-9.2297, 11.9399, -0.978, 3},
+                                      {-9.4219, 11.0358, -0.978, 3}, {-9.4548, 11, 0, 3},
+                                      {-10.6514, 11, 0, 3},          {-11.848, 11, 0, 3}};
+    static const double edge[][4] = {{-1.1951, 8.3020, 0, 3.30205},
+                                     {-1.0722, 8.1807, 0, 3.18065},
+                                     {-0.9440, 8.0648, 0, 3.06479},
+                                     {-0.7916, 8.0010, 0, 3.00098},
+                                     {0.2410, 8, 0, 3},
+                                     {0.7575, 8, 0, 3}};
+    static const double turned[][4] = {{17.0009, 9.0155, 0.096, 3.13132},
+                                       {17.1669, 9, 0, 3},
+                                       {17.9926, 9, 0, 3},
+                                       {18.3632, 9, 0, 3}};
+    ck_assert_double_lt(deepest_below(flank, 6, 11), 0.01);
+    ck_assert_double_lt(deepest_below(edge, 6, 8), 0.011);
+    ck_assert_double_lt(deepest_below(turned, 4, 9), 0.01);
+}
+END_TEST
+
 START_TEST(repeated_points_and_no_length_are_no_trouble)
 {
     struct run run = {.radius = 2};
@@ -242,6 +284,7 @@ int main(void)
     tcase_add_test(t, tangents_of_a_circle_are_exact);
     tcase_add_test(t, forward_tangents_are_those_of_the_paper);
     tcase_add_test(t, a_lifted_centre_keeps_its_slope);
+    tcase_add_test(t, beside_an_inner_edge_the_way_stays_on_its_chords);
     tcase_add_test(t, repeated_points_and_no_length_are_no_trouble);
     tcase_add_test(t, the_reference_of_a_circle_stays_on_it);
     tcase_add_test(t, corners_stay_corners);
