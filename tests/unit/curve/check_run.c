@@ -74,8 +74,9 @@ START_TEST(a_lifted_centre_keeps_its_slope)
 }
 END_TEST
 
-/* A centre that comes down a flank or off an edge onto a floor, in short steps and at once in a long
- * one: x and height of the ball, of R 3, with its normal's x and how far it is off its contact. */
+/* A centre that comes down a flank or off an edge onto a floor, in short steps and at once in a
+ * long one: x and height of the ball, of R 3, with its normal's x and how far it is off its
+ * contact. */
 static double deepest_below(const double way[][4], size_t n, double floor)
 {
     struct run run = {.radius = 3};
