@@ -60,8 +60,8 @@ static bool is_lifted(const struct run_point *a, const struct run_point *b)
     return fabs(run_point_height(a) - run_point_height(b)) > printed;
 }
 
-/* How far a curve over the chord that begins or ends along the tangent, and else along the chord, is
- * off it: a cubic's 4/27 of length and slope. */
+/* How far a curve over the chord that begins or ends along the tangent, and else along the chord,
+ * is off it: a cubic's 4/27 of length and slope. */
 static double bulge_of(struct vec3 chord, struct vec3 tangent)
 {
     return 4 / 27.0 * vec_length(vec_reject(chord, tangent));
