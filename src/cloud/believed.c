@@ -53,7 +53,8 @@ int believed_find(const struct vec3 *point, size_t n, const struct believed_opti
 
     memset(out, 0, n);
     *believed = (struct believed){.sigma = 0};
-    memcpy(copy, point, n * sizeof *copy);
+    if (n > 0) /* then there may be no array */
+        memcpy(copy, point, n * sizeof *copy);
     if (point_grid_make(copy, n, spacing > 0 ? spacing : 1, options->threads, &point_grid, error) <
         0) {
         free(copy);
