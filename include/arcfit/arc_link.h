@@ -17,7 +17,7 @@ struct arc_link_options {
     double off;                /* mm: no further off the way it was planned on, */
     double below;              /* and no further in than that, for what is beside the part that is
                                   known is not known, */
-    double least;              /* no piece shorter, */
+    double least;              /* no piece shorter, nor its radius, */
     int digits;                /* and the decimals that joints are rounded to */
     bool (*clear)(void *context, const struct pieces *pieces); /* the whole tool is, all along */
     void *context;

@@ -75,8 +75,8 @@ static bool is_above(const struct link_search *s, const struct arc_piece *piece)
     return true;
 }
 
-/* What is tried, the pieces from `first` on: none too short, none turns too far, none is too far
- * off, and the tool is clear. */
+/* What is tried, the pieces from `first` on: none too short or bent too much, none turns too far, none
+ * is too far off, and the tool is clear. */
 static bool is_good(const struct link_search *s, size_t first)
 {
     const double off = s->options->off;
@@ -85,7 +85,8 @@ static bool is_good(const struct link_search *s, size_t first)
 
     for (size_t i = 0; i < some.n; i++) {
         const struct arc_piece *piece = &some.item[i];
-        if (piece->arc.angle > TURN_MAX || !(arc_length(&piece->arc) >= s->options->least))
+        if (piece->arc.angle > TURN_MAX || !(arc_length(&piece->arc) >= s->options->least) ||
+            (!arc_straight(&piece->arc) && piece->arc.radius < s->options->least))
             return false;
         if (!is_above(s, piece))
             return false;

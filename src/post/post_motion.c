@@ -7,7 +7,10 @@
 #include "post_feed.h"
 #include "post_ik.h"
 
-enum { DEPTH_MAX = 22 /* halvings of a straight motion: beside the singular direction */ };
+enum {
+    DEPTH_MAX = 22, /* halvings of a straight motion: beside the singular direction */
+    PARTS_MAX = 64  /* equal parts of one, before they are halved */
+};
 
 /* ---- one more block */
 
@@ -358,8 +361,20 @@ static void add_block(struct nc_planner *planner, const struct machine_pose *to,
         total->spent = pose_deviation_worst(total->spent, d);
 }
 
-static int halve(struct nc_planner *planner, const struct motion *motion, double s0, double s1,
-                 enum nc_kind kind, struct pose_deviation allowed, int depth)
+/* Into how many equal parts to divide what is so far off: a chord's error falls with the square of
+ * its length. */
+static int parts_for(struct pose_deviation d, struct pose_deviation allowed)
+{
+    const double spare = 1.02;
+    double off = larger(d.point / allowed.point, d.axis / allowed.axis);
+    double parts = ceil(spare * sqrt(off));
+
+    return parts >= 2 && parts <= PARTS_MAX ? (int)parts
+                                            : 2; /* 2: it may be infinite, or no number */
+}
+
+static int divide(struct nc_planner *planner, const struct motion *motion, double s0, double s1,
+                  enum nc_kind kind, struct pose_deviation allowed, int depth)
 {
     struct pose goal = motion_at(motion, s1);
     struct machine_pose to;
@@ -376,12 +391,16 @@ static int halve(struct nc_planner *planner, const struct motion *motion, double
         d = deviation_of(planner, &to, motion, s0, s1, allowed);
     }
     if (!pose_deviation_within(d, allowed) && depth < DEPTH_MAX) {
-        double mid = (s0 + s1) / 2;
+        int parts = depth == 0 ? parts_for(d, allowed) : 2;
         if (planner->state.why == NC_WHY_PATH)
             planner->state.why = NC_WHY_DIVIDED;
-        if (halve(planner, motion, s0, mid, kind, allowed, depth + 1) != 0)
-            return -1;
-        return halve(planner, motion, mid, s1, kind, allowed, depth + 1);
+        for (int i = 0; i < parts; i++) {
+            double from = s0 + (s1 - s0) * i / parts,
+                   to_s = i + 1 < parts ? s0 + (s1 - s0) * (i + 1) / parts : s1;
+            if (divide(planner, motion, from, to_s, kind, allowed, depth + 1) != 0)
+                return -1;
+        }
+        return 0;
     }
     if (!pose_deviation_within(d, allowed)) {
         if (go_on_turned(planner, motion, s0, s1, kind, &to) != 0)
@@ -407,7 +426,7 @@ static int straight_blocks(struct nc_planner *planner, const struct motion *moti
 {
     for (double s = s0, next; s < s1; s = next) {
         next = crossing_end(&planner->aim, s, s1);
-        if (halve(planner, motion, s, next, kind, allowed, 0) != 0)
+        if (divide(planner, motion, s, next, kind, allowed, 0) != 0)
             return -1;
     }
     return 0;

@@ -1,7 +1,7 @@
 /*
  * post_motion - a motion as blocks, from where the last one ended.
  *
- * A straight motion is one block where a bound shows that it may be; else it is halved until what
+ * A straight motion is one block where a bound shows that it may be; else it is divided until what
  * the control makes of each block keeps the tolerance (interpolation.h).  An arc or B-spline stays
  * one where the control can be given it within the tolerance; else it becomes straight blocks.
  */

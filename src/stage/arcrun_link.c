@@ -54,7 +54,7 @@ bool arcrun_fit_link(const struct run *run, const struct arcrun_link *link,
                                       .out = {link->out[0], link->out[1]},
                                       .off = OFF * run->radius,
                                       .below = options->tolerance,
-                                      .least = fmin(options->least, ARC_SHORTEST),
+                                      .least = fmax(options->least, ARC_SHORTEST),
                                       .digits = PATH_COORDINATE,
                                       .clear = is_clear,
                                       .context = &check};
