@@ -16,4 +16,4 @@ ncpost -q -c fanuc arcs.cl -o face.nc
 ncpost -q -c siemens -m dmg-dmu50 arcs.cl -o face.mpf
 check fanuc face.nc -g face.xyz -r 5 -e 0.02
 check siemens face.mpf -m dmg-dmu50 -g face.xyz -r 5 -e 0.02
-figure arcs "$(grep -c CIP face.mpf)"
+figure arcs "$(grep -c 'I1=' face.mpf)"

@@ -12,6 +12,7 @@ enum { FEWEST_PARTS = 4, TURNED_PARTS = 8, MOST_PARTS = 256, SIDES = 8 };
 static const double FLAT = 0.17364817766693033;
 
 static const double ARCH = 0.4;      /* times s (1 - s), of the length: a tenth in the middle */
+static const double WIDEST = 3;      /* radii: of a turn's tangents */
 static const double NARROW = 0.7;    /* 1 + cosine of a turn's tangents to its chord, no less */
 static const double FEED = 0.95;     /* of the tolerance: what a way at feed may be in the part */
 static const double RAPID = 0.2;     /* mm: what a rapid leaves free */
@@ -46,7 +47,8 @@ struct base_curve {
     bool straight;
 };
 
-/* A turned one has the length of a circle's tangents where both ends turn alike. */
+/* A turned one has the length of a circle's tangents where both ends turn alike; a long one turns
+ * no wider than the tool. */
 static struct base_curve base_curve(const struct link_options *options,
                                     const struct run_point *from, const struct run_point *to,
                                     const struct arch *arch)
@@ -55,6 +57,8 @@ static struct base_curve base_curve(const struct link_options *options,
     struct vec3 chord = vec_sub(c.to, c.from), ahead = vec_unit(chord);
     double cosine = (vec_dot(options->leave, ahead) + vec_dot(options->arrive, ahead)) / 2;
     double length = 2 * vec_length(chord) / fmax(1 + cosine, NARROW);
+
+    length = fmin(length, WIDEST * options->radius);
 
     c.leave = vec_scale(length, options->leave);
     c.arrive = vec_scale(length, options->arrive);
