@@ -75,8 +75,8 @@ static bool is_above(const struct link_search *s, const struct arc_piece *piece)
     return true;
 }
 
-/* What is tried, the pieces from `first` on: none too short or bent too much, none turns too far, none
- * is too far off, and the tool is clear. */
+/* What is tried, the pieces from `first` on: none too short or bent too much, none turns too far,
+ * none is too far off, and the tool is clear. */
 static bool is_good(const struct link_search *s, size_t first)
 {
     const double off = s->options->off;
