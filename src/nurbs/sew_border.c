@@ -1,5 +1,5 @@
-/* sew_border - see sew_steps.h: the edges that one triangle alone has, and border vertices that lie on
- * a border edge of another patch. */
+/* sew_border - see sew_steps.h: the edges that one triangle alone has, and border vertices that lie
+ * on a border edge of another patch. */
 #include <stdlib.h>
 
 #include "sew_steps.h"

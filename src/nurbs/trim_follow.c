@@ -8,8 +8,8 @@
 enum { DEPTH_MAX = 10, SPACE_PARTS = 8, TURNED_TRIED = 16 };
 
 /* How far from a pole, by a piece of a curve, its direction is still told; by the size of the
- * surface: how near to a pole a curve runs through it; by the width of the range: what is one way to
- * a pole and back. */
+ * surface: how near to a pole a curve runs through it; by the width of the range: what is one way
+ * to a pole and back. */
 static const double POLE_STEP = 1e-3, POLE_SLIT = 1e-3, POLE_NEAR = 1e-6, POLE = 1e-9;
 
 /* The curve's place; near the guess where the curve is in space, unless it is far from there. */
