@@ -89,8 +89,8 @@ once := io/nurbs/% nurbs/trim_% nurbs/construct nurbs/uv_polygon machine/machine
   gouge/guard_mesh io/mesh/ply io/mesh/ply_source \
   gouge/gouge_lift gouge/lift_smooth gouge/link gouge/smooth_up gouge/smooth_aside
 $(once:%=$(BUILD)/src/%.o): CFLAGS := $(CFLAGS:-O3=-O2)
-# Of these, IGES files and where rest passes go, also without what makes -O2 longer.
-small := io/nurbs/iges% toolpath/rest_% stage/toolpath_shorten stage/toolpath_order
+# Of these, IGES and STEP files and where rest passes go, also without what makes -O2 longer.
+small := io/nurbs/iges% io/nurbs/step% toolpath/rest_% stage/toolpath_shorten stage/toolpath_order
 $(small:%=$(BUILD)/src/%.o): CFLAGS := $(CFLAGS:-O3=-Os)
 
 # The file VERSION is what `--version`, the tarball and the packages say.
