@@ -41,6 +41,8 @@ static int find_scan(const struct gouge_options *options, struct path *path, boo
     if (guard_scan_read(&options->scan, paper ? &none : &path->head.scan, "the path",
                         "what is fitted is not checked", scan, &path->head.unmet, error) != 0)
         return -1;
+    if (!paper && !options->scan.none && options->scan.files.n == 0 && path->head.scan.n == 0)
+        say("the path names no scan: what is fitted is held against none (-g FILE names one)");
     scan_sources_free(&path->head.scan);
     path->head.scan = scan_sources_copy(&scan->source);
     return 0;

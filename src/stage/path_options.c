@@ -262,6 +262,18 @@ static int check_extent(const struct mesh *mesh, double radius, struct error *er
         size, most * radius, radius);
 }
 
+/* A mesh that says neither what scan nor what surfaces it was made from, as after a tool that drops
+ * comments. */
+static void say_alone(const struct mesh *mesh)
+{
+    const struct path_options *c = &path_options;
+
+    if (c->guard.files.n == 0 && !c->guard.none && mesh->origin.scan.n == 0 &&
+        mesh->origin.surface.n == 0)
+        say("the mesh names no scan: the tool is kept clear of its facets alone (-g FILE names the "
+            "scan)");
+}
+
 int path_options_guard(const struct mesh *mesh, double near, int threads,
                        struct gouge_check **guard, struct error *error)
 {
@@ -278,6 +290,7 @@ int path_options_guard(const struct mesh *mesh, double near, int threads,
         return 0;
     if (check_extent(mesh, c->radius, error) != 0)
         return -1;
+    say_alone(mesh);
     *guard = c->guarded ? guard_read(&guard_scan, mesh, near, &rule, error)
                         : guard_of_mesh(mesh, threads, error);
     path_options.noise = rule.noise;

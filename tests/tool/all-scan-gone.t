@@ -1,7 +1,8 @@
 #!/bin/sh
 # all-scan-gone.t - a scan that a mesh or path names by a relative name, and that is gone or has
 # other points, is told in one line by each tool that would guard by it, with what it does instead;
-# under -q, too, and with exit status 3.
+# under -q, too, and with exit status 3.  A mesh or path that names none is told of in one line,
+# but not where no guard is asked for.
 . "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
 cd "$TMP" || exit 1
 
@@ -54,4 +55,25 @@ done
 cat scan.xyz | cloud2mesh -q -t 2 -o piped.ply
 status 0 "a scan that was piped in is no fault" meshnorm -q -r 3 --scallop 0.1 -o out.cl piped.ply
 empty "and -q is quiet of it" "$TMP/err"
+
+grep -v '^comment' ../mesh.ply >bare.ply
+for tool in meshnorm planecut; do
+	run $tool -r 3 --scallop 0.1 -o bare.cl bare.ply
+	grep -c "^$tool: the mesh names no scan: " "$TMP/err" | grep -qx 1
+	result $? "$tool says in a line that the mesh names no scan"
+	run $tool -r 3 --scallop 0.1 --no-guard -o out.cl bare.ply
+	grep 'names no scan' "$TMP/err" >"$TMP/found"
+	empty "$tool: not to who asks for no guard" "$TMP/found"
+	run $tool -r 3 --scallop 0.1 -g scan.xyz -o out.cl bare.ply
+	grep 'names no scan' "$TMP/err" >"$TMP/found"
+	empty "$tool: nor where it is named" "$TMP/found"
+done
+for tool in biarcfit bsplfit; do
+	run $tool -e 0.01 -o out.cl bare.cl
+	grep -c "^$tool: the path names no scan: " "$TMP/err" | grep -qx 1
+	result $? "$tool says in a line that the path names no scan"
+	run $tool -e 0.01 --no-guard -o out.cl bare.cl
+	grep 'names no scan' "$TMP/err" >"$TMP/found"
+	empty "$tool: not to who asks for no guard" "$TMP/found"
+done
 done_testing
