@@ -68,15 +68,15 @@ double fitter_least(const struct fitter_options *options, const struct path *in)
 
 /* One cutting run, and what became of it. */
 struct fitted_run {
-    size_t from, to;    /* items [from, to) of the path */
-    size_t pass;        /* the pass that it is part of */
-    size_t number;      /* of the run, for the driver */
-    bool link;          /* it touches nothing */
-    bool rough;         /* a link whose lines do not lead round smoothly; */
+    size_t from, to;           /* items [from, to) of the path */
+    size_t pass;               /* the pass that it is part of */
+    size_t number;             /* of the run, for the driver */
+    bool link;                 /* it touches nothing */
+    bool rough;                /* a link whose lines do not lead round smoothly; */
     struct vec3 leave, arrive; /* directions of the motions before and after a link; zero: none */
     struct vec3 out[2];        /* normals where it begins and ends; zero: not known */
-    bool stays;         /* set by the fit: its points stay as they came */
-    struct path fitted; /* the items that take the place of [from + 1, to) */
+    bool stays;                /* set by the fit: its points stay as they came */
+    struct path fitted;        /* the items that take the place of [from + 1, to) */
     struct gouge_refit_result gouge;
     bool swept;   /* all its motions were held against the guard, for `gouge` */
     void *result; /* the fitter's own, all zero before the fit */

@@ -20,7 +20,7 @@ struct axis_planner *axis_planner_new(const struct axis_planner_options *options
     p->frame = rotary_frame_of(&options->chain);
     p->grid = sphere_grid_new(p->frame.pole);
     struct access_options access = {
-        options->guard, &p->options.holder,    &p->grid, options->radius / 12, MARGIN,
+        options->guard, &p->options.holder,     &p->grid,        options->radius / 12, MARGIN,
         SLOPE,          options->tolerance / 2, options->threads};
     p->access = access_new(&access);
     p->reached = mem_alloc((size_t)p->grid.n, sizeof *p->reached);
