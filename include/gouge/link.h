@@ -75,8 +75,9 @@ struct retract {
  * has done before, so that this is free wherever the tool fits at all.  Where it is not clear:
  * straight up in z, along the normal, between these; then bent ways, first to any side (out beside
  * the part if it is flat), from there up or along the axis.  The first that is clear at rapid; if
- * there is none, the first that is clear at feed; else not `clear`.  Without a guard along the
- * axis.
+ * there is none, the first that is clear at feed; else not `clear`.  One that leads far aside, as
+ * along a flat axis, goes on only until it is clear straight up, if that is shorter by a fifth.
+ * Without a guard along the axis.
  */
 struct retract link_retract(const struct link_options *options, const struct run_point *p);
 
