@@ -348,9 +348,11 @@ static bool finish_any(const struct crest_fit *begun, bool follows, const struct
 
     for (int i = 0; i < 2; i++) {
         *fit = *begun;
-        if (finish(fit, follows, point, count_near(point, n, reach[i] * spacing, 1), spacing,
-                   within, even, role))
-            return true;
+        if (!finish(fit, follows, point, count_near(point, n, reach[i] * spacing, 1), spacing,
+                    within, even, role))
+            continue;
+        crest_fit_roles(fit, point, n, spacing, within, role); /* those beyond its reach, too */
+        return true;
     }
     return false;
 }

@@ -36,7 +36,7 @@ struct crest_fit {
 /*
  * The crest through n points about point[0], nearest first as seen from above, CREST_POINTS at
  * most, `spacing` apart; `within`: points of its sides are off them by no more, and by `even` on
- * average.  -1: there is none that explains all points next to point[0].
+ * average.  Fills the roles of all n.  -1: there is none that explains all points next to point[0].
  */
 int crest_fit_find(const struct vec3 *point, size_t n, double spacing, double within, double even,
                    struct crest_fit *fit, enum crest_role *role);

@@ -57,8 +57,11 @@ static double rounded(double x, double y)
     return fabs(x) < 0.8 ? 5 - x * x / 1.6 : 5.4 - fabs(x);
 }
 
+/* Roles begin as what no point has here. */
 static int find(struct crest_fit *fit)
 {
+    for (size_t i = 0; i < N; i++)
+        role[i] = CREST_OTHER;
     return crest_fit_find(point, N, SPACING, WITHIN, EVEN, fit, role);
 }
 
