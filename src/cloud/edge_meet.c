@@ -70,9 +70,20 @@ static bool is_on_any(const struct edge_work *work, const struct edge_hood *near
     return false;
 }
 
+/* The edge ends in a hollow with the point's flank, as at the foot of a pyramid: it is above that,
+ * where that is certain. */
+static bool ends_before(const struct edge_work *work, const struct edge_flank *own, struct vec3 at,
+                        double least)
+{
+    struct vec3 normal;
+
+    return own->valid && edge_flank_certain(work, own) &&
+           edge_flank_above(own, at, &normal) > least;
+}
+
 /* The points of the scan about a place of an edge bear it out: one of them is near, none is above
- * the edge, and each is on one of the two flanks, on a flank of its own, or at a tip on one of
- * others. */
+ * the edge but in a hollow with it, and each is on one of the two flanks, on a flank of its own, or
+ * at a tip on one of others. */
 static bool is_borne_out(const struct edge_work *work, const struct edge_hood *near,
                          const struct edge_flank *const *pair, bool tip, double spacing,
                          struct vec3 at)
@@ -90,7 +101,8 @@ static bool is_borne_out(const struct edge_work *work, const struct edge_hood *n
         double h0 = edge_flank_above(pair[0], b->point[index[k]], &normal);
         double h1 = edge_flank_above(pair[1], b->point[index[k]], &normal);
         bool on = fabs(h0) <= 2 * least || fabs(h1) <= 2 * least;
-        if (fmax(h0, h1) > 2 * least && distance2[k] < spacing * spacing)
+        if (fmax(h0, h1) > 2 * least && distance2[k] < spacing * spacing &&
+            !ends_before(work, own, at, least))
             return false;
         if (!on && !own->valid && !(tip && is_on_any(work, near, b->point[index[k]], least)))
             return false;
@@ -98,9 +110,11 @@ static bool is_borne_out(const struct edge_work *work, const struct edge_hood *n
     return true;
 }
 
-/* A third flank among those of the neighbours that the place is above; NULL: none. */
+/* A third flank among those of the neighbours that the place is above; NULL: none.  A flank whose
+ * point is above one of the pair is in a hollow with it, and ends no edge before that. */
 static const struct edge_flank *flank_below(const struct edge_work *work,
-                                            const struct edge_hood *near, struct vec3 at,
+                                            const struct edge_hood *near,
+                                            const struct edge_flank *const *pair, struct vec3 at,
                                             double least)
 {
     const struct edge_flank *worst = NULL;
@@ -110,7 +124,9 @@ static const struct edge_flank *flank_below(const struct edge_work *work,
     for (size_t k = 0; k < EDGE_MEETING; k++) {
         const struct edge_flank *other = &work->flank[near->index[k]];
         double h = other->valid ? edge_flank_above(other, at, &normal) : 0;
-        if (h > most) {
+        if (h > most && !(edge_flank_certain(work, other) &&
+                          fmax(edge_flank_above(pair[0], near->point[k], &normal),
+                               edge_flank_above(pair[1], near->point[k], &normal)) > 2 * least)) {
             most = h;
             worst = other;
         }
@@ -128,14 +144,14 @@ static bool move_to_tip(const struct edge_work *work, const struct edge_hood *ne
     for (int turn = 0; turn < STEPS && meeting[2]; turn++) {
         if (!move_to_meeting(meeting, 3, EDGE_REACH * spacing, at))
             return false;
-        const struct edge_flank *other = flank_below(work, near, *at, least / 2);
+        const struct edge_flank *other = flank_below(work, near, meeting, *at, least / 2);
         if (other == meeting[2])
             return false;
         if (!other)
             return true;
         meeting[2] = other;
     }
-    return !flank_below(work, near, *at, least);
+    return !flank_below(work, near, meeting, *at, least);
 }
 
 /* Adds a place of the edge of a pair, or the tip where it ends if the place is beyond that. */
@@ -148,7 +164,7 @@ static void add_place(const struct edge_work *work, const struct edge_hood *near
 
     if (!move_to_meeting(meeting, 2, EDGE_REACH * spacing, &at))
         return;
-    meeting[2] = flank_below(work, near, at, least);
+    meeting[2] = flank_below(work, near, pair, at, least);
     if (meeting[2] && !move_to_tip(work, near, meeting, spacing, &at))
         return;
     for (size_t k = 0; k < to->n; k++)

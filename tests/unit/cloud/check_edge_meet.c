@@ -1,5 +1,5 @@
-/* edge_meet: places lie on the ridge of a roof, all along it, and at the tip of a pyramid; in a
- * valley there are none. */
+/* edge_meet: places lie on the ridge of a roof, all along it, at the tip of a pyramid, and down to
+ * its foot on a floor; in a valley there are none. */
 #include <check.h>
 #include <stdlib.h>
 
@@ -8,6 +8,11 @@
 static double tip(double x, double y)
 {
     return 10 - fmax(fabs(x - 0.13), fabs(y + 0.21));
+}
+
+static double on_floor(double x, double y)
+{
+    return fmax(0, tip(x, y) - 5);
 }
 
 static double valley(double x, double y)
@@ -68,6 +73,21 @@ START_TEST(tip_of_pyramid)
 }
 END_TEST
 
+START_TEST(down_to_the_foot)
+{
+    struct vec3s to = places(on_floor, false);
+
+    for (double d = 0.5; d <= 4.7; d += 0.1)
+        for (int k = 0; k < 4; k++) {
+            struct vec3 at = vec(0.13 + (k % 2 ? d : -d), (k / 2 ? d : -d) - 0.21, 5 - d);
+            ck_assert_double_le(nearest(&to, at), 0.2);
+        }
+    for (size_t k = 0; k < to.n; k++)
+        ck_assert_double_le(to.item[k].z, on_floor(to.item[k].x, to.item[k].y) + 1e-6);
+    array_free(&to);
+}
+END_TEST
+
 START_TEST(none_in_a_valley)
 {
     struct vec3s to = places(valley, false);
@@ -84,6 +104,7 @@ int main(void)
     SRunner *runner = srunner_create(suite);
     tcase_add_loop_test(tests, ridge, 0, 2);
     tcase_add_test(tests, tip_of_pyramid);
+    tcase_add_test(tests, down_to_the_foot);
     tcase_add_test(tests, none_in_a_valley);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);
