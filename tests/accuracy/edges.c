@@ -3,8 +3,9 @@
  *
  *	edges                              their names
  *	edges SHAPE grid|lines|random STEP SEED    a scan of it, points about STEP apart
- *	edges SHAPE truth STEP SEED        the surface itself, STEP apart; on its edges closer, by an
- *	                                   eighth, and down upright walls
+ *	edges SHAPE truth STEP SEED        the surface itself, STEP apart, without the outermost mm,
+ *	                                   where scans of points anywhere may end; on its edges closer,
+ *	                                   by an eighth, and down upright walls
  *
  * Each is seen from above over 24 x 24 mm; SEED turns it and moves it aside, so that no edge lies
  * on a raster.  Lines are two steps apart and points half a step along them; a point strays by 0.6
@@ -17,7 +18,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const double HALF = 12, PI2 = 6.283185307179586;
+static const double HALF = 12, BORDER = 1, PI2 = 6.283185307179586;
 enum { DEPTH = 3 }; /* halvings of a square of the truth at an edge */
 
 typedef double height(double x, double y);
@@ -321,8 +322,10 @@ static void square(const struct part *part, double x, double y, double step, dou
 
 static void truth(const struct part *part, double step)
 {
-    for (double y = -HALF; y < HALF - 1e-9; y += step)
-        for (double x = -HALF; x < HALF - 1e-9; x += step)
+    double half = HALF - BORDER;
+
+    for (double y = -half; y < half - 1e-9; y += step)
+        for (double x = -half; x < half - 1e-9; x += step)
             square(part, x, y, step, step, 0);
 }
 
