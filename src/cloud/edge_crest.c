@@ -37,7 +37,7 @@ static size_t find_about(const struct point_grid *b, size_t i, double reach, str
             if (x * x + y * y <= reach * reach)
                 near[n++] = vec((double)k, 0, k == i ? -1 : x * x + y * y);
         }
-    qsort(near, n, sizeof *near, compare_near);
+    qsort(near, n, sizeof *near, compare_near); // cppcheck-suppress uninitvar
     n = n < CREST_POINTS ? n : CREST_POINTS;
     for (size_t k = 0; k < n; k++)
         point[k] = b->point[index[k] = (size_t)near[k].x];

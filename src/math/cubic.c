@@ -80,8 +80,8 @@ static void add_high(struct moments *m, const struct block *b)
         double pw = part * b->w[k], pwu = pw * u;
         pair uv = {u, b->v[k]}, square = uv * uv, pws = pair_both(pw), second = pws * square;
         h[0] += (pair){pw, pwu};
-        h[1] += (pair){pw * uv[1], second[0]};
-        h[2] += (pair){pwu * uv[1], second[1]};
+        h[1] += (pair){pw * uv[1], second[0]};  // cppcheck-suppress constStatement
+        h[2] += (pair){pwu * uv[1], second[1]}; // cppcheck-suppress constStatement
         h[3] += pair_both(second[0]) * uv;
         h[4] += (pair){pwu, second[1]} * (pair){square[1], uv[1]};
     }

@@ -144,7 +144,7 @@ static const struct run_point *end_of(const struct orderer *o, size_t k, bool la
 {
     struct run run = toolpath_part_run(o->t, &o->parts->item[k]);
 
-    return &run.item[last ? run.n - 1 : 0];
+    return &run.item[last ? run.n - 1 : 0]; // cppcheck-suppress returnDanglingLifetime
 }
 
 static const double TURN = 2;   /* radii: what a radian that the axis turns counts as way */
