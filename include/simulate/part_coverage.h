@@ -5,7 +5,8 @@
  * ball touches (up to half the limit) that is clear of all points, with the tool above it clear, by
  * a tenth of a millimetre, in one of the directions that the machine has.  Kept off is one that
  * only balls touch that are in the part between its points: the surface that faces up goes on over
- * them, past a wall that has too few points to keep them off.  All the rest is left. The directions
+ * them, past a wall that has too few points to keep them off, or a wall that has none may stand
+ * there (unseen_wall.h).  All the rest is left. The directions
  * of the ball from the point and of the tool are samples (constants in the .c), so that a narrow
  * access may count as none.
  *

@@ -7,7 +7,10 @@
  * too, and lies as far below: down a step. */
 static const double WALL = 0.9, STEP = 0.1;
 static const double CORNER = 1.5;  /* spacings */
-static const double FACING = 0.35; /* least z of a flank that is continued over its wall */
+static const double FACING = 0.12; /* least z of a flank that is continued over its wall */
+static const double STEEP = 2.5;   /* 68 degrees: a wall hangs from a flank as from one so steep */
+static const double FAIR = 0.1;    /* spacings: so far off its points a flank tells of a wall yet */
+static const double FARTHER = 4;   /* spacings: farther than that a flank is a plane */
 
 /* Seen from above the flank is open about a point of a corner by more: its sides make less than 110
  * degrees. */
@@ -42,13 +45,31 @@ static double least_off(const struct edge_work *work, size_t i, size_t k)
     return edge_within(work, fmax(work->flank[i].spacing, work->flank[k].spacing));
 }
 
+/* The normal of the flank where it begins, no steeper than STEEP. */
+static struct vec3 clamped_normal(const struct cliff *cliff)
+{
+    struct vec3 n = quadric_normal_at(cliff->q, cliff->from);
+
+    return vec_unit(vec(n.x, n.y, fmax(n.z, hypot(n.x, n.y) / STEEP)));
+}
+
+/* How far a point is above the flank of point i. */
+static double above_flank(const struct edge_flank *flank, struct vec3 p, const struct cliff *cliff)
+{
+    struct vec3 normal;
+
+    if (vec_distance(p, cliff->from) > FARTHER * flank->spacing)
+        return vec_dot(clamped_normal(cliff), vec_sub(p, cliff->from));
+    return edge_flank_above(flank, p, &normal);
+}
+
 /* Points below the flank whose own surface the point is not above are beyond an edge. */
 static void sort_by_height(const struct edge_work *work, size_t i, size_t k, struct cliff *cliff)
 {
     const struct edge_flank *own = &work->flank[i], *other = &work->flank[k];
     const struct vec3 p = work->options->point_grid->point[k];
     struct vec3 normal;
-    double off = edge_flank_above(own, p, &normal), least = least_off(work, i, k);
+    double off = above_flank(own, p, cliff), least = least_off(work, i, k);
 
     if (fabs(off) <= least) {
         *array_push(&cliff->on) = p;
@@ -190,10 +211,12 @@ static void fill_cliff(const struct edge_work *work, const struct cliff *cliff, 
 }
 
 /* The wall itself may go down from there to a point below, without points that were seen. */
-static void fill_wall(const struct edge_work *work, const struct cliff *cliff, struct vec3s *to)
+static void fill_wall(const struct edge_work *work, const struct cliff *cliff, bool certain,
+                      struct vec3s *to)
 {
     enum { MOST = 60 };
     const double nearly = 0.9;
+    bool steep = quadric_normal_at(cliff->q, cliff->from).z < FACING;
 
     for (size_t k = 0; k < cliff->below.n; k++) {
         struct vec3 foot = cliff->below.item[k];
@@ -201,6 +224,9 @@ static void fill_wall(const struct edge_work *work, const struct cliff *cliff, s
         if (!is_before_wall(cliff, u, v))
             continue;
         struct vec3 at = place_above(cliff, cliff->from.x + u, cliff->from.y + v);
+        double way = hypot(u, v), top = steep ? fmax(at.z, cliff->from.z - STEEP * way) : at.z;
+        at = vec(cliff->from.x + u, cliff->from.y + v,
+                 fmin(top, cliff->from.z + (certain ? way : 0)));
         double parts = fmin(ceil((at.z - foot.z) / work->options->along), MOST);
         for (double part = 1; part < parts && is_before_edges(work, cliff, at); part++)
             *array_push(to) = vec(at.x, at.y, at.z + part / parts * (foot.z - at.z));
@@ -218,18 +244,27 @@ static double width_of(const struct cliff *cliff)
     return least;
 }
 
+/* Its points are near enough to a flank for a wall to hang from it, though not for a rim. */
+static bool is_fair(const struct edge_flank *flank)
+{
+    return edge_flank_known(flank) && flank->rms <= FAIR * flank->spacing;
+}
+
 double edge_cliff_add(const struct edge_work *work, size_t i, struct vec3s *to)
 {
-    if (!edge_flank_certain(work, &work->flank[i]) || quadric_normal(&work->flank[i].q).z <= FACING)
+    const struct edge_flank *flank = &work->flank[i];
+    bool certain = edge_flank_certain(work, flank);
+
+    if (!(certain || is_fair(flank)) || quadric_normal(&flank->q).z < EDGE_UPRIGHT)
         return 0;
     struct cliff cliff = find_cliff(work, i);
     size_t before = to->n;
     double width = 0;
 
-    if (cliff.below.n > 0) {
+    if (cliff.below.n > 0 && certain && quadric_normal(&flank->q).z > FACING)
         fill_cliff(work, &cliff, to);
-        fill_wall(work, &cliff, to);
-    }
+    if (cliff.below.n > 0)
+        fill_wall(work, &cliff, certain, to);
     if (to->n > before)
         width = width_of(&cliff);
     array_free(&cliff.on);

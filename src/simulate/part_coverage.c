@@ -10,6 +10,7 @@
 #include "math/kdtree.h"
 #include "math/quadric.h"
 #include "math/sphere_grid.h"
+#include "simulate/unseen_wall.h"
 
 enum {
     AXES = 500,   /* over the whole sphere, of which the upper half counts */
@@ -34,6 +35,7 @@ enum {
 #define FACES_UP 0.5 /* Z of a normal, at least, of what is material below */
 #define OVERHEAD 4   /* radii above the ball's centre that are looked at for it */
 #define BESIDE_GAP 0.75 /* mean distances of points that the ball may be beside them unnoticed */
+#define COLUMN 0.2      /* of the radius: points over the foot of a wall are so far apart */
 #define TOO_SPARSE 0.6  /* of the radius: where it could be further, nothing is known */
 
 /* ---- directions */
@@ -100,6 +102,7 @@ struct reach {
     double *area;
     bool *up;                 /* of each point: the surface faces up there */
     struct kdtree *roof_tree; /* of these points */
+    struct kdtree *wall_tree; /* of places where walls may stand that have no points */
 };
 
 /* Which cell of a grid of this width a point is in, as a number to sort by. */
@@ -211,6 +214,13 @@ static bool ball_is_inside(const struct reach *r, size_t i, struct vec3 centre)
     return smaller <= TOO_SPARSE * radius &&
            kdtree_any_beside(r->roof_tree, vec_along(centre, radius, vec(0, 0, 1)),
                              vec_along(centre, OVERHEAD * radius, vec(0, 0, 1)), radius - smaller);
+}
+
+/* The ball is in the material for all that the scan tells. */
+static bool ball_may_be_inside(const struct reach *r, size_t i, struct vec3 centre)
+{
+    return ball_is_inside(r, i, centre) ||
+           kdtree_any_beside(r->wall_tree, centre, centre, r->options->radius);
 }
 
 /* A tool that stands somewhere. */
@@ -327,7 +337,7 @@ static bool find_on_side(struct look *l, size_t i, struct vec3 normal, bool insi
     for (int k = -1; k < BALLS && tries < TRIES; k++) {
         struct vec3 d = k < 0 ? normal : spread(k, BALLS), centre;
         if (vec_dot(d, normal) < AHEAD || !ball_clears(r, r->point[i], d, &centre) ||
-            ball_is_inside(r, i, centre) != inside)
+            ball_may_be_inside(r, i, centre) != inside)
             continue;
         tries++;
         if (find_axis(l, centre, d, &access->axis)) {
@@ -387,7 +397,7 @@ static enum part_class class_of(struct look *l, size_t i, struct access *access)
     const struct reach *r = l->r;
     struct vec3 centre;
     if (access->known && ball_clears(r, r->point[i], access->ball, &centre) &&
-        !ball_is_inside(r, i, centre) && tool_clears(l, centre, access->ball, access->axis))
+        !ball_may_be_inside(r, i, centre) && tool_clears(l, centre, access->ball, access->axis))
         return COVERAGE_LEFT;
     struct vec3 near[NEAR];
     size_t n = points_about(r, i, near);
@@ -455,6 +465,27 @@ static void find_roofs(struct reach *r)
     array_free(&roof);
 }
 
+/* Columns over the feet of walls that may stand there. */
+static void find_walls(struct reach *r)
+{
+    const double gap = COLUMN * r->options->radius;
+    double *spacing = mem_alloc(r->n, sizeof *spacing), *height = mem_alloc(r->n, sizeof *height);
+    struct vec3s wall = {0};
+
+    for (size_t i = 0; i < r->n; i++)
+        spacing[i] = sqrt(r->area[i]);
+    unseen_wall_find(r->point, spacing, r->n, r->options->threads, height);
+    for (size_t i = 0; i < r->n; i++) {
+        double parts = ceil(height[i] / gap);
+        for (double k = 1; k <= parts; k++)
+            *array_push(&wall) = vec_along(r->point[i], k / parts * height[i], vec(0, 0, 1));
+    }
+    r->wall_tree = kdtree_new_by(wall.item, wall.n, r->options->threads);
+    array_free(&wall);
+    free(spacing);
+    free(height);
+}
+
 static void sum_up(const struct reach *r, struct part_coverage *coverage)
 {
     for (size_t i = 0; i < r->n; i++) {
@@ -488,12 +519,14 @@ void part_coverage_run(const struct vec3 *point, const double *deviation,
     sort_into_cells(&r);
     parallel_for(options->threads, n, measure_areas, &r);
     find_roofs(&r);
+    find_walls(&r);
     parallel_for(options->threads, (r.first.n + GROUP - 1) / GROUP, look_at_cells, &r);
     sum_up(&r, coverage);
     kdtree_free(r.tree);
     kdtree_free(r.solid_tree);
     kdtree_free(r.sparse_tree);
     kdtree_free(r.roof_tree);
+    kdtree_free(r.wall_tree);
     free(r.up);
     array_free(&r.solid);
     array_free(&r.sparse);

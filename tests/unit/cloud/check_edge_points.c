@@ -412,6 +412,42 @@ START_TEST(unseen_walls)
 }
 END_TEST
 
+/* A boss, its rim rounded by 2 mm down to an upright wall: a scan from above has points on the
+ * rounding until it is too steep, and the next ones on the floor. */
+static double boss(double x, double y)
+{
+    turned(&x, &y);
+    double d = fmax(fabs(x) - 4, 0);
+    return d < 2 ? 6 + sqrt(4 - d * d) : 0;
+}
+
+/* A ball that comes beside the wall goes in no deeper than its points are apart, in plan, on the
+ * rounding's last degrees: there nothing tells where it ends but the floor. */
+START_TEST(walls_under_round_rims)
+{
+    enum { POINTS = 40000, PLACES = 300 };
+    static const enum noisy_pattern pattern[] = {NOISY_RANDOM, NOISY_GRID, NOISY_LINES};
+    const double noise = _i / 3 * 0.005, spacing = 0.32;
+    const double depth = (_i % 3 == 2 ? 1.2 : 0.7) * spacing; /* lines are farther apart */
+    struct guarded g = {0};
+
+    turn = 0.2 + 0.15 * _i;
+    noisy_seed(90 + (unsigned)_i);
+    noisy_scan(&g.scan, boss, POINTS, pattern[_i % 3], noise);
+    crop(&g.scan, 14, 14);
+    guarded_make(&g, spacing, noise);
+    struct gouge_check *guard = guarded_gouge(&g);
+    for (int i = 0; i < PLACES; i++) {
+        double v = 16 * noisy_uniform() - 8, z = 3.5 + 2.5 * noisy_uniform();
+        double x = 6 + RADIUS - depth;
+        struct vec3 c = vec(x * cos(turn) - v * sin(turn), x * sin(turn) + v * cos(turn), z);
+        ck_assert_msg(gouge_depth(guard, c, RADIUS) > 0, "%d: free at %g %g %g", _i, c.x, c.y, c.z);
+    }
+    gouge_free(guard);
+    guarded_free(&g);
+}
+END_TEST
+
 /* A wall 0.6 mm thick, on which there are one or two points across; and a blade of 14 degrees, on
  * whose sides a scan from above has few. */
 static double narrow_wall(double x, double y)
@@ -470,6 +506,7 @@ int main(void)
     tcase_add_loop_test(tests, steep_flanks, 0, 4);
     tcase_add_loop_test(tests, points_on_a_ridge, 0, 3);
     tcase_add_loop_test(tests, on_scan_lines, 0, 3);
+    tcase_add_loop_test(tests, walls_under_round_rims, 0, 6);
     tcase_add_loop_test(tests, unseen_walls, 0, 3);
     tcase_add_loop_test(tests, thin_parts, 0, 6);
     suite_add_tcase(suite, tests);
