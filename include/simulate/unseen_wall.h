@@ -3,8 +3,8 @@
  *
  * Between the last points of a roof and the first ones below it a wall may stand anywhere, as far
  * as the scan tells: a tool that keeps clear of all of that leaves material beside the wall, and
- * who judges it does not know better.  A point is at the foot of such a wall where, seen from above,
- * other points near it are higher by more than a steep slope explains, with none of a height
+ * who judges it does not know better.  A point is at the foot of such a wall where, seen from
+ * above, other points near it are higher by more than a steep slope explains, with none of a height
  * between, and no other low point is nearer to these.  On a flank that was scanned, however steep,
  * there are points of all heights.  Lengths in mm.
  */
