@@ -7,6 +7,7 @@
  * too, and lies as far below: down a step. */
 static const double WALL = 0.9, STEP = 0.1;
 static const double CORNER = 1.5;  /* spacings */
+static const double LEVEL = 0.35;  /* least z of a flank that has corners */
 static const double FACING = 0.12; /* least z of a flank that is continued over its wall */
 static const double STEEP = 2.5;   /* 68 degrees: a wall hangs from a flank as from one so steep */
 static const double FAIR = 0.1;    /* spacings: so far off its points a flank tells of a wall yet */
@@ -319,6 +320,10 @@ static double room_ahead(const struct cliff *cliff, double turn)
 
 double edge_cliff_corner(const struct edge_work *work, size_t i)
 {
+    const struct edge_flank *flank = &work->flank[i];
+
+    if (!edge_flank_certain(work, flank) || quadric_normal(&flank->q).z <= LEVEL)
+        return 0;
     struct cliff cliff = find_cliff(work, i);
     double amid = 0, open = open_angle(&cliff, &amid);
     double depth = cliff.on.n >= CORNER_FEWEST && open > CORNER_OPEN ? room_ahead(&cliff, amid) : 0;
