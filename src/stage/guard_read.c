@@ -198,8 +198,11 @@ static void say_bounded(const struct guard_points *surface, const struct guard_r
     effort_say(EFFORT_GUARD_NEAR, rule->effort, surface->near);
 }
 
-static void say_edges(const struct edge_gaps *gaps, struct unmets *unmet)
+/* Of `points`.  Where they are no more than one in two thousand they are said alone: of any scan of
+ * a real thing a few stand out of what is about them. */
+static void say_edges(const struct edge_gaps *gaps, size_t points, struct unmets *unmet)
 {
+    const double few = 0.0005;
     struct vec3 at = gaps->at;
 
     if (gaps->n > 0)
@@ -210,7 +213,7 @@ static void say_edges(const struct edge_gaps *gaps, struct unmets *unmet)
     at = gaps->unknown_at;
     if (gaps->unknown > 0)
         unmet_say(
-            unmet,
+            (double)gaps->unknown > few * (double)points ? unmet : NULL,
             "sharp edge not resolved at %.3f %.3f %.3f, one of %zu such points: by the points "
             "beside it the part may go on up to %.3f mm in front of it, where nothing guards",
             at.x, at.y, at.z, gaps->unknown, gaps->depth);
@@ -254,7 +257,7 @@ static struct gouge_check *gouge_of(struct vec3s *points, const struct mesh *mes
          surface.added);
     if (surface.edges > 0)
         note("and by %zu points on sharp edges that its surfaces meet in", surface.edges);
-    say_edges(&surface.gaps, rule->unmet);
+    say_edges(&surface.gaps, point_grid.n, rule->unmet);
     if (mesh)
         add_edges(mesh, sqrt(8 * rule->radius * how.sink), &point_grid, &surface.point);
     add_curtain(&point_grid, rule, &surface.point);
