@@ -30,8 +30,8 @@
  *   6. Where a point is the foremost of its neighbours over 60 degrees of directions, as on an edge
  *      or a tip, and neither its surface nor a place of an edge is known, the part may go on in
  *      front of it; the same where a point stands out from those about it and no surface that bends
- *      comes near to all of these, as on a rib as thin as points are apart; and at the corners of
- *      flanks that end above a wall.  It is counted, if there are two such points near each other,
+ *      comes near to all of these, as on a rib as thin as points are apart; and at corners of less than
+ *      75 degrees of flanks that end above a wall.  It is counted, if there are two such points near each other,
  *      the scan goes on round them, and the surface of a third of the points about is certain
  *      (elsewhere all of it is rough).
  * On scan lines (scan_lines.h) flanks are those of neighbours on several lines, for through three

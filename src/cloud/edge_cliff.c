@@ -13,9 +13,9 @@ static const double STEEP = 2.5;   /* 68 degrees: a wall hangs from a flank as f
 static const double FAIR = 0.1;    /* spacings: so far off its points a flank tells of a wall yet */
 static const double FARTHER = 4;   /* spacings: farther than that a flank is a plane */
 
-/* Seen from above the flank is open about a point of a corner by more: its sides make less than 110
- * degrees. */
-static const double CORNER_OPEN = RADIANS(250);
+/* Seen from above the flank is open about a point of a corner by more: its sides make less than 75
+ * degrees.  Before blunter ones a ball is held off by the walls of both sides. */
+static const double CORNER_OPEN = RADIANS(285);
 enum { CORNER_FEWEST = 2 };
 
 /* What is seen from above about a point of a flank: points of the flank, those so steeply below it

@@ -233,9 +233,10 @@ static struct gouge_check *gouge_of(struct vec3s *points, const struct mesh *mes
     bool noisy = found.sigma > little * rule->tolerance;
     if (rule->noise < 0 && noisy)
         effort_say(EFFORT_GUARD_NOISE, rule->effort, points->n);
+    bool removed = noisy && effort_covers(EFFORT_GUARD_NOISE, rule->effort, points->n);
+    bool stays = rule->noise < 0 && noisy && !removed; /* points stand out by it alone */
     if (rule->noise < 0)
-        rule->noise =
-            noisy && effort_covers(EFFORT_GUARD_NOISE, rule->effort, points->n) ? found.sigma : 0;
+        rule->noise = removed ? found.sigma : 0;
     struct guard_points_options how = {.radius = rule->radius,
                                        .sink = rule->tolerance / 5,
                                        .noise = rule->noise,
@@ -257,7 +258,7 @@ static struct gouge_check *gouge_of(struct vec3s *points, const struct mesh *mes
          surface.added);
     if (surface.edges > 0)
         note("and by %zu points on sharp edges that its surfaces meet in", surface.edges);
-    say_edges(&surface.gaps, point_grid.n, rule->unmet);
+    say_edges(&surface.gaps, point_grid.n, stays ? NULL : rule->unmet);
     if (mesh)
         add_edges(mesh, sqrt(8 * rule->radius * how.sink), &point_grid, &surface.point);
     add_curtain(&point_grid, rule, &surface.point);
