@@ -19,7 +19,7 @@ static const double FRONT = 0.1;
 
 /* In spacings: a point stands out by more from those about it, few and more, a surface with all
  * bends is further off these, and no place of an edge is as near: a feature not resolved. */
-static const double OUT = 0.1, ROUGH = 0.08, BARE = 0.5;
+static const double OUT = 0.1, ROUGH = 0.08, BARE = 1;
 
 /* Least z of the middle of these directions: no ball comes from below. */
 static const double UP = 0.05;
