@@ -256,9 +256,9 @@ static double in_wall(struct vec3 ball)
 }
 
 /* The ball comes along the floor and climbs the wall; the corner is taken in two turns, beside a
- * chord that is shorter than the others.  A curve that swung out of them would be in wall and floor:
- * it keeps to the chords, with a guard and without, and needs no lines.  (The normals lie along
- * floor and wall, so that lifts would only move points sideways.) */
+ * chord that is shorter than the others.  A curve that swung out of them would be in wall and
+ * floor: it keeps to the chords, with a guard and without, and needs no lines.  (The normals lie
+ * along floor and wall, so that lifts would only move points sideways.) */
 START_TEST(inner_corner_keeps_to_the_chords)
 {
     const double scale = _i ? 0.55 : 1;
