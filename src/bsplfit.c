@@ -23,7 +23,6 @@ struct settings {
 /* The curves of a run. */
 struct result {
     struct spline_run pieces;
-    bool free; /* a link that is clear: how far it is off its points is no deviation */
 };
 
 static int prepare(void *settings, struct path *in, struct error *error)
@@ -81,35 +80,6 @@ static bool any_still(const struct spline_run *pieces)
     return false;
 }
 
-/* A link that is guarded need not be followed, only be clear: the fewest control points of some
- * tolerances.  False: none is clear. */
-static bool fit_link(const struct fit_request *request, const struct spline_run_options *options,
-                     const struct run *points, struct fitted_run *run)
-{
-    static const double off[] = {0.1, 0.02, 0.004}; /* of the radius */
-    struct result *result = run->result;
-    bool clear = false;
-
-    for (size_t i = 0; i < sizeof off / sizeof *off && !clear && !options->paper; i++) {
-        struct spline_run_options loose = *options;
-        struct run copy = {.radius = points->radius};
-        for (size_t k = 0; k < points->n; k++)
-            *array_push(&copy) = points->item[k];
-        loose.fit.tolerance = fmax(off[i] * points->radius, options->fit.tolerance);
-        run->gouge = spline_run_fit_guarded(&copy, &loose, request->gouge, &result->pieces);
-        clear = run->gouge.deepest.depth == 0 && !any_still(&result->pieces);
-        array_free(&copy);
-        if (!clear)
-            array_free(&run->gouge.left);
-    }
-    if (!clear)
-        return false;
-    run->swept = result->free = true;
-    add_pieces(request->in, &result->pieces, run);
-    run->gouge.lift = 0;
-    return true;
-}
-
 static void fit_run(const void *settings, const struct fit_request *request, struct run *points,
                     struct fitted_run *run)
 {
@@ -118,8 +88,6 @@ static void fit_run(const void *settings, const struct fit_request *request, str
     struct result *result = run->result;
     options.fit.angle *= request->axis_share;
     options.fit.work = request->work;
-    if (run->link && fit_link(request, &options, points, run))
-        return;
     run->stays = run->rough;
     if (run->stays)
         return;
@@ -142,7 +110,7 @@ static void say_unmet(const struct path *in, const struct fitted_runs *runs, str
         const struct spline_run *pieces = &result->pieces;
         for (size_t k = 0; k < pieces->n; k++) {
             const struct splinefit *f = &pieces->item[k].fit;
-            if (pieces->item[k].still || f->within || result->free)
+            if (pieces->item[k].still || f->within)
                 continue;
             unmet_say(unmet,
                       "%s:%u: pass %zu: %.6f mm at the tip, %.6f mm at the ball, %.4f degrees: "
@@ -167,9 +135,6 @@ static void report(const void *settings, const struct path *in, const struct fit
         const struct result *result = runs->item[i].result;
         for (size_t k = 0; k < result->pieces.n; k++) {
             struct spline_run_piece piece = result->pieces.item[k];
-            piece.smooth = result->free ? 0 : piece.smooth;
-            if (result->free)
-                piece.fit.proof = (struct deviation){0};
             if (!piece.still)
                 spline_report_add(&r, runs->item[i].pass, s->common.least, &piece, table);
         }
@@ -198,7 +163,7 @@ static double spent(const void *result)
 {
     const struct spline_run *pieces = &((const struct result *)result)->pieces;
     double most = 0;
-    for (size_t k = 0; k < pieces->n && !((const struct result *)result)->free; k++)
+    for (size_t k = 0; k < pieces->n; k++)
         if (!pieces->item[k].still)
             most = fmax(most, spline_report_spent(&pieces->item[k]));
     return most;
