@@ -11,14 +11,13 @@
 #ifndef CLOUDMILL_UNSEEN_WALL_H
 #define CLOUDMILL_UNSEEN_WALL_H
 
-#include "base/array.h"
-#include "math/vec.h"
+#include "math/kdtree.h"
 
 /*
- * The height above each of n points up to which an unseen wall may stand over it; 0: none.
- * `spacing`: distances of the points about each; height[n].
+ * The height above each of n points, which are those of the tree, up to which an unseen wall may
+ * stand over it; 0: none.  `spacing`: distances of the points about each; height[n].
  */
-void unseen_wall_find(const struct vec3 *point, const double *spacing, size_t n, int threads,
-                      double *height);
+void unseen_wall_find(const struct vec3 *point, const double *spacing, size_t n,
+                      const struct kdtree *tree, int threads, double *height);
 
 #endif

@@ -5,7 +5,6 @@
 
 #include "base/parallel.h"
 #include "math/box.h"
-#include "math/kdtree.h"
 
 static const double NEAR = 2.8;  /* spacings: so far the wall may be, seen from above */
 static const double STEEP = 2.5; /* 68 degrees: by so much a slope rises over that way ... */
@@ -97,12 +96,10 @@ static void find_walls(void *context, size_t from, size_t to)
     array_free(&near);
 }
 
-void unseen_wall_find(const struct vec3 *point, const double *spacing, size_t n, int threads,
-                      double *height)
+void unseen_wall_find(const struct vec3 *point, const double *spacing, size_t n,
+                      const struct kdtree *tree, int threads, double *height)
 {
-    struct search search = {point, spacing, box_around(point, n).high.z,
-                            kdtree_new_by(point, n, threads), height};
+    struct search search = {point, spacing, box_around(point, n).high.z, tree, height};
 
     parallel_for(threads, n, find_walls, &search);
-    kdtree_free((struct kdtree *)search.tree);
 }

@@ -28,7 +28,9 @@ static double *walls_of(const struct vec3s *p, double apart)
 
     for (size_t i = 0; i < p->n; i++)
         spacing[i] = apart;
-    unseen_wall_find(p->item, spacing, p->n, 2, height);
+    struct kdtree *tree = kdtree_new(p->item, p->n);
+    unseen_wall_find(p->item, spacing, p->n, tree, 2, height);
+    kdtree_free(tree);
     free(spacing);
     return height;
 }
