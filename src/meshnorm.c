@@ -308,8 +308,8 @@ int main(int argc, char **argv)
     if (scallop > 0)
         find_all_planes(&mesh, &rows, &planes);
     double distance = scallop > 0 ? planes.widest : rows.distance;
-    if (path_options_guard(&mesh, mesh.row.n > 0 ? rows.distance : distance, cli.threads, &guard,
-                           &error) != 0)
+    if (path_options_guard(&mesh, NULL, mesh.row.n > 0 ? rows.distance : distance, cli.threads,
+                           &guard, &error) != 0)
         die_error(&error);
     stop_at_holes(&planes, guard);
     if (path_options_rules(&mesh, guard, distance, &t, &error) != 0)

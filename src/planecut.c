@@ -206,7 +206,7 @@ int main(int argc, char **argv)
     bool closed;
 
     cli_parse(&cli, argc, argv);
-    t.threads = cli.threads;
+    t.threads = planes.threads = cli.threads;
     check_options(&t.lift.axis);
     if (cli.files > 1)
         die_usage("found %d files, expected one mesh", cli.files);
@@ -224,8 +224,9 @@ int main(int argc, char **argv)
     set_pass_options(&t.lift.axis, region, closed, &planes);
     find_planes(region, &planes);
     read_surfaces(&mesh, &patches, &planes);
-    if (path_options_guard(&mesh, fmax(planes.widest, path_options.radius), cli.threads, &guard,
-                           &error) != 0)
+    const struct mesh_edges *edges = region == &mesh ? slice_edges(planes.cut) : NULL;
+    if (path_options_guard(&mesh, edges, fmax(planes.widest, path_options.radius), cli.threads,
+                           &guard, &error) != 0)
         die_error(&error);
     if (path_options_rules(&mesh, guard, planes.widest, &t, &error) != 0)
         die_given(&error);

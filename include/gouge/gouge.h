@@ -30,6 +30,7 @@
 #include <stdbool.h>
 
 #include "gouge/holder.h"
+#include "math/box.h"
 #include "math/kdtree.h"
 #include "math/vec.h"
 
@@ -115,7 +116,14 @@ double gouge_holder(const struct gouge_check *guard, const struct holder *holder
 bool gouge_holder_clear(const struct gouge_check *guard, const struct holder *holder, struct vec3 c,
                         struct vec3 axis, double least);
 
-/* Appends so many of the guard points that each of the others has one of them within `gap` mm. */
-void gouge_thinned(const struct gouge_check *guard, double gap, struct vec3s *points);
+/* Marks in kept[], by their numbers of which there are gouge_points, so many of the guard points
+ * that each of the others has one of them within `gap` mm; returns how many, and the box around
+ * them. */
+size_t gouge_thinned(const struct gouge_check *guard, double gap, bool *kept, struct box *around);
+size_t gouge_points(const struct gouge_check *guard);
+
+/* Shows the guard points as kdtree_visit does. */
+void gouge_visit(const struct gouge_check *guard, struct vec3 from,
+                 const struct kdtree_visitor *visitor);
 
 #endif

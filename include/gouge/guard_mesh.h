@@ -8,6 +8,7 @@
 #include "base/array.h"
 #include "math/point_grid.h"
 #include "mesh/mesh.h"
+#include "mesh/mesh_edges.h"
 
 /*
  * Appends the points of a mesh with vertex normals: each facet as the curved triangle that its
@@ -16,10 +17,10 @@
  * would not do: in a hollow it is above the surface by its sagitta.  Only a facet that is more
  * than 30 degrees off one of its vertices' normals, as at a step or an edge, is sampled flat.
  * Where that would be more than `most` points beside the vertices, they are further apart.
- * Returns how far, mm.
+ * Returns how far, mm.  `edges`: those of the mesh, if they are known already; or NULL.
  */
-double guard_points_of_mesh(const struct mesh *mesh, double spacing, double most, int threads,
-                            struct vec3s *points);
+double guard_points_of_mesh(const struct mesh *mesh, const struct mesh_edges *edges, double spacing,
+                            double most, int threads, struct vec3s *points);
 
 /*
  * Appends points no further than `spacing` mm apart on the convex edges of a mesh: those between

@@ -22,6 +22,9 @@ struct kdtree *kdtree_new_by(const struct vec3 *point, size_t n, int threads);
 
 void kdtree_free(struct kdtree *tree);
 
+/* How many points it holds. */
+size_t kdtree_points(const struct kdtree *tree);
+
 /* The k nearest points to q, nearest first (fewer when there are fewer): index[], and their
  * squared distances when `distance2` is not NULL.  Returns how many. */
 size_t kdtree_nearest(const struct kdtree *tree, struct vec3 q, size_t k, size_t *index,
@@ -69,15 +72,16 @@ double kdtree_lowest(const struct kdtree *tree, const struct kdtree_field *field
 bool kdtree_any_lower(const struct kdtree *tree, const struct kdtree_field *field, double below);
 
 /*
- * Shows points to `point`, those of nearer boxes first, and leaves out the boxes of points, from
- * `middle` no further than `half` along each axis, that `box` says no to.  `depth`: how many boxes
- * this one or the point is in; all of these `box` has said yes to, the outer ones first.
+ * Shows points and their indices to `point`, those of nearer boxes first, and leaves out the boxes
+ * of points, from `middle` no further than `half` along each axis, that `box` says no to.  `depth`:
+ * how many boxes this one or the point is in; all of these `box` has said yes to, the outer ones
+ * first.
  */
 enum { KDTREE_DEPTH = 32 };
 
 struct kdtree_visitor {
     bool (*box)(void *context, int depth, struct vec3 middle, struct vec3 half);
-    void (*point)(void *context, int depth, struct vec3 p);
+    void (*point)(void *context, int depth, struct vec3 p, size_t index);
     void *context;
 };
 

@@ -8,6 +8,7 @@
 #include "base/cli.h"
 #include "gouge/gouge.h"
 #include "mesh/mesh.h"
+#include "mesh/mesh_edges.h"
 #include "stage/tool_options.h"
 #include "stage/gouge_options.h"
 #include "stage/mesh_region.h"
@@ -54,10 +55,10 @@ int path_options_scan(const struct mesh *mesh, struct error *error);
 /*
  * What the ball is kept clear of: that scan, or the mesh sampled so finely that the ball
  * sinks in by less than SINK.  A scan is refused if most vertices are further than `near` mm from
- * it. *guard is NULL with --paper.
+ * it. *guard is NULL with --paper.  `edges` of the mesh, if they are known already; or NULL.
  */
-int path_options_guard(const struct mesh *mesh, double near, int threads,
-                       struct gouge_check **guard, struct error *error);
+int path_options_guard(const struct mesh *mesh, const struct mesh_edges *edges, double near,
+                       int threads, struct gouge_check **guard, struct error *error);
 
 /* The scallop that rows are planned for, mm: less than what is asked for by what centres are lifted
  * on the mean to run smoothly. */

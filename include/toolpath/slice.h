@@ -48,11 +48,14 @@ struct slice;
 /*
  * Prepares a mesh with normals for planes of this unit normal.  The mesh must outlive it.  `smooth`
  * takes the edges as the surface runs there (edge_curve.h), not as straight: points are then on the
- * surface to the fourth order of an edge's length.
+ * surface to the fourth order of an edge's length.  `threads` as in parallel.h.
  */
-struct slice *slice_new(const struct mesh *mesh, struct vec3 normal, bool smooth);
+struct slice *slice_new(const struct mesh *mesh, struct vec3 normal, bool smooth, int threads);
 
 void slice_free(struct slice *cut);
+
+/* The edges of the mesh, which it has found. */
+const struct mesh_edges *slice_edges(const struct slice *cut);
 
 /* Lowest and highest of the facets' vertices along the planes' normal, mm. */
 double slice_low(const struct slice *cut);

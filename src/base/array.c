@@ -13,11 +13,28 @@
 #include <sanitizer/asan_interface.h>
 #endif
 
+enum { HUGE_PAGE = 1 << 21, LARGE = 4 * HUGE_PAGE };
+
+/* A wish that the whole pages of a block be huge ones; without it all is well too: a fault for each
+ * page of 4 KiB costs half as much as parsing the text that fills it. */
+static void wish_huge(void *block, size_t bytes)
+{
+#ifdef MADV_HUGEPAGE
+    size_t before = (HUGE_PAGE - (uintptr_t)block % HUGE_PAGE) % HUGE_PAGE;
+
+    if (bytes >= LARGE)
+        madvise((char *)block + before, (bytes - before) / HUGE_PAGE * HUGE_PAGE, MADV_HUGEPAGE);
+#else
+    (void)block, (void)bytes;
+#endif
+}
+
 void *mem_alloc(size_t n, size_t size)
 {
     void *p = calloc(n ? n : 1, size ? size : 1);
     if (!p)
         die("out of memory: no room for %zu elements of %zu bytes", n, size);
+    wish_huge(p, n * size);
     return p;
 }
 
@@ -28,21 +45,15 @@ char *mem_string(const char *s, size_t n)
     return copy;
 }
 
-enum { HUGE_PAGE = 1 << 21, LARGE = 4 * HUGE_PAGE };
-
-/*
- * A large block lies on huge pages where the system has them: a fault for each page of 4 KiB costs
- * half as much as parsing the text that fills it.  To move such a block is dearer than to copy it.
- */
+/* A large block lies on huge pages where the system has them: to move such a block is dearer than
+ * to copy it. */
 static void *grow_large(void *item, size_t old, size_t bytes)
 {
     bytes = bytes > SIZE_MAX - HUGE_PAGE ? 0 : (bytes + HUGE_PAGE - 1) / HUGE_PAGE * HUGE_PAGE;
     void *p = bytes ? aligned_alloc(HUGE_PAGE, bytes) : NULL;
     if (!p)
         return NULL;
-#ifdef MADV_HUGEPAGE
-    madvise(p, bytes, MADV_HUGEPAGE); /* a wish; without it all is well too */
-#endif
+    wish_huge(p, bytes);
     if (old)
         memcpy(p, item, old);
     free(item);

@@ -20,7 +20,8 @@ struct caps {
 
 struct access {
     struct access_options options;
-    struct kdtree *near;     /* of the guard, thinned: NULL: no guard */
+    struct kdtree *near;     /* of the guard, thinned; NULL: no guard, or its own does */
+    bool *kept;              /* with its own: by their numbers those that are looked at; or NULL */
     struct caps open, clear; /* with margin and slope; with neither */
 };
 
@@ -107,6 +108,45 @@ static struct sine_cosine widest_cap(const struct caps *caps, double near, doubl
     return a.cosine < b.cosine ? a : b;
 }
 
+static bool every_box(void *context, int depth, struct vec3 middle, struct vec3 half)
+{
+    (void)context, (void)depth, (void)middle, (void)half;
+    return true;
+}
+
+struct collecting {
+    const bool *kept;
+    struct vec3s points;
+};
+
+static void collect(void *context, int depth, struct vec3 p, size_t index)
+{
+    struct collecting *c = context;
+
+    (void)depth;
+    if (c->kept[index])
+        *array_push(&c->points) = p;
+}
+
+/* The guard's points, thinned: in a tree of their own where they are few, else in the guard's. */
+static struct box take_points(struct access *access)
+{
+    const struct access_options *o = &access->options;
+    size_t n = gouge_points(o->guard);
+    struct collecting few = {.kept = access->kept = mem_alloc(n, sizeof *access->kept)};
+    struct kdtree_visitor visitor = {every_box, collect, &few};
+    struct box around;
+
+    if (gouge_thinned(o->guard, o->gap, access->kept, &around) <= n / 2) {
+        gouge_visit(o->guard, around.low, &visitor);
+        access->near = kdtree_new_by(few.points.item, few.points.n, o->threads);
+        array_free(&few.points);
+        free(access->kept);
+        access->kept = NULL;
+    }
+    return around;
+}
+
 struct access *access_new(const struct access_options *options)
 {
     struct access *access = mem_alloc(1, sizeof *access);
@@ -114,12 +154,8 @@ struct access *access_new(const struct access_options *options)
 
     access->options = *options;
     if (options->guard) {
-        struct vec3s points = {0};
-        gouge_thinned(options->guard, options->gap, &points);
-        access->near = kdtree_new_by(points.item, points.n, options->threads);
-        struct box box = box_around(points.item, points.n);
+        struct box box = take_points(access);
         span = 2 * vec_distance(box.low, box.high);
-        array_free(&points);
     }
     if (options->holder->n > 0) {
         fill_caps(&access->clear, holder_widened(options->holder, -options->slack, 0), span);
@@ -131,8 +167,10 @@ struct access *access_new(const struct access_options *options)
 
 void access_free(struct access *access)
 {
-    if (access)
+    if (access) {
         kdtree_free(access->near);
+        free(access->kept);
+    }
     free(access);
 }
 
@@ -142,6 +180,7 @@ void access_free(struct access *access)
  * block: a box in another has some of the other's. */
 struct search {
     const struct caps *caps;
+    const bool *kept; /* points that are looked at; NULL: all */
     struct vec3 centre;
     const struct vec3 *at; /* the directions */
     bool *blocked;
@@ -183,14 +222,14 @@ static bool may_block(void *context, int depth, struct vec3 middle, struct vec3 
     return find_within(s, depth, vec_scale(1 / d, to), both) > 0;
 }
 
-static void block_by(void *context, int depth, struct vec3 p)
+static void block_by(void *context, int depth, struct vec3 p, size_t index)
 {
     struct search *s = context;
     struct vec3 to = vec_sub(p, s->centre);
     double d = vec_length(to);
     const short *some = s->some[depth + 1];
 
-    if (d >= s->caps->reach || d == 0)
+    if (d >= s->caps->reach || d == 0 || (s->kept && !s->kept[index]))
         return;
     double most = d * (widest_cap(s->caps, d, d).cosine - ROUNDING);
     bool any = false;
@@ -232,11 +271,16 @@ static void block(const struct access *access, const struct caps *caps, struct s
     struct kdtree_visitor visitor = {may_block, block_by, s};
 
     s->caps = caps;
+    s->kept = access->kept;
     s->open = s->n[0];
     for (int i = 0; i < s->n[0]; i++)
         s->blocked[s->some[0][i]] = false;
-    if (access->near && access->options.holder->n > 0 && s->open > 0)
+    if (access->options.holder->n == 0 || s->open == 0)
+        return;
+    if (access->near)
         kdtree_visit(access->near, s->centre, &visitor);
+    else if (access->kept)
+        gouge_visit(access->options.guard, s->centre, &visitor);
 }
 
 int access_find(const struct access *access, struct vec3 centre, struct vec3 normal,

@@ -109,29 +109,47 @@ static void fix_poles(struct axis_chain *c)
 
 /* ---- kept clear */
 
+/* How far each station is off the axis that it had, radians, and what the threads share for it. */
+struct leaving {
+    const struct axis_chain *chain;
+    double *off;
+};
+
+static void measure_off(void *context, size_t from, size_t to)
+{
+    const struct leaving *l = context;
+
+    for (size_t i = from; i < to; i++) {
+        const struct axis_station *s = &l->chain->at[i];
+        l->off[i] = vec_angle(rotary_axis(&l->chain->frame, s->angles), s->point->axis);
+    }
+}
+
 /* Bad stations, and less and less those about them, may be no further off what they were than part
  * of the way that they have gone. */
 static void tighten(struct axis_chain *c)
 {
-    double *far = mem_alloc(c->n, sizeof *far), last = HUGE_VAL;
+    double *far = mem_alloc(c->n, sizeof *far), *off = mem_alloc(c->n, sizeof *off);
+    double last = HUGE_VAL;
+    struct leaving leaving = {c, off};
 
+    parallel_for(axis_chain_threads(c), c->n, measure_off, &leaving);
     for (size_t i = 0; i < c->n; i++) {
         const struct axis_station *s = &c->at[i];
         bool bad = s->bad || (i + 1 < c->n && s[1].bad);
-        double off = vec_angle(rotary_axis(&c->frame, s->angles), s->point->axis);
-        far[i] = bad ? TIGHTER * fmin(off, s->far) : s->far;
+        far[i] = bad ? TIGHTER * fmin(off[i], s->far) : s->far;
         far[i] = last = fmin(far[i], last + (i > 0 ? SLACKENS * (s->along - s[-1].along) : 0));
     }
     for (size_t i = c->n; i-- > 0;) {
         struct axis_station *s = &c->at[i];
         if (i + 1 < c->n)
             far[i] = fmin(far[i], far[i + 1] + SLACKENS * (s[1].along - s->along));
-        double off = vec_angle(rotary_axis(&c->frame, s->angles), s->point->axis);
         s->far = far[i] < LOOSE ? far[i] : s->far;
-        if (off > s->far)
-            s->angles = axis_chain_angles(s, 0.99 * s->far / off);
+        if (off[i] > s->far)
+            s->angles = axis_chain_angles(s, 0.99 * s->far / off[i]);
     }
     free(far);
+    free(off);
     for (double half = NARROW; half >= NARROWEST; half /= 2)
         for (int sweep = 0; sweep < SWEEPS; sweep++)
             average_angles(c, half, true);

@@ -21,6 +21,17 @@ static struct vec3 *rules_of(const struct axis_calm_run *run,
     return rule;
 }
 
+static void allow_some(void *context, size_t from, size_t to)
+{
+    const struct axis_chain *c = context;
+
+    for (size_t i = from; i < to; i++) {
+        const struct run_point *p = c->at[i].point;
+        double play = run_point_touches(p) ? fmax(c->options->play - AXIS_CHAIN_SPARE, 0) : AIR;
+        c->at[i].allow = fmax(play, vec_angle(p->axis, c->at[i].rule));
+    }
+}
+
 struct axis_chain axis_chain_of(const struct axis_calm_options *options,
                                 const struct axis_calm_run run[], size_t n)
 {
@@ -50,11 +61,7 @@ struct axis_chain axis_chain_of(const struct axis_calm_options *options,
         }
         free(rules);
     }
-    for (size_t i = 0; i < c.n; i++) {
-        const struct run_point *p = c.at[i].point;
-        double play = run_point_touches(p) ? fmax(options->play - AXIS_CHAIN_SPARE, 0) : AIR;
-        c.at[i].allow = fmax(play, vec_angle(p->axis, c.at[i].rule));
-    }
+    parallel_for(axis_chain_threads(&c), c.n, allow_some, &c);
     return c;
 }
 
@@ -85,21 +92,24 @@ static struct rotary_angles integral_at(const struct axis_chain *c,
         sum[i].turn + by * (a->angles.turn + s / 2 * (b->angles.turn - a->angles.turn))};
 }
 
-/* The mean of the angles over `half` mm before and after each station, less near the ends. */
-struct rotary_angles *axis_chain_means(const struct axis_chain *c, double half)
+/* What the threads share that take means. */
+struct averages {
+    const struct axis_chain *chain;
+    double half;
+    const struct rotary_angles *sum; /* integrals up to each station */
+    struct rotary_angles *mean;
+};
+
+enum { PIECE = 4096 }; /* stations, which one thread takes */
+
+static void average_piece(const struct averages *a, size_t begin, size_t last)
 {
-    struct rotary_angles *sum = mem_alloc(c->n + 1, sizeof *sum);
-    struct rotary_angles *mean = mem_alloc(c->n + 1, sizeof *mean);
+    const struct axis_chain *c = a->chain;
     const struct axis_station *at = c->at;
     double end = at[c->n - 1].along;
 
-    for (size_t i = 0; i + 1 < c->n; i++) { /* integrals up to station i */
-        double length = at[i + 1].along - at[i].along;
-        sum[i + 1].lean = sum[i].lean + length * (at[i].angles.lean + at[i + 1].angles.lean) / 2;
-        sum[i + 1].turn = sum[i].turn + length * (at[i].angles.turn + at[i + 1].angles.turn) / 2;
-    }
-    for (size_t i = 0, low = 0, high = 0; i < c->n; i++) {
-        double reach = fmin(half, fmin(at[i].along, end - at[i].along));
+    for (size_t i = begin, low = begin, high = begin; i < last; i++) {
+        double reach = fmin(a->half, fmin(at[i].along, end - at[i].along));
         double from = at[i].along - reach, to = at[i].along + reach;
         while (low > 0 && at[low].along > from)
             low--;
@@ -109,12 +119,38 @@ struct rotary_angles *axis_chain_means(const struct axis_chain *c, double half)
             high--;
         while (high + 1 < c->n && at[high + 1].along <= to)
             high++;
-        struct rotary_angles a = integral_at(c, sum, low, from), b = integral_at(c, sum, high, to);
-        mean[i] = at[i].angles;
+        struct rotary_angles p = integral_at(c, a->sum, low, from);
+        struct rotary_angles q = integral_at(c, a->sum, high, to);
+        a->mean[i] = at[i].angles;
         if (reach > 1e-6)
-            mean[i] = (struct rotary_angles){(b.lean - a.lean) / (2 * reach),
-                                             (b.turn - a.turn) / (2 * reach)};
+            a->mean[i] = (struct rotary_angles){(q.lean - p.lean) / (2 * reach),
+                                                (q.turn - p.turn) / (2 * reach)};
     }
+}
+
+static void average_pieces(void *context, size_t from, size_t to)
+{
+    const struct averages *a = context;
+
+    for (size_t k = from; k < to; k++)
+        average_piece(a, k * PIECE,
+                      k + 1 < (a->chain->n + PIECE - 1) / PIECE ? (k + 1) * PIECE : a->chain->n);
+}
+
+/* The mean of the angles over `half` mm before and after each station, less near the ends. */
+struct rotary_angles *axis_chain_means(const struct axis_chain *c, double half)
+{
+    struct rotary_angles *sum = mem_alloc(c->n + 1, sizeof *sum);
+    struct rotary_angles *mean = mem_alloc(c->n + 1, sizeof *mean);
+    const struct axis_station *at = c->at;
+    struct averages averages = {c, half, sum, mean};
+
+    for (size_t i = 0; i + 1 < c->n; i++) {
+        double length = at[i + 1].along - at[i].along;
+        sum[i + 1].lean = sum[i].lean + length * (at[i].angles.lean + at[i + 1].angles.lean) / 2;
+        sum[i + 1].turn = sum[i].turn + length * (at[i].angles.turn + at[i + 1].angles.turn) / 2;
+    }
+    parallel_for(axis_chain_threads(c), (c->n + PIECE - 1) / PIECE, average_pieces, &averages);
     free(sum);
     return mean;
 }

@@ -216,7 +216,9 @@ struct thinning {
     double gap;
     int within; /* the depth of the box that a point is wanted of, or that has given one */
     bool wanted;
-    struct vec3s *points;
+    bool *kept;
+    size_t n;
+    struct box *around;
 };
 
 static bool look_into(void *context, int depth, struct vec3 middle, struct vec3 half)
@@ -231,21 +233,37 @@ static bool look_into(void *context, int depth, struct vec3 middle, struct vec3 
     return true;
 }
 
-static void take_point(void *context, int depth, struct vec3 p)
+static void take_point(void *context, int depth, struct vec3 p, size_t index)
 {
     struct thinning *t = context;
 
     if (t->within >= 0 && depth > t->within)
         return;
-    if (t->within < 0 || depth < t->within || t->wanted)
-        *array_push(t->points) = p;
+    if (t->within < 0 || depth < t->within || t->wanted) {
+        t->kept[index] = true;
+        t->n++;
+        box_add(t->around, p);
+    }
     t->wanted = t->wanted && depth != t->within;
 }
 
-void gouge_thinned(const struct gouge_check *guard, double gap, struct vec3s *points)
+size_t gouge_thinned(const struct gouge_check *guard, double gap, bool *kept, struct box *around)
 {
-    struct thinning t = {gap, -1, false, points};
+    struct thinning t = {gap, -1, false, kept, 0, around};
     struct kdtree_visitor visitor = {look_into, take_point, &t};
 
-    kdtree_visit(guard->tree, guard->box.low, &visitor);
+    *around = box_empty();
+    gouge_visit(guard, guard->box.low, &visitor);
+    return t.n;
+}
+
+size_t gouge_points(const struct gouge_check *guard)
+{
+    return kdtree_points(guard->tree);
+}
+
+void gouge_visit(const struct gouge_check *guard, struct vec3 from,
+                 const struct kdtree_visitor *visitor)
+{
+    kdtree_visit(guard->tree, from, visitor);
 }

@@ -2,10 +2,10 @@
 #include "gouge/guard_mesh.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/parallel.h"
 #include "curve/edge_curve.h"
-#include "mesh/mesh_edges.h"
 #include "mesh/mesh_weld.h"
 
 /* A facet further than this off a vertex's normal spans a step, not a smooth surface. */
@@ -279,8 +279,43 @@ static void add_corners(const struct mesh *mesh, struct vec3s *points)
     free(used);
 }
 
-double guard_points_of_mesh(const struct mesh *mesh, double spacing, double most, int threads,
-                            struct vec3s *points)
+/* What the threads share that put the points of the pieces one after the other. */
+struct joining {
+    const struct vec3s *piece;
+    const size_t *first; /* of each piece */
+    struct vec3 *to;
+};
+
+static void join_some(void *context, size_t from, size_t to)
+{
+    const struct joining *j = context;
+
+    for (size_t k = from; k < to; k++)
+        if (j->piece[k].n > 0)
+            memcpy(j->to + j->first[k], j->piece[k].item, j->piece[k].n * sizeof *j->piece[k].item);
+}
+
+/* The points of all pieces; there is room for `more` after them. */
+static void join_pieces(struct vec3s *piece, size_t n, size_t more, int threads,
+                        struct vec3s *points)
+{
+    size_t *first = mem_alloc(n + 1, sizeof *first), sum = points->n;
+
+    for (size_t k = 0; k < n; k++) {
+        first[k] = sum;
+        sum += piece[k].n;
+    }
+    array_reserve(points, sum + more);
+    struct joining joining = {piece, first, points->item};
+    parallel_for(threads, n, join_some, &joining);
+    points->n = sum;
+    for (size_t k = 0; k < n; k++)
+        array_free(&piece[k]);
+    free(first);
+}
+
+double guard_points_of_mesh(const struct mesh *mesh, const struct mesh_edges *edges, double spacing,
+                            double most, int threads, struct vec3s *points)
 {
     size_t pieces = (mesh->face.n + PIECE - 1) / PIECE;
     struct sampling s = {.mesh = mesh, .spacing = spacing};
@@ -295,16 +330,14 @@ double guard_points_of_mesh(const struct mesh *mesh, double spacing, double most
         count = mark_all(&s, pieces, threads);
     }
     if (count > 0) {
-        struct mesh_edges edges = mesh_edges_find(mesh);
-        s.edges = &edges;
+        struct mesh_edges found = {0};
+        if (!edges)
+            found = mesh_edges_find(mesh);
+        s.edges = edges ? edges : &found;
         parallel_for(threads, pieces, sample_pieces, &s);
-        mesh_edges_free(&edges);
+        mesh_edges_free(&found);
     }
-    for (size_t k = 0; k < pieces; k++) {
-        for (size_t i = 0; i < s.points[k].n; i++)
-            *array_push(points) = s.points[k].item[i];
-        array_free(&s.points[k]);
-    }
+    join_pieces(s.points, pieces, mesh->vertex.n, threads, points);
     add_corners(mesh, points);
     free(s.mark);
     free(s.count);

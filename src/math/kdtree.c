@@ -163,6 +163,23 @@ static size_t boxes_for(size_t n)
     return boxes;
 }
 
+/* What the threads share that copy points. */
+struct copying {
+    const struct vec3 *from;
+    struct kd_point *to;
+    size_t n;
+};
+
+enum { PIECE = 1 << 14 }; /* points that one thread copies */
+
+static void copy_pieces(void *context, size_t from, size_t to)
+{
+    const struct copying *c = context;
+
+    for (size_t i = from * PIECE; i < to * PIECE && i < c->n; i++)
+        c->to[i] = (struct kd_point){{c->from[i].x, c->from[i].y, c->from[i].z}, i};
+}
+
 struct kdtree *kdtree_new_by(const struct vec3 *point, size_t n, int threads)
 {
     struct kdtree *tree = mem_alloc(1, sizeof *tree);
@@ -171,8 +188,8 @@ struct kdtree *kdtree_new_by(const struct vec3 *point, size_t n, int threads)
     tree->point = mem_alloc(n, sizeof *tree->point);
     tree->axis = mem_alloc(n, 1);
     tree->box = mem_alloc(boxes_for(n), sizeof *tree->box);
-    for (size_t i = 0; i < n; i++)
-        tree->point[i] = (struct kd_point){{point[i].x, point[i].y, point[i].z}, i};
+    struct copying copying = {point, tree->point, n};
+    parallel_for(threads, (n + PIECE - 1) / PIECE, copy_pieces, &copying);
     build((struct branch){tree, 0, n, 1, threads});
     return tree;
 }
@@ -180,6 +197,11 @@ struct kdtree *kdtree_new_by(const struct vec3 *point, size_t n, int threads)
 struct kdtree *kdtree_new(const struct vec3 *point, size_t n)
 {
     return kdtree_new_by(point, n, 1);
+}
+
+size_t kdtree_points(const struct kdtree *tree)
+{
+    return tree->n;
 }
 
 void kdtree_free(struct kdtree *tree)

@@ -305,12 +305,12 @@ static void visit_node(const struct kdtree *tree, const double from[3],
     if (last - first <= KD_LEAF) {
         for (size_t i = first; i < last; i++) {
             const double *c = tree->point[i].c;
-            v->point(v->context, depth, vec(c[0], c[1], c[2]));
+            v->point(v->context, depth, vec(c[0], c[1], c[2]), tree->point[i].index);
         }
         return;
     }
     const double *c = tree->point[middle].c;
-    v->point(v->context, depth, vec(c[0], c[1], c[2]));
+    v->point(v->context, depth, vec(c[0], c[1], c[2]), tree->point[middle].index);
     bool left = kd_gap2(&tree->box[2 * number], from) <= kd_gap2(&tree->box[2 * number + 1], from);
     for (int turn = 0; turn < 2; turn++, left = !left) {
         if (left)

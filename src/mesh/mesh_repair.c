@@ -56,8 +56,7 @@ size_t mesh_clean_no_area(struct mesh *mesh)
 
 /* A facet by its vertices in rising order. */
 struct corners {
-    int v[3];
-    size_t facet;
+    int v[3], facet;
 };
 
 static struct corners corners_of(const struct mesh *mesh, size_t facet)
@@ -66,10 +65,10 @@ static struct corners corners_of(const struct mesh *mesh, size_t facet)
     int low = v[0] < v[1] ? v[0] : v[1], high = v[0] < v[1] ? v[1] : v[0];
 
     if (v[2] < low)
-        return (struct corners){{v[2], low, high}, facet};
+        return (struct corners){{v[2], low, high}, (int)facet};
     if (v[2] < high)
-        return (struct corners){{low, v[2], high}, facet};
-    return (struct corners){{low, high, v[2]}, facet};
+        return (struct corners){{low, v[2], high}, (int)facet};
+    return (struct corners){{low, high, v[2]}, (int)facet};
 }
 
 static int compare_vertices(const struct corners *a, const struct corners *b)

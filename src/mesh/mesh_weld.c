@@ -3,45 +3,31 @@
 
 #include <stdlib.h>
 
-struct place {
-    struct vec3 p;
-    size_t vertex;
-};
+#include "mesh/scan_source.h"
 
-static int compare_numbers(double a, double b)
+static bool same_place(struct vec3 a, struct vec3 b)
 {
-    return (a > b) - (a < b);
+    return a.x == b.x && a.y == b.y && a.z == b.z;
 }
 
-static int compare_positions(struct vec3 a, struct vec3 b)
-{
-    if (a.x != b.x)
-        return compare_numbers(a.x, b.x);
-    return a.y != b.y ? compare_numbers(a.y, b.y) : compare_numbers(a.z, b.z);
-}
-
-static int compare_places(const void *pa, const void *pb)
-{
-    const struct place *a = pa, *b = pb;
-    int order = compare_positions(a->p, b->p);
-
-    return order != 0 ? order : (a->vertex > b->vertex) - (a->vertex < b->vertex);
-}
-
+/* By open addressing in a table of twice the size (Knuth, 6.4, algorithm L). */
 size_t *mesh_first_at_place(const struct mesh *mesh)
 {
-    struct place *place = mem_alloc(mesh->vertex.n, sizeof *place);
-    size_t *first = mem_alloc(mesh->vertex.n, sizeof *first);
+    const struct vec3 *p = mesh->vertex.item;
+    size_t n = mesh->vertex.n, slots = 2, *first = mem_alloc(n, sizeof *first);
 
-    for (size_t v = 0; v < mesh->vertex.n; v++)
-        place[v] = (struct place){mesh->vertex.item[v], v};
-    qsort(place, mesh->vertex.n, sizeof *place, compare_places);
-    for (size_t i = 0, begin = 0; i < mesh->vertex.n; i++) {
-        if (compare_positions(place[i].p, place[begin].p) != 0)
-            begin = i;
-        first[place[i].vertex] = place[begin].vertex;
+    while (slots < 2 * n)
+        slots *= 2;
+    int *held = mem_alloc(slots, sizeof *held); /* one more than a vertex; 0: none */
+    for (size_t v = 0; v < n; v++) {
+        size_t at = scan_source_hash(&p[v], 1) & (slots - 1);
+        while (held[at] > 0 && !same_place(p[held[at] - 1], p[v]))
+            at = (at + 1) & (slots - 1);
+        if (held[at] == 0)
+            held[at] = (int)v + 1;
+        first[v] = (size_t)held[at] - 1;
     }
-    free(place);
+    free(held);
     return first;
 }
 
@@ -52,6 +38,7 @@ size_t mesh_weld(struct mesh *mesh)
     int *number = mem_alloc(mesh->vertex.n, sizeof *number);
     struct vec3s vertex = {0};
 
+    array_reserve(&vertex, mesh->vertex.n);
     for (size_t v = 0; v < mesh->vertex.n; v++) {
         number[v] = -1;
         welded += first[v] != v;

@@ -45,7 +45,7 @@ static bool add_points(const struct mesh *mesh, double spacing, int threads, str
         *array_push(to) = c->doubtful.item[i];
     if (to->n > 0)
         return true;
-    guard_points_of_mesh(mesh, spacing, MOST, threads, to);
+    guard_points_of_mesh(mesh, NULL, spacing, MOST, threads, to);
     return false;
 }
 

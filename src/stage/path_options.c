@@ -223,11 +223,12 @@ int path_options_scan(const struct mesh *mesh, struct error *error)
 }
 
 /* NULL: so many points would be needed that it is no guard. */
-static struct gouge_check *guard_of_mesh(const struct mesh *mesh, int threads, struct error *error)
+static struct gouge_check *guard_of_mesh(const struct mesh *mesh, const struct mesh_edges *edges,
+                                         int threads, struct error *error)
 {
     struct vec3s points = {0};
     double wanted = sqrt(6 * SINK * path_options.radius);
-    double spacing = guard_points_of_mesh(mesh, wanted, MOST_GUARD_POINTS, threads, &points);
+    double spacing = guard_points_of_mesh(mesh, edges, wanted, MOST_GUARD_POINTS, threads, &points);
     double sink = spacing * spacing / (6 * path_options.radius);
 
     if (spacing > wanted && sink > DEEP) {
@@ -274,8 +275,8 @@ static void say_alone(const struct mesh *mesh)
             "scan)");
 }
 
-int path_options_guard(const struct mesh *mesh, double near, int threads,
-                       struct gouge_check **guard, struct error *error)
+int path_options_guard(const struct mesh *mesh, const struct mesh_edges *edges, double near,
+                       int threads, struct gouge_check **guard, struct error *error)
 {
     const struct path_options *c = &path_options;
     struct guard_read_options rule = {.radius = c->radius,
@@ -292,7 +293,7 @@ int path_options_guard(const struct mesh *mesh, double near, int threads,
         return -1;
     say_alone(mesh);
     *guard = c->guarded ? guard_read(&guard_scan, mesh, near, &rule, error)
-                        : guard_of_mesh(mesh, threads, error);
+                        : guard_of_mesh(mesh, edges, threads, error);
     path_options.noise = rule.noise;
     path_options.certain = rule.certain;
     path_options.doubtful = rule.doubtful;

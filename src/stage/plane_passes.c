@@ -143,7 +143,7 @@ static void move_first(struct plane_passes *p)
 
 void plane_passes_equal(struct plane_passes *p, const struct mesh *mesh, double step)
 {
-    p->cut = slice_new(mesh, p->rule.normal, !path_options.paper);
+    p->cut = slice_new(mesh, p->rule.normal, !path_options.paper, p->threads);
     scallop_equal(slice_low(p->cut), slice_high(p->cut), step, &p->height);
     p->widest = step;
     move_first(p);
@@ -153,7 +153,7 @@ void plane_passes_scallop(struct plane_passes *p, const struct mesh *mesh, doubl
 {
     struct scallop_options options = {p->rule.normal, h, p->rule.radius, p->steepest, p->beyond};
 
-    p->cut = slice_new(mesh, p->rule.normal, !path_options.paper);
+    p->cut = slice_new(mesh, p->rule.normal, !path_options.paper, p->threads);
     struct scallop_report report =
         scallop_heights(mesh, &options, slice_low(p->cut), slice_high(p->cut), &p->height);
     p->widest = report.widest;
@@ -173,7 +173,7 @@ static double length_at(const struct mesh *mesh, double angle, double radius, do
     struct error error;
     if (plane_passes_bounded(mesh, rule.normal, scallop_step(h, radius, 0), &error) != 0)
         return HUGE_VAL;
-    struct slice *cut = slice_new(mesh, rule.normal, true);
+    struct slice *cut = slice_new(mesh, rule.normal, true, 0);
     struct scallop_options options = {.normal = rule.normal, .h = h, .radius = radius};
     struct doubles height = {0};
     double length = 0;

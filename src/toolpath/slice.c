@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/parallel.h"
 #include "curve/edge_curve.h"
 #include "mesh/mesh_edges.h"
 
@@ -165,7 +166,25 @@ static size_t count_nodes(size_t n)
     return nodes;
 }
 
-struct slice *slice_new(const struct mesh *mesh, struct vec3 normal, bool smooth)
+enum { SORTED, EDGES, PARTS };
+
+/* What is found in the mesh, each by itself. */
+static void find_parts(void *context, size_t from, size_t to)
+{
+    struct slice *cut = context;
+
+    for (size_t part = from; part < to; part++) {
+        if (part == EDGES) {
+            cut->edges = mesh_edges_find(cut->mesh);
+            continue;
+        }
+        sort_facets(cut);
+        cut->highest = mem_alloc(count_nodes(cut->mesh->face.n), sizeof *cut->highest);
+        fill_highest(cut, 0, cut->mesh->face.n, 1);
+    }
+}
+
+struct slice *slice_new(const struct mesh *mesh, struct vec3 normal, bool smooth, int threads)
 {
     struct slice *cut = mem_alloc(1, sizeof *cut);
 
@@ -176,10 +195,7 @@ struct slice *slice_new(const struct mesh *mesh, struct vec3 normal, bool smooth
     for (size_t v = 0; v < mesh->vertex.n; v++)
         cut->height[v] = vec_dot(mesh->vertex.item[v], normal);
     cut->done = mem_alloc(mesh->face.n, sizeof *cut->done);
-    cut->edges = mesh_edges_find(mesh);
-    sort_facets(cut);
-    cut->highest = mem_alloc(count_nodes(mesh->face.n), sizeof *cut->highest);
-    fill_highest(cut, 0, mesh->face.n, 1);
+    parallel_for(threads, PARTS, find_parts, cut);
     return cut;
 }
 
@@ -195,6 +211,11 @@ void slice_free(struct slice *cut)
     array_free(&cut->at);
     free(cut->done);
     free(cut);
+}
+
+const struct mesh_edges *slice_edges(const struct slice *cut)
+{
+    return &cut->edges;
 }
 
 double slice_low(const struct slice *cut)

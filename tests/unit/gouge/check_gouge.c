@@ -144,7 +144,7 @@ END_TEST
 static struct gouge_check *guard_of_mesh(const struct mesh *mesh, double spacing)
 {
     struct vec3s points = {0};
-    guard_points_of_mesh(mesh, spacing, HUGE_VAL, 1, &points);
+    guard_points_of_mesh(mesh, NULL, spacing, HUGE_VAL, 1, &points);
     return gouge_new(points, 1);
 }
 

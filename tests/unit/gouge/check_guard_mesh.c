@@ -122,7 +122,7 @@ START_TEST(slivers_have_points_everywhere)
         *array_push(&m.face) = (struct face){{0, k, k + 1}};
     for (size_t i = 0; i < m.vertex.n; i++)
         *array_push(&m.normal) = vec(0, 0, 1);
-    ck_assert_double_eq(guard_points_of_mesh(&m, spacing, 1e6, 1, &points), spacing);
+    ck_assert_double_eq(guard_points_of_mesh(&m, NULL, spacing, 1e6, 1, &points), spacing);
     for (int i = 0; i < 2000; i++) {
         double far = uniform(0, 8), turn = uniform(0, 0.015 * FACETS), nearest = HUGE_VAL;
         struct vec3 at = vec(far * cos(turn), far * sin(turn), 0);

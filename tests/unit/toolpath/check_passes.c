@@ -217,7 +217,7 @@ static struct slice_chains ring(struct vec3 normal, double height)
 {
     struct mesh mesh = shape_ball(50, 40, 60);
     struct slice_chains chains = {0};
-    struct slice *cut = slice_new(&mesh, normal, true);
+    struct slice *cut = slice_new(&mesh, normal, true, 1);
 
     slice_at(cut, height, &chains);
     slice_free(cut);

@@ -26,7 +26,7 @@ static struct slice_chains cut_at(const struct mesh *mesh, struct vec3 normal, d
                                   bool smooth)
 {
     struct slice_chains chains = {0};
-    struct slice *cut = slice_new(mesh, normal, smooth);
+    struct slice *cut = slice_new(mesh, normal, smooth, 1);
 
     slice_at(cut, height, &chains);
     slice_free(cut);
@@ -132,7 +132,7 @@ END_TEST
 START_TEST(every_facet_on_the_plane_is_cut_once)
 {
     struct mesh mesh = shape_grid(shape_wave, 0, 0, 44, 51, 30, 30);
-    struct slice *cut = slice_new(&mesh, vec_unit(vec(3, 1, 2)), false);
+    struct slice *cut = slice_new(&mesh, vec_unit(vec(3, 1, 2)), false, 1);
 
     for (int i = 0; i < 100; i++) {
         double height = uniform(slice_low(cut), slice_high(cut)), length = 0, sum = 0;
@@ -168,7 +168,7 @@ END_TEST
 /* Points over all planes of a step along a direction. */
 static size_t count_points(const struct mesh *mesh, struct vec3 normal, double step, size_t *planes)
 {
-    struct slice *cut = slice_new(mesh, normal, true);
+    struct slice *cut = slice_new(mesh, normal, true, 1);
     struct doubles height = {0};
     struct slice_chains chains = {0};
 
