@@ -74,10 +74,15 @@ static double tip_feed(const struct walk *w, double length)
         return p->feed;
     struct axis_follow follow = {w->motion, {0, 0}};
     struct axis_place a = axis_limits_place(&follow, w->piece, 0);
-    struct axis_place b = axis_limits_place(&follow, w->piece, 1);
     double way = 0;
-    for (int k = 0; k < NC_AXES; k++)
-        way = hypot(way, (k < 3 ? 1 : nc_motion_degree(w->motion)) * (b.axis[k] - a.axis[k]));
+    for (int i = 1; i <= CURVE_STEPS; i++) { /* a line of all axes is as long in steps */
+        struct axis_place b = axis_limits_place(&follow, w->piece, (double)i / CURVE_STEPS);
+        double step = 0;
+        for (int k = 0; k < NC_AXES; k++)
+            step = hypot(step, (k < 3 ? 1 : nc_motion_degree(w->motion)) * (b.axis[k] - a.axis[k]));
+        way += step;
+        a = b;
+    }
     return way > 0 ? p->feed * length / way : 0;
 }
 

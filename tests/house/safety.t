@@ -78,8 +78,9 @@ sums=$(tail -n 1 "$TMP/out")
 result "$got" "jobs run: $sums"
 # found by such jobs: a polynomial with factors of ten digits; a path that ended under its clearance
 # plane, beside an axis that leans more than the last; points that planecut called out of reach and
-# ncverify left; a tool that lay under the border of a scan flatter than its curtain's points are apart
-for job in ${SAFETY_FOUND-980007 980273 20332 710025}; do
+# ncverify left; a tool that lay under the border of a scan flatter than its curtain's points are
+# apart; a link as short as a turn back, whose feed ncverify took for that of the way across
+for job in ${SAFETY_FOUND-980007 980273 20332 710025 262308}; do
 	run sh "$SRC/tests/safety/jobs.sh" $job $job
 	tail -n 1 "$TMP/out" | awk '{ exit !($4 + $6 > 0 && $8 == $4 && $10 == $4) }' # or told by a stage
 	result $? "job $job: $(tail -n 1 "$TMP/out")"

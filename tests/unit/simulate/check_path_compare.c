@@ -132,11 +132,44 @@ START_TEST(an_axis_that_turns_unevenly_with_the_tip)
 }
 END_TEST
 
+/* Half a circle about z: 0.05 mm to the side, as a link between rows. */
+static struct nc_motion turn_back(double feed)
+{
+    struct nc_motion motion = {.kinematics = {.tool = {0, 0, 1}}};
+    *array_push(&motion.arc) = (struct nc_motion_arc){{0, 0, 0}, {0, 0, 1}, PI};
+    *array_push(&motion.piece) = (struct nc_piece){.feed = feed,
+                                                   .shape = SHAPE_ARC,
+                                                   .p = {{0.025, 0, 0}, {-0.025, 0, 0}},
+                                                   .q = {{0, 0, 1}, {0, 0, 1}}};
+    return motion;
+}
+
+/* Where F counts the ways of all axes, it counts them along the curve, not from end to end. */
+START_TEST(a_curve_without_tool_centre_point)
+{
+    struct axis_limits limits = {.combined = true};
+    struct path_compare_options combined = options;
+    struct nc_motion path = turn_back(800), program = turn_back(800), fast = turn_back(1400);
+
+    for (int k = 0; k < NC_AXES; k++)
+        limits.rapid[k] = 1e5;
+    combined.limits = &limits;
+    struct path_compare found = path_compare_run(&program, &path, &combined);
+    ck_assert_uint_eq(found.fast.count + found.slow.count, 0);
+    found = path_compare_run(&fast, &path, &combined);
+    ck_assert_double_eq_tol(found.fast.value, 1.75, 0.01);
+    nc_motion_free(&path);
+    nc_motion_free(&program);
+    nc_motion_free(&fast);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("path_compare");
     TCase *tcase = tcase_create("path_compare");
     tcase_add_test(tcase, the_same_is_the_same);
+    tcase_add_test(tcase, a_curve_without_tool_centre_point);
     tcase_add_test(tcase, what_is_off_is_told);
     tcase_add_test(tcase, an_axis_that_the_path_has_within_the_tolerance_of_the_tip);
     tcase_add_test(tcase, an_axis_that_turns_unevenly_with_the_tip);
