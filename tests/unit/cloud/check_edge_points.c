@@ -267,7 +267,8 @@ static double rounded(double x, double y)
 }
 
 /* In a grid no deeper than twice what is allowed, or is told.  Points anywhere leave holes; what
- * bends within one with a radius r is off the tangent at its rim, h away, by h^2 / 2 r: no deeper than that. */
+ * bends within one with a radius r is off the tangent at its rim, h away, by h^2 / 2 r: no deeper
+ * than that. */
 START_TEST(rounded_edges)
 {
     static const double radius[] = {0.5, 1, 2, 4};
