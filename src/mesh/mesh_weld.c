@@ -20,7 +20,7 @@ size_t *mesh_first_at_place(const struct mesh *mesh)
         slots *= 2;
     int *held = mem_alloc(slots, sizeof *held); /* one more than a vertex; 0: none */
     for (size_t v = 0; v < n; v++) {
-        size_t at = scan_source_hash(&p[v], 1) & (slots - 1);
+        size_t at = scan_source_hash(&p[v], 1) >> 1 & (slots - 1); /* its last bit is always 1 */
         while (held[at] > 0 && !same_place(p[held[at] - 1], p[v]))
             at = (at + 1) & (slots - 1);
         if (held[at] == 0)
