@@ -373,6 +373,56 @@ static int parts_for(struct pose_deviation d, struct pose_deviation allowed)
                                             : 2; /* 2: it may be infinite, or no number */
 }
 
+/* The part of a motion at feed from s0 to s1 in n equal blocks.  False: one of them is not within
+ * what is allowed, and nothing is done. */
+static bool divide_evenly(struct nc_planner *planner, const struct motion *motion, double s0,
+                          double s1, int n)
+{
+    struct nc_plan *plan = planner->plan;
+    const struct nc_state state = planner->state;
+    const struct nc_total total = plan->total;
+    const size_t moves = plan->move.n, vectors = plan->vector.n;
+    const bool off_part = planner->off_part, doubtful = planner->doubtful, unmet = plan->unmet;
+    double from = s0;
+
+    for (int i = 1; i <= n; i++) {
+        double end = i < n ? s0 + (s1 - s0) * i / n : s1;
+        struct pose goal = motion_at(motion, end);
+        struct pose_deviation d = {HUGE_VAL, HUGE_VAL};
+        struct machine_pose to;
+        if (post_ik_reach(planner, goal, end, &to) == 0 &&
+            post_ik_follow(planner, motion, from, end, &to))
+            d = deviation_of(planner, &to, motion, from, end, planner->allowed);
+        if (!pose_deviation_within(d, planner->allowed)) {
+            planner->state = state;
+            plan->total = total;
+            plan->move.n = moves;
+            plan->vector.n = vectors;
+            planner->off_part = off_part;
+            planner->doubtful = doubtful;
+            plan->unmet = unmet;
+            return false;
+        }
+        add_block(planner, &to, goal, NC_LINE, d);
+        from = end;
+    }
+    return true;
+}
+
+/* The same in as few equal blocks as may be, from `least` on to less than twice as many: halves of
+ * so many would be more. */
+static bool divide_in_few(struct nc_planner *planner, const struct motion *motion, double s0,
+                          double s1, int least)
+{
+    enum { STEPS = 8 };
+    int step = least < STEPS ? 1 : least / STEPS;
+    bool found = false;
+
+    for (int n = least; n < 2 * least && !found; n += step)
+        found = divide_evenly(planner, motion, s0, s1, n);
+    return found;
+}
+
 static int divide(struct nc_planner *planner, const struct motion *motion, double s0, double s1,
                   enum nc_kind kind, struct pose_deviation allowed, int depth)
 {
@@ -394,6 +444,8 @@ static int divide(struct nc_planner *planner, const struct motion *motion, doubl
         int parts = depth == 0 ? parts_for(d, allowed) : 2;
         if (planner->state.why == NC_WHY_PATH)
             planner->state.why = NC_WHY_DIVIDED;
+        if (first && divide_in_few(planner, motion, s0, s1, parts))
+            return 0;
         for (int i = 0; i < parts; i++) {
             double from = s0 + (s1 - s0) * i / parts,
                    to_s = i + 1 < parts ? s0 + (s1 - s0) * (i + 1) / parts : s1;
