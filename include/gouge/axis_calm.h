@@ -22,7 +22,6 @@ struct axis_calm_options {
     double radius;                /* of the ball, mm */
     double tolerance; /* half of it a guard point may be in the tool, and a tenth of it a tip that
                          goes straight may swing the ball off a straight line, mm */
-    double play;      /* how far an axis may be off its rule, radians */
     double inward;    /* how far rules may lean near a run's ends (axis_smooth_rules), radians */
     int threads;      /* that work on a chain; 0: as many as there are processors */
 };
@@ -32,6 +31,7 @@ struct axis_calm_run {
     struct run_point *point;
     const struct vec3 *rule; /* the axis by the rule at each point; NULL: a link, which has none */
     size_t n;                /* at least 1 */
+    double play;             /* how far an axis may be off its rule, radians */
     bool joined;             /* a straight motion leads to it from the run before */
 };
 

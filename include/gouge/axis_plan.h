@@ -41,6 +41,9 @@ struct axis_planner;
 struct axis_planner *axis_planner_new(const struct axis_planner_options *options);
 void axis_planner_free(struct axis_planner *planner);
 
+/* Runs from now on have this play, radians. */
+void axis_planner_play(struct axis_planner *planner, double play);
+
 /* What becomes of a point: it is cut, from the point before; the tool has to be lifted before it;
  * no axis reaches it. */
 enum axis_plan_state { AXIS_PLAN_CUT, AXIS_PLAN_BREAK, AXIS_PLAN_SKIP };

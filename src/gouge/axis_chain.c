@@ -21,14 +21,15 @@ static struct vec3 *rules_of(const struct axis_calm_run *run,
     return rule;
 }
 
+/* From the play of its run to how far each station's axis may be off the rule. */
 static void allow_some(void *context, size_t from, size_t to)
 {
     const struct axis_chain *c = context;
 
     for (size_t i = from; i < to; i++) {
-        const struct run_point *p = c->at[i].point;
-        double play = run_point_touches(p) ? fmax(c->options->play - AXIS_CHAIN_SPARE, 0) : AIR;
-        c->at[i].allow = fmax(play, vec_angle(p->axis, c->at[i].rule));
+        struct axis_station *s = &c->at[i];
+        double spare = run_point_touches(s->point) ? AXIS_CHAIN_SPARE : 0;
+        s->allow = fmax(fmax(s->allow - spare, 0), vec_angle(s->point->axis, s->rule));
     }
 }
 
@@ -50,6 +51,7 @@ struct axis_chain axis_chain_of(const struct axis_calm_options *options,
             struct vec3 rule = run_point_touches(p) ? rules[j] : p->axis;
             c.at[i] = (struct axis_station){.point = p,
                                             .rule = rule,
+                                            .allow = run_point_touches(p) ? run[k].play : AIR,
                                             .begins = j == 0 && !run[k].joined,
                                             .far = HUGE_VAL,
                                             .seen.lean = HUGE_VAL};

@@ -43,6 +43,11 @@ void axis_planner_free(struct axis_planner *p)
     free(p);
 }
 
+void axis_planner_play(struct axis_planner *p, double play)
+{
+    p->options.play = play;
+}
+
 void axis_plan_free(struct axis_plan *plan)
 {
     array_free(&plan->run);

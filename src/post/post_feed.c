@@ -343,14 +343,23 @@ static bool turns_slowly(const struct nc_planner *planner, struct vec3 a, struct
     return turn == 0 || (off > turn && 2 * DEGREES(turn) <= (off - turn) * minutes * slowest);
 }
 
+/* The tool axis is so near to the singular direction that it is said as that, and turns no axis. */
+static bool is_said_as_pole(const struct nc_planner *planner, struct vec3 axis)
+{
+    struct vec3 pole = planner->machine->chain.rotary[0].axis;
+    return vec_length(vec_cross(pole, axis)) < planner->near_pole;
+}
+
 double post_feed_divide_even(const struct nc_planner *planner, const struct motion *motion,
                              double s0, double s1)
 {
     double length = (s1 - s0) * motion_length(motion);
     double minutes = length / (planner->state.feed * planner->state.faster);
+    struct vec3 from = motion_at(motion, s0).a, to = motion_at(motion, s1).a;
     if (planner->follow.mode != INTERPOLATE_VECTOR || planner->machine->chain.n != 2 ||
         !(length * planner->options.unit >= 2 * SHORTEST) ||
-        turns_slowly(planner, motion_at(motion, s0).a, motion_at(motion, s1).a, minutes))
+        turns_slowly(planner, from, to, minutes) ||
+        (is_said_as_pole(planner, from) && is_said_as_pole(planner, to)))
         return s1;
     struct feed_spans spans = even_spans(planner, motion, s0, s1, length);
     double s = feed_division(&spans);

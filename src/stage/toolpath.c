@@ -458,6 +458,8 @@ void toolpath_cut(struct toolpath *t)
     }
     in_batches(t, lift_strips, "lifting");
     toolpath_smooth(t, first);
+    if (t->planner)
+        axis_planner_play(t->planner, toolpath_play(t, t->rest));
     in_batches(t, plan_strips, "axes");
     for (size_t k = first; k < t->strip.n; k++) {
         if (t->strip.item[k].rest)

@@ -177,6 +177,13 @@ static double chord_of(const struct run *run, size_t from, size_t to)
     return chord;
 }
 
+double toolpath_play(const struct toolpath *t, bool rest)
+{
+    const double more = 2;
+
+    return rest ? more * t->rule.play : t->rule.play;
+}
+
 double toolpath_inward(const struct toolpath *t)
 {
     const double most = RADIANS(10);

@@ -33,7 +33,6 @@ static void calm_chain(const struct calmer *c, size_t from, size_t to)
                                               .chain = c->t->rule.chain,
                                               .radius = c->t->rule.radius,
                                               .tolerance = c->t->lift.tolerance,
-                                              .play = c->t->rule.play,
                                               .inward = toolpath_inward(c->t),
                                               .threads = c->threads};
     struct axis_calm_run *run = mem_alloc(2 * (to - from), sizeof *run);
@@ -45,9 +44,11 @@ static void calm_chain(const struct calmer *c, size_t from, size_t to)
         struct run points = toolpath_part_run(c->t, part);
         bool low = k > from && part->low;
         if (low && part->link.n > 0)
-            run[n++] = (struct axis_calm_run){part->link.item, NULL, part->link.n, true};
+            run[n++] = (struct axis_calm_run){part->link.item, NULL, part->link.n, 0, true};
         rule[k - from] = rules_of(c->t, part);
-        run[n++] = (struct axis_calm_run){points.item, rule[k - from], points.n, low};
+        run[n++] = (struct axis_calm_run){points.item, rule[k - from], points.n,
+                                          toolpath_play(c->t, c->t->strip.item[part->strip].rest),
+                                          low};
     }
     axis_calm_chain(&options, run, n);
     for (size_t k = 0; k < to - from; k++)

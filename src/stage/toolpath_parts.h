@@ -15,6 +15,10 @@ void toolpath_choose_lean(struct toolpath *t);
 /* What plans the axes of all strips; NULL: they stay as their rule says. */
 struct axis_planner *toolpath_new_planner(const struct toolpath *t);
 
+/* How far axes may be off their rule to turn less, radians: on rest passes, whose ball touches now
+ * one flank and now the other, so that the rule swings, further. */
+double toolpath_play(const struct toolpath *t, bool rest);
+
 /* How far rules may lean inward near the ends of a run, radians: none where a lead is asked for. */
 double toolpath_inward(const struct toolpath *t);
 
