@@ -9,7 +9,7 @@
 
 enum {
     DEPTH_MAX = 22, /* halvings of a straight motion: beside the singular direction */
-    PARTS_MAX = 64  /* equal parts of one, before they are halved */
+    PARTS_MAX = 512 /* equal parts of one, before they are halved */
 };
 
 /* ---- one more block */

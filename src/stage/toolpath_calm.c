@@ -46,9 +46,9 @@ static void calm_chain(const struct calmer *c, size_t from, size_t to)
         if (low && part->link.n > 0)
             run[n++] = (struct axis_calm_run){part->link.item, NULL, part->link.n, 0, true};
         rule[k - from] = rules_of(c->t, part);
-        run[n++] = (struct axis_calm_run){points.item, rule[k - from], points.n,
-                                          toolpath_play(c->t, c->t->strip.item[part->strip].rest),
-                                          low};
+        run[n++] =
+            (struct axis_calm_run){points.item, rule[k - from], points.n,
+                                   toolpath_play(c->t, c->t->strip.item[part->strip].rest), low};
     }
     axis_calm_chain(&options, run, n);
     for (size_t k = 0; k < to - from; k++)

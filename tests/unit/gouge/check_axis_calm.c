@@ -40,8 +40,8 @@ struct rows {
 static void make_rows(struct rows *r)
 {
     for (int k = 0; k < ROWS; k++) {
-        r->run[k] =
-            (struct axis_calm_run){r->point + k * POINTS, r->rule + k * POINTS, POINTS, false};
+        r->run[k] = (struct axis_calm_run){r->point + k * POINTS, r->rule + k * POINTS, POINTS,
+                                           PLAY, false};
         for (int i = 0; i < POINTS; i++) {
             int at = k * POINTS + i;
             double x = 0.5 * (k % 2 ? POINTS - 1 - i : i), off = k % 2 ? 0.2 : -0.2;
@@ -61,7 +61,7 @@ static struct axis_calm_options options_of(const struct gouge_check *guard)
     struct error error;
 
     ck_assert_int_eq(machine_finish(&machine, &error), 0);
-    return (struct axis_calm_options){guard, &flute, machine.chain, RADIUS, TOLERANCE, PLAY, 0, 1};
+    return (struct axis_calm_options){guard, &flute, machine.chain, RADIUS, TOLERANCE, 0, 1};
 }
 
 /* How far the axis turns from each row's end to the next one's start, all together. */
@@ -118,6 +118,33 @@ START_TEST(alike)
             vec_distance(r.point[i].tip, vec_along(r.point[i].ball, -RADIUS, r.point[i].axis)),
             1e-9);
     }
+    gouge_free(guard);
+    array_free(&scan);
+}
+END_TEST
+
+/* Each run has a play of its own: where the rules of neighbouring rows lean 20 degrees to either
+ * side, their axes come together with more than that, and not with a quarter of it. */
+START_TEST(own_play)
+{
+    struct vec3s scan = {0};
+    struct gouge_check *guard = floor_and_wall(0, &scan);
+    struct axis_calm_options options = options_of(guard);
+    double most[2] = {0, 0};
+
+    for (int wide = 0; wide < 2; wide++) {
+        struct rows r;
+        make_rows(&r);
+        for (int i = 0; i < ROWS * POINTS; i++) {
+            double x = tan(RADIANS(20)) * (i / POINTS % 2 ? 1 : -1);
+            r.rule[i] = r.point[i].axis = vec_unit(vec(x, tan(RADIANS(20)), 1));
+        }
+        for (int k = 0; k < ROWS; k++)
+            r.run[k].play = RADIANS(wide ? 25 : 5);
+        axis_calm_chain(&options, r.run, ROWS);
+        most[wide] = travel_of(&r);
+    }
+    ck_assert_double_le(most[1], 0.5 * most[0]);
     gouge_free(guard);
     array_free(&scan);
 }
@@ -214,7 +241,7 @@ START_TEST(a_link_in_the_air_loosens_no_row)
         link[i] = p;
     }
     run[0] = r.run[0];
-    run[1] = (struct axis_calm_run){link, NULL, 5, true};
+    run[1] = (struct axis_calm_run){link, NULL, 5, 0, true};
     run[2] = r.run[1];
     run[2].joined = true;
     axis_calm_chain(&options, run, 3);
@@ -265,7 +292,7 @@ START_TEST(clear_on_the_way)
     struct vec3s needle = {0}, scan = {0};
     struct run_point point[N];
     struct vec3 rule[N];
-    struct axis_calm_run run = {point, rule, N, false};
+    struct axis_calm_run run = {point, rule, N, RADIANS(40), false};
     double deep = -HUGE_VAL;
 
     for (int k = 0; k <= 40; k++) {
@@ -274,7 +301,6 @@ START_TEST(clear_on_the_way)
     }
     struct gouge_check *guard = gouge_new(needle, 1);
     struct axis_calm_options options = options_of(guard);
-    options.play = RADIANS(40);
     for (int i = 0; i < N; i++) {
         bool away = i == BEFORE || i == BEFORE + 1;
         struct run_point p = {.contact = vec(12 * (i - BEFORE) - 6, 0, 0), .normal = vec(0, 0, 1)};
@@ -308,6 +334,7 @@ int main(void)
 
     tcase_set_timeout(tests, 60);
     tcase_add_test(tests, alike);
+    tcase_add_test(tests, own_play);
     tcase_add_test(tests, clear_of_wall);
     tcase_add_test(tests, slowly_past_a_wall);
     tcase_add_test(tests, a_link_in_the_air_loosens_no_row);

@@ -8,6 +8,7 @@
 
 #include "chains.h"
 #include "planners.h"
+#include "post/post_ik.h"
 #include "post/post_motion.h"
 
 enum { STEPS = 200, MODES = 3 };
@@ -238,6 +239,58 @@ START_TEST(arc_or_chords)
 }
 END_TEST
 
+/* Arcs of any radius and angle as chords: equal ones, and one fewer would be too far off. */
+START_TEST(fewest_chords)
+{
+    seed = 700;
+    for (int i = 0; i < 200; i++) {
+        struct bench b;
+        double r = exp(log(0.03) + chance() * log(3000)), angle = 0.3 + 2.7 * chance();
+        bench_begin(&b, KIND_TABLE_AC, INTERPOLATE_ROTARY, vec(r, 0, 0), (double[]){0, 0});
+        b.plan.ability.arcs = NC_ARCS_NONE;
+        struct pose from = b.planner.state.pose,
+                    to = {vec(r * cos(angle), r * sin(angle), 0), from.a};
+        struct motion motion = motion_arc(from, to, vec(0, 0, 0), vec(0, 0, 1));
+        ck_assert_int_eq(post_motion_along(&b.planner, &motion, 0, 1), 0);
+        size_t least = 1;
+        while (r * (1 - cos(angle / 2 / (double)least)) > b.planner.allowed.point)
+            least++;
+        ck_assert_uint_ge(b.plan.move.n, least);
+        ck_assert_uint_le(b.plan.move.n, least + 1 + least / 8);
+        struct vec3 at = from.p;
+        for (size_t k = 0; k < b.plan.move.n; k++) {
+            struct vec3 next = b.plan.move.item[k].p;
+            double chord = 2 * r * sin(angle / 2 / (double)b.plan.move.n);
+            ck_assert_double_eq_tol(vec_distance(at, next), chord, 3e-5);
+            at = next;
+        }
+        bench_free(&b);
+    }
+}
+END_TEST
+
+/* A tool so near to the singular direction that it is said as that turns no axis, whatever its
+ * bearing does, and the motion stays one block. */
+START_TEST(said_as_pole)
+{
+    struct bench b;
+    bench_begin(&b, KIND_TABLE_AC, INTERPOLATE_VECTOR, vec(10, 0, 5), (double[]){0.3, 0});
+    b.planner.state.feed = 3000;
+    b.plan.ability.feed_max = 1e9;
+    b.planner.near_pole = post_ik_near_pole(&b.planner);
+    double near = 0.5 * b.planner.near_pole;
+    ck_assert_double_gt(near, 0);
+    struct pose from = {vec(10, 0, 5), vec_unit(vec(near, 0, 1))},
+                to = {vec(11, 0, 5), vec_unit(vec(0, near, 1))};
+    struct motion lead = motion_line(b.planner.state.pose, from), motion = motion_line(from, to);
+    ck_assert_int_eq(post_motion_along(&b.planner, &lead, 0, 1), 0);
+    size_t before = b.plan.move.n;
+    ck_assert_int_eq(post_motion_along(&b.planner, &motion, 0, 1), 0);
+    ck_assert_uint_eq(b.plan.move.n, before + 1);
+    bench_free(&b);
+}
+END_TEST
+
 /* Past the singular direction beside it, vectors turn an axis far in a short part of the way: that
  * part is slow by itself.  At the F of each block no axis is too fast over any 0.02 mm or half of a
  * block, by small steps. */
@@ -335,6 +388,8 @@ int main(void)
     tcase_add_loop_test(tests, one_block, 0, KINDS * MODES);
     tcase_add_loop_test(tests, turned_in_place, 0, KINDS);
     tcase_add_test(tests, arc_or_chords);
+    tcase_add_test(tests, fewest_chords);
+    tcase_add_test(tests, said_as_pole);
     tcase_add_loop_test(tests, rapids_within_travel, 0, KIND_NUTATING_HEAD);
     suite_add_tcase(suite, tests);
 
