@@ -551,7 +551,7 @@ has "its line of the path, pass and rule" 'shapes\.cl:21: pass 2, arc: as the pa
 status 0 "--explain with a contact point" ncpost -c fanuc --explain 120 hollow.cl
 has "names it" '^contact [0-9.]+ 0\.000000 [0-9.]+, normal' out
 status 1 "--explain a block that is not there" ncpost -c fanuc --explain 5000 "$golden/shapes.cl"
-has "names the last" 'the last one is 1170' err
+has "names the last" 'the last one is 1020' err
 
 # ---- a curve or an arc that bulges beyond the travel between ends within it; poles without bound
 for control in fanuc siemens heidenhain linuxcnc; do
