@@ -6,6 +6,7 @@
 #include "base/array.h"
 #include "base/num.h"
 #include "feed_division.h"
+#include "post_ik.h"
 
 enum { PIECES = 12, PIECES_MOST = 256, SPAN_PIECES = 24, MORE_DIGITS = 3, DIGITS_MAX = 9 };
 
@@ -343,13 +344,6 @@ static bool turns_slowly(const struct nc_planner *planner, struct vec3 a, struct
     return turn == 0 || (off > turn && 2 * DEGREES(turn) <= (off - turn) * minutes * slowest);
 }
 
-/* The tool axis is so near to the singular direction that it is said as that, and turns no axis. */
-static bool is_said_as_pole(const struct nc_planner *planner, struct vec3 axis)
-{
-    struct vec3 pole = planner->machine->chain.rotary[0].axis;
-    return vec_length(vec_cross(pole, axis)) < planner->near_pole;
-}
-
 double post_feed_divide_even(const struct nc_planner *planner, const struct motion *motion,
                              double s0, double s1)
 {
@@ -359,7 +353,7 @@ double post_feed_divide_even(const struct nc_planner *planner, const struct moti
     if (planner->follow.mode != INTERPOLATE_VECTOR || planner->machine->chain.n != 2 ||
         !(length * planner->options.unit >= 2 * SHORTEST) ||
         turns_slowly(planner, from, to, minutes) ||
-        (is_said_as_pole(planner, from) && is_said_as_pole(planner, to)))
+        (post_ik_says_pole(planner, from) && post_ik_says_pole(planner, to)))
         return s1;
     struct feed_spans spans = even_spans(planner, motion, s0, s1, length);
     double s = feed_division(&spans);

@@ -277,6 +277,12 @@ static bool snap_to_pole(const struct nc_planner *planner, struct pose *to)
     return true;
 }
 
+bool post_ik_says_pole(const struct nc_planner *planner, struct vec3 axis)
+{
+    struct vec3 pole = planner->machine->chain.rotary[0].axis;
+    return vec_length(vec_cross(pole, axis)) < planner->near_pole;
+}
+
 double post_ik_pole_between(const struct nc_planner *planner, const struct motion *motion,
                             double s0, double s1)
 {
@@ -285,7 +291,9 @@ double post_ik_pole_between(const struct nc_planner *planner, const struct motio
     struct vec3 a = motion->from.a, b = motion->to.a;
     struct vec3 pole = planner->machine->chain.rotary[0].axis;
     if (planner->follow.mode != INTERPOLATE_VECTOR || near == 0 || motion->kind == MOTION_SPLINE ||
-        vec_dot(vec_cross(pole, a), vec_cross(pole, b)) >= 0) /* to one side */
+        vec_dot(vec_cross(pole, a), vec_cross(pole, b)) >= 0 || /* to one side */
+        post_ik_says_pole(planner, motion_at(motion, s0).a) ||
+        post_ik_says_pole(planner, motion_at(motion, s1).a)) /* it goes through it anyway */
         return s1;
     double turn = vec_angle(a, b);
     struct vec3 across = vec_unit(vec_reject(b, a));

@@ -30,9 +30,12 @@ bool post_ik_reach_near(const struct nc_planner *planner, const struct pose *to,
  */
 double post_ik_near_pole(const struct nc_planner *planner);
 
+/* The tool axis is so near to the singular direction that it is said as that, and turns no axis. */
+bool post_ik_says_pole(const struct nc_planner *planner, struct vec3 axis);
+
 /*
  * Where between s0 and s1 a straight motion or an arc comes so near to the singular direction that
- * it may as well go through it, by what is allowed; s1: nowhere.  Vectors alone: there the control
+ * it may as well go through it, by what is allowed; s1: nowhere, or an end is said as it.  Vectors alone: there the control
  * would turn an axis half about in a place, and post_ik_reach says the singular direction instead.
  */
 double post_ik_pole_between(const struct nc_planner *planner, const struct motion *motion,

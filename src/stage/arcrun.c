@@ -236,6 +236,21 @@ static double nearest_ends(const struct pieces *pieces)
     return nearest;
 }
 
+/* A part that is hardly longer than a piece may be is one line, where that keeps the tolerance. */
+static void use_one_line(struct fit *f, const struct deviation *within, double least)
+{
+    const struct reference *t = &f->reference;
+    struct vec3 from = t->point[0], to = t->point[t->n - 1];
+    struct pieces some = {0};
+
+    if (f->pieces.n > 1 && vec_distance(from, to) >= least &&
+        t->length[t->n - 1] < (double)(f->pieces.n + 1) * least) {
+        *array_push(&some) = arc_piece_of(t, arc_line(from, to), 0, (double)(t->n - 1));
+        is_better(f, within, &some);
+    }
+    array_free(&some);
+}
+
 /* What becomes of pieces that keep the tolerance, so far as they keep it then, too.  Those that
  * were there before, if there are any, have been through this. */
 static void refine(struct fit *f, const struct deviation *within, const struct deviation *less,
@@ -244,6 +259,8 @@ static void refine(struct fit *f, const struct deviation *within, const struct d
     struct pieces some = {0};
     double least = fmin(f->options->least, ARC_SHORTEST);
 
+    if (nearest_ends(&f->pieces) < least)
+        use_one_line(f, within, least);
     if (nearest_ends(&f->pieces) < least) {
         copy_pieces(&f->pieces, &some);
         arcfit_bridge(&f->reference, less, PATH_COORDINATE, least, &some);

@@ -4,19 +4,17 @@
 static const double LINK_OFF = 0.01; /* of the radius: straight lines of a link off its way */
 static const double LEAST = 0.021;   /* mm: the next block is read before a shorter one is over */
 
-/* Leaves out of a part's points one of two that would be such blocks, where the path goes straight
- * past it. */
+/* Leaves out of a part's points one of two that would be such blocks, where the path past it is
+ * within the tolerance: what goes to and fro over so little is no shape of the surface. */
 static void thin_part(const struct toolpath *t, const struct link_options *options,
                       struct toolpath_part *part)
 {
-    const double straight = 0.2; /* of the tolerance */
     struct run run = toolpath_part_run(t, part);
 
     if (run.n < 3)
         return;
     struct run inner = {.n = run.n - 2, .item = run.item + 1, .radius = run.radius};
-    link_thin(options, &run.item[0], &run.item[run.n - 1], LEAST,
-              straight * options->lift->tolerance, &inner);
+    link_thin(options, &run.item[0], &run.item[run.n - 1], LEAST, options->lift->tolerance, &inner);
     run.item[inner.n + 1] = run.item[run.n - 1];
     part->to = part->from + inner.n + 2;
 }
@@ -41,6 +39,19 @@ static void thin_joint(const struct link_options *options, const struct run *a, 
     part[-1].to -= end.n == 0;
 }
 
+/* A part that is no longer than such a block is its last point alone. */
+static void thin_touch(const struct link_options *options, const struct run *a, const struct run *b,
+                       struct toolpath_part *part)
+{
+    const struct run *way = part->link.n > 0 ? &part->link : a;
+    struct run first = {.n = 1, .item = b->item, .radius = b->radius};
+
+    if (b->n != 2 || vec_distance(b->item[0].tip, b->item[1].tip) >= LEAST)
+        return;
+    link_thin(options, &way->item[way->n - 1], &b->item[1], LEAST, HUGE_VAL, &first);
+    part->from += first.n == 0;
+}
+
 void toolpath_thin(const struct toolpath *t, struct toolpath_parts *parts)
 {
     struct link_options options = toolpath_link_options(t);
@@ -57,7 +68,9 @@ void toolpath_thin(const struct toolpath *t, struct toolpath_parts *parts)
                             &part->link);
             link_thin(&options, &a.item[a.n - 1], &b.item[0], LEAST, HUGE_VAL, &part->link);
         }
-        if (k > 0 && part->low && t->lift.between)
+        if (k > 0 && part->low && t->lift.between) {
             thin_joint(&options, &a, &b, part);
+            thin_touch(&options, &a, &b, part);
+        }
     }
 }
