@@ -35,8 +35,9 @@ bool post_ik_says_pole(const struct nc_planner *planner, struct vec3 axis);
 
 /*
  * Where between s0 and s1 a straight motion or an arc comes so near to the singular direction that
- * it may as well go through it, by what is allowed; s1: nowhere, or an end is said as it.  Vectors alone: there the control
- * would turn an axis half about in a place, and post_ik_reach says the singular direction instead.
+ * it may as well go through it, by what is allowed; s1: nowhere, or one of its ends is said as it.
+ * Vectors alone: there the control would turn an axis half about in a place, and post_ik_reach says
+ * the singular direction instead.
  */
 double post_ik_pole_between(const struct nc_planner *planner, const struct motion *motion,
                             double s0, double s1);
