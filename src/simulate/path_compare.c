@@ -314,6 +314,22 @@ static bool note_missed(struct compare *c, double off, const struct stretch *s, 
     return worst;
 }
 
+/* Of the pieces from..to of the program, the one nearest to a place. */
+static size_t nearest_between(const struct compare *c, size_t from, size_t to, struct vec3 place)
+{
+    double least = HUGE_VAL;
+    size_t nearest = to;
+    for (size_t i = 0; i < c->program.n; i++) {
+        const struct stretch *s = &c->program.item[i];
+        double d = vec_segment_distance(s->a.p, s->b.p, place);
+        if (s->piece < from || s->piece > to || d >= least)
+            continue;
+        least = d;
+        nearest = s->piece;
+    }
+    return nearest;
+}
+
 /* What is missed is told at the nearest piece between those where the path was on the program
  * before and is on it again, or there: not on a row beside. */
 static void compare_path(struct compare *c)
@@ -330,7 +346,7 @@ static void compare_path(struct compare *c)
         }
         size_t piece = c->program.item[b.least].piece;
         if (waits && (c->found.missed.near < last || c->found.missed.near > piece))
-            c->found.missed.near = piece;
+            c->found.missed.near = nearest_between(c, last, piece, c->found.missed.at);
         waits = false;
         last = piece;
         if (b.turn > c->options->axis)

@@ -55,6 +55,7 @@ function look(i,   t) {
 			at[i] = modal
 	}
 	if (at[i] != "") {
+		way[i] = way_of(t)
 		before[i] = last
 		if (last) after[last] = i
 		last = i
@@ -86,7 +87,27 @@ function leans(t,   a, b) {
 
 # At the pole C turns as far as it likes within no way at all: how slow F may be there nobody can say.
 function is_at_pole(t) {
-	return t ~ /C3=/ && word(t, "C3=") > 0.99999
+	if (t ~ /C3=/)
+		return word(t, "C3=") > 0.99999
+	return word(t, "C") != "" && (word(t, "A") != "" || word(t, "B") != "") && !tilts(t)
+}
+
+function tilts(t,   a, b) {
+	a = word(t, "A") + 0; b = word(t, "B") + 0
+	return a > 0.5 || a < -0.5 || b > 0.5 || b < -0.5
+}
+
+# How far a block goes: an F that holds for a hundredth of a micron is no fault.
+function way_of(t,   k, v, way) {
+	way = t ~ /PO\[/
+	for (k = 1; k <= 3; k++) {
+		v = word(t, substr("XYZ", k, 1))
+		if (v == "")
+			continue
+		way += v > was[k] ? v - was[k] : was[k] - v
+		was[k] = v
+	}
+	return way
 }
 
 function fits(i,   t) {
@@ -97,7 +118,7 @@ function fits(i,   t) {
 	if (kind == "retract") return i == lastcut
 	if (kind ~ /^(offset|edge|length|tool|coolant)$/) return amid(i) && at[i] == "feed" && t ~ / [XYZ]/
 	if (kind == "slow" && (is_at_pole(t) || is_at_pole(line[before[i]]))) return 0
-	if (kind ~ /^(fast|slow)$/) return cuts(i) && cuts(before[i]) && word(t, "F") != "" && t ~ / [XYZ]/
+	if (kind ~ /^(fast|slow)$/) return way[i] > 0.001 && cuts(i) && cuts(before[i]) && word(t, "F") != "" && t ~ / [XYZ]/
 	if (kind == "ORIMKS") return t ~ /ORIWKS/
 	if (kind == "no-offset") return t ~ / G54( |$)/
 	if (kind == "dry") return t ~ / M8( |$)/

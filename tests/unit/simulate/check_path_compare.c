@@ -164,11 +164,33 @@ START_TEST(a_curve_without_tool_centre_point)
 }
 END_TEST
 
+/* The program comes down beside where the path begins, goes along a row of its own and is on the
+ * path from its fifth piece on; near to where the path begins it is again later, on a next row. */
+START_TEST(what_is_left_out_is_told_where_it_was_left)
+{
+    struct nc_motion path = row(0, false), program = row(0, true), next = row(0.5, false);
+    for (size_t i = 1; i < 6; i++) { /* down, and the first four of the row */
+        program.piece.item[i].p[1].y = 2;
+        program.piece.item[i + 1].p[0].y = 2;
+    }
+    for (size_t i = 0; i < next.piece.n; i++)
+        *array_push(&program.piece) = next.piece.item[i];
+    struct path_compare found = path_compare_run(&program, &path, &options);
+    ck_assert_double_gt(found.missed.value, 0.49);
+    ck_assert_uint_ge(found.missed.near, 1);
+    ck_assert_uint_le(found.missed.near, 6);
+    nc_motion_free(&path);
+    nc_motion_free(&program);
+    nc_motion_free(&next);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("path_compare");
     TCase *tcase = tcase_create("path_compare");
     tcase_add_test(tcase, the_same_is_the_same);
+    tcase_add_test(tcase, what_is_left_out_is_told_where_it_was_left);
     tcase_add_test(tcase, a_curve_without_tool_centre_point);
     tcase_add_test(tcase, what_is_off_is_told);
     tcase_add_test(tcase, an_axis_that_the_path_has_within_the_tolerance_of_the_tip);
