@@ -37,6 +37,7 @@ struct part_coverage_options {
     const struct vec3s *axis;    /* unit vectors up the tool that the machine has */
     const struct vec3s *curtain; /* points in the way of ball and tool, and not of the part; NULL:
                                     none */
+    bool whole;     /* the points are those of a mesh or of surfaces: no wall is without any */
     bool left_only; /* asked is which are left: of a cell each point is looked at, even where two
                        are out of reach, and one that is kept off counts as out of reach */
     int threads;    /* as of parallel_for */

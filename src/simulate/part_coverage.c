@@ -103,6 +103,7 @@ struct reach {
     bool *up;                 /* of each point: the surface faces up there */
     struct kdtree *roof_tree; /* of these points */
     struct kdtree *wall_tree; /* of places where walls may stand that have no points */
+    struct vec3 ball[BALLS];  /* directions of a ball's centre from its point */
 };
 
 /* Which cell of a grid of this width a point is in, as a number to sort by. */
@@ -335,7 +336,7 @@ static bool find_on_side(struct look *l, size_t i, struct vec3 normal, bool insi
     const struct reach *r = l->r;
     int tries = 0;
     for (int k = -1; k < BALLS && tries < TRIES; k++) {
-        struct vec3 d = k < 0 ? normal : spread(k, BALLS), centre;
+        struct vec3 d = k < 0 ? normal : r->ball[k], centre;
         if (vec_dot(d, normal) < AHEAD || !ball_clears(r, r->point[i], d, &centre) ||
             ball_may_be_inside(r, i, centre) != inside)
             continue;
@@ -413,6 +414,13 @@ static enum part_class class_of(struct look *l, size_t i, struct access *access)
     return find_access(l, i, normal, true, access) ? COVERAGE_KEPT_OFF : COVERAGE_OUT_OF_REACH;
 }
 
+/* Another point of the cell is not likely to be reached: of a part that is whole one that is kept
+ * off tells that, too, while a scan has too few points here and enough there. */
+static bool is_failure(const struct reach *r, enum part_class class)
+{
+    return class == COVERAGE_OUT_OF_REACH || (r->options->whole && class == COVERAGE_KEPT_OFF);
+}
+
 static void look_at_cells(void *context, size_t from, size_t to)
 {
     struct reach *r = context;
@@ -421,6 +429,7 @@ static void look_at_cells(void *context, size_t from, size_t to)
     l.left = mem_alloc(r->options->axis->n, sizeof *l.left);
     for (size_t cell = from * GROUP; cell < to * GROUP && cell + 1 < r->first.n; cell++) {
         struct access access = {0};
+        enum part_class last = COVERAGE_OUT_OF_REACH;
         int failures = 0;
         l.blocked = false;
         for (size_t k = r->first.item[cell]; k < r->first.item[cell + 1]; k++) {
@@ -428,8 +437,10 @@ static void look_at_cells(void *context, size_t from, size_t to)
             bool under = r->under && r->under[i];
             enum part_class class = COVERAGE_OUT_OF_REACH;
             if (!under && (failures < FAILURES || r->options->left_only))
-                class = class_of(&l, i, &access);
-            failures += !under && class == COVERAGE_OUT_OF_REACH && !access.known;
+                last = class = class_of(&l, i, &access);
+            else if (!under)
+                class = last;
+            failures += !under && is_failure(r, class) && !access.known;
             r->of[i] = (unsigned char)class;
         }
     }
@@ -474,7 +485,8 @@ static void find_walls(struct reach *r)
 
     for (size_t i = 0; i < r->n; i++)
         spacing[i] = sqrt(r->area[i]);
-    unseen_wall_find(r->point, spacing, r->n, r->tree, r->options->threads, height);
+    if (!r->options->whole)
+        unseen_wall_find(r->point, spacing, r->n, r->tree, r->options->threads, height);
     for (size_t i = 0; i < r->n; i++) {
         double parts = ceil(height[i] / gap);
         for (double k = 1; k <= parts; k++)
@@ -513,6 +525,8 @@ void part_coverage_run(const struct vec3 *point, const double *deviation,
     r.up = mem_alloc(n, sizeof *r.up);
     r.tree = kdtree_new(point, n);
     r.far = vec_distance(box.low, box.high) + 4 * options->radius;
+    for (int k = 0; k < BALLS; k++)
+        r.ball[k] = spread(k, BALLS);
     add_solid(&r);
     thin_points(&r);
     r.sparse_tree = kdtree_new(r.sparse.item, r.sparse.n);

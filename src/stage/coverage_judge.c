@@ -144,6 +144,7 @@ static size_t ask(const struct vec3 *point, const double *height, struct vec3s *
                                               .tool = &tool,
                                               .axis = &axes,
                                               .curtain = &curtain,
+                                              .whole = !options->scan,
                                               .left_only = true,
                                               .threads = options->threads};
     struct part_coverage judged;

@@ -42,6 +42,7 @@ static void cover_points(const struct verdict *v, const double *left,
                                                 .tool = &o->tool,
                                                 .axis = &axis,
                                                 .curtain = surface ? &surface->curtain : NULL,
+                                                .whole = !surface,
                                                 .threads = o->threads};
 
     part_coverage_run(part->item, left, surface ? surface->under : NULL, part->n, &reach, coverage);
