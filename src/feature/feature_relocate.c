@@ -4,7 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const double CLEAR = 0.25; /* of the edge, between a vertex and the feature */
+static const double CLEAR = 0.25; /* of the edge, between a vertex and the feature ... */
+static const double KNOWN = 6;    /* ... or of so many spacings: as far as its sheets are known */
 
 static const double ROOM = 0.1;     /* of the side of a facet, between it and a corner */
 static const double FARTHEST = 0.4; /* of the side: so far vertices move for a corner */
@@ -74,18 +75,19 @@ static void clear_edge(const struct feature_relocate *s, size_t e, struct beside
     const struct vec3 *p = s->mesh->vertex.item;
     const struct vec3 at[2] = {p[edge->v[0]], p[edge->v[1]]};
     double length = hypot(at[1].x - at[0].x, at[1].y - at[0].y);
+    double clear = CLEAR * fmin(length, KNOWN * s->spacing);
     double aloof = 3 * s->noise + 0.1 * s->spacing;
 
     for (int i = 0; i < 2; i++)
-        keep_away(&beside[edge->v[i]], f, i, at, at[i], CLEAR * length, aloof);
+        keep_away(&beside[edge->v[i]], f, i, at, at[i], clear, aloof);
     for (int k = 0; k < 2 && edge->facet[k] >= 0; k++) {
         const int *v = s->mesh->face.item[edge->facet[k]].v;
         int third = v[0] + v[1] + v[2] - edge->v[0] - edge->v[1];
         int i = side_of(f, at, p[third]);
         struct vec3 off = vec_sub(p[third], f->place[i]);
-        bool behind = vec_dot(off, across_of(f, at)) * (i == 0 ? 1 : -1) < -CLEAR / 2 * length;
+        bool behind = vec_dot(off, across_of(f, at)) * (i == 0 ? 1 : -1) < -clear / 2;
         if (!(behind && has_corner(s, edge->facet[k])) && fabs(vec_dot(off, f->along)) < length)
-            keep_away(&beside[third], f, i, at, p[third], CLEAR * length, aloof);
+            keep_away(&beside[third], f, i, at, p[third], clear, aloof);
     }
 }
 
