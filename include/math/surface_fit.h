@@ -38,6 +38,7 @@ struct surface_fit_options {
     size_t neighbours;                   /* to begin with */
     bool along; /* look along ribs and grooves, and again where no surface holds the points at all:
                    which takes its time */
+    bool first; /* the first round alone: where it explains the points */
 };
 
 struct surface_fit {

@@ -28,6 +28,7 @@ struct smooth_nodes_options {
                           then for each */
     double effort;     /* effort.h */
     int threads;       /* of which the result does not depend */
+    bool first;        /* only where the first round of surface_fit.h explains the points */
 };
 
 /* The mesh gets normals and kmax. */

@@ -49,6 +49,7 @@ struct cloudmesh_options {
     bool smooth;     /* look for no creases, walls and ribs */
     bool subdivide;  /* parts by orientation, each with a projection of its own */
     bool silent;     /* a trial: nothing is said */
+    bool explained;  /* noise is taken out only where a surface soon explains the points */
     bool edges_only; /* a trial that shows where creases and walls are: no ribs are looked for */
 };
 

@@ -25,6 +25,7 @@ struct normals_options {
     const double *certain; /* vertices that have theirs: meshing/node_heights.h; NULL: none */
     double effort;         /* effort.h */
     bool silent;           /* a trial: nothing is said */
+    bool explained; /* vertices are rid of noise only where a surface soon explains the points */
 };
 
 struct normal_estimator {

@@ -189,8 +189,8 @@ static bool choose_work(struct guard_work *work, bool *sparse, size_t *near)
     const struct guard_points_options *rule = work->rule;
     const struct point_grid *b = work->point_grid;
 
-    work->fit = (struct surface_fit_options){b, rule->noise, 0,
-                                             effort_covers(EFFORT_ALONG, rule->effort, b->n)};
+    work->fit = (struct surface_fit_options){
+        b, rule->noise, 0, effort_covers(EFFORT_ALONG, rule->effort, b->n), false};
     work->fill = (struct upsample){b, rule->radius, rule->sink, rule->noise, scan_lines_found(b)};
     *sparse = upsample_needed(&work->fill);
     work->filled = *sparse && effort_covers(EFFORT_GUARD_BETWEEN, rule->effort, b->n);

@@ -488,6 +488,10 @@ bool surface_fit_at(const struct surface_fit_options *rule, struct vec3 place, s
     hood->gathered = hood->steep = 0;     /* of another place */
     if (fit_first(rule, place, guess, fit) || has_no_surface(rule, place, fit))
         return true;
+    if (rule->first) {
+        fit->spread = INFINITY;
+        return fit->n > 0;
+    }
     if (!fit_at(rule, place, guess, hood, fit))
         return false;
     if (!surface_fit_holds(fit, rule->sigma) && (rule->along || fit->spread < torn * rule->sigma))

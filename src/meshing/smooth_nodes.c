@@ -80,7 +80,8 @@ struct smooth_nodes smooth_nodes(struct mesh *mesh, const struct point_grid *poi
     size_t n = mesh->vertex.n, wanted = options->neighbours;
     struct smoothing s = {.mesh = mesh,
                           .rule = {point_grid, options->sigma, options->neighbours,
-                                   effort_covers(EFFORT_ALONG, options->effort, n)}};
+                                   effort_covers(EFFORT_ALONG, options->effort, n),
+                                   options->first}};
     mesh_normals_facet(mesh);
     array_reserve(&mesh->kmax, n);
     mesh->kmax.n = n;

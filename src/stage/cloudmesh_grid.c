@@ -117,7 +117,8 @@ static int normals_of_nodes(const struct cloudmesh_options *options, struct vec3
                                       .neighbours = options->neighbours,
                                       .effort = options->effort,
                                       .threads = threads,
-                                      .silent = options->silent};
+                                      .silent = options->silent,
+                                      .explained = options->explained};
 
     return options->normals->estimate(mesh, &normals, error);
 }

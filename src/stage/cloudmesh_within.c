@@ -29,12 +29,14 @@ struct source {
 int cloudmesh_smooth_points(const struct cloudmesh_options *options, struct vec3s *points,
                             double noise, int threads, double *spent, struct error *error)
 {
-    const double apart = 2; /* in spacings */
+    const double apart = 2;        /* in spacings */
+    const double little = 1 / 6.0; /* of the error: then three sigma are half of it */
     struct cloudmesh_options fine = *options;
     struct mesh mesh = {.origin.ledger = NAN};
     struct cloudmesh result;
     struct cloud_parts parts = {cloudmesh_spacing(options, points->item, points->n), points->n};
     fine.spacing = apart * parts.mean;
+    fine.explained = noise <= little * options->error;
     int status = 0;
     bool all = effort_covers(EFFORT_SURFACE, options->effort, points->n);
     effort_say(EFFORT_SURFACE, options->effort, points->n);
@@ -199,19 +201,36 @@ static int mesh_of_source(const struct cloudmesh_options *options, struct source
     return status;
 }
 
-/* Rows that leave room for the edges that a grid has found: that mesh is the one where it is within
- * the error, or closer than the other.  Both are judged alike. */
-static int mesh_in_zone(const struct cloudmesh_options *asked, const struct source *known,
-                        bool walls, int threads, struct mesh *mesh, struct cloudmesh *result,
-                        struct error *error)
+/* The mesh without room for edges, where the one with it is out of the error near to them: that is
+ * the result where it is closer.  Both are judged alike. */
+static int try_plain(const struct cloudmesh_options *asked, struct source *known,
+                     const struct source *in_zone, int threads, struct mesh *mesh,
+                     struct cloudmesh *result, struct error *error)
 {
     struct cloudmesh_options options = *asked;
-    struct source s = *known;
-    struct vec3s mixed = mixed_surface(known);
-    struct mesh other = {.origin = s.origin};
+    struct mesh other = {.origin = known->origin};
     struct cloudmesh other_result = {.walls = 0};
 
     options.silent = true;
+    known->zone = NULL;
+    int status = mesh_of_source(&options, known, threads, &other, &other_result, error);
+    if (status == 0) {
+        measure_distances(&other, in_zone, threads, &other_result.rows);
+        if (result->rows.worst > fmax(asked->error, other_result.rows.worst))
+            cloudmesh_swap(&other, &other_result, mesh, result);
+    }
+    cloudmesh_drop(&other, &other_result);
+    return status;
+}
+
+/* Rows that leave room for the edges that a grid has found. */
+static int mesh_in_zone(const struct cloudmesh_options *asked, struct source *known, bool walls,
+                        int threads, struct mesh *mesh, struct cloudmesh *result,
+                        struct error *error)
+{
+    struct source s = *known;
+    struct vec3s mixed = mixed_surface(known);
+
     s.surface = &mixed;
     s.judged = (struct vec3s){0};
     s.scan_parts.flat = s.scan->n;
@@ -220,19 +239,19 @@ static int mesh_in_zone(const struct cloudmesh_options *asked, const struct sour
         s.scan_parts.flat = wall_points_part(s.scan->item, s.scan->n, s.scan_parts.mean, threads);
         s.surface_parts.flat = wall_points_part(mixed.item, mixed.n, s.surface_parts.mean, threads);
     }
-    int status = mesh_of_source(&options, &s, threads, &other, &other_result, error);
-    if (status == 0) {
-        measure_distances(mesh, &s, threads, &result->rows);
-        if (other_result.rows.worst <= fmax(asked->error, result->rows.worst))
-            cloudmesh_swap(&other, &other_result, mesh, result);
+    int status = mesh_of_source(asked, &s, threads, mesh, result, error);
+    known->elsewhere = !feature_zone_near(s.zone, result->rows.at.x, result->rows.at.y);
+    if (status == 0 && result->rows.worst > asked->error && !known->elsewhere) {
+        status = try_plain(asked, known, &s, threads, mesh, result, error);
+        known->elsewhere = !feature_zone_near(s.zone, result->rows.at.x, result->rows.at.y);
     }
-    cloudmesh_drop(&other, &other_result);
     array_free(&s.judged);
     array_free(&mixed);
     return status;
 }
 
-/* Creases and walls are found best by a grid. */
+/* Creases and walls are found best by a grid, before rows are made: these need not be made twice
+ * then.  No grid that serves: no edges are known. */
 static int mesh_by_zone(const struct cloudmesh_options *asked, struct source *s, int threads,
                         struct mesh *mesh, struct cloudmesh *result, struct error *error)
 {
@@ -240,20 +259,22 @@ static int mesh_by_zone(const struct cloudmesh_options *asked, struct source *s,
     struct cloudmesh_options options = *asked;
     struct mesh grid = {.origin = s->origin};
     struct cloudmesh grid_result;
+    struct error none;
+    int status;
 
     options.error = 0;
     options.silent = options.edges_only = true;
     options.spacing = asked->spacing > 0 ? fmin(asked->spacing, fine) : fine;
-    int status =
-        cloudmesh_on_grid(&options, s->scan, s->noise, threads, &grid, &grid_result, error);
-    if (status == 0 && grid_result.edge.n > 0) {
+    if (cloudmesh_on_grid(&options, s->scan, s->noise, threads, &grid, &grid_result, &none) == 0 &&
+        grid_result.edge.n > 0) {
         struct feature_zone zone =
             feature_zone_make(grid_result.edge.item, grid_result.edge.n, options.spacing);
         s->zone = &zone;
         status = mesh_in_zone(asked, s, grid_result.walls > 0, threads, mesh, result, error);
-        s->elsewhere = !feature_zone_near(&zone, result->rows.at.x, result->rows.at.y);
         feature_zone_free(&zone);
         s->zone = NULL;
+    } else {
+        status = mesh_of_source(asked, s, threads, mesh, result, error);
     }
     cloudmesh_drop(&grid, &grid_result);
     return status;
@@ -274,17 +295,6 @@ static int mesh_without_edges(const struct cloudmesh_options *asked, struct sour
         cloudmesh_keep_closer(asked, s->scan, threads, &other, &other_result, mesh, result);
     cloudmesh_drop(&other, &other_result);
     return status;
-}
-
-/* Are there points on walls, and walls under edges of a mesh? */
-static bool has_walls(const struct cloudmesh_options *options, struct source *s, int threads)
-{
-    struct cloud_parts walled = s->scan_parts;
-
-    walled.flat = wall_points_part(s->scan->item, s->scan->n, walled.mean, threads);
-    return walled.flat < s->scan->n &&
-           cloudmesh_grid_has_walls(options, &walled, s->scan, fmax(s->noise, s->origin.noise),
-                                    threads);
 }
 
 int cloudmesh_within(const struct cloudmesh_options *options, struct vec3s *points, double noise,
@@ -308,10 +318,9 @@ int cloudmesh_within(const struct cloudmesh_options *options, struct vec3s *poin
         (struct cloud_parts){cloudmesh_spacing(options, surface.item, surface.n), surface.n};
     s.scan_parts =
         (struct cloud_parts){cloudmesh_spacing(options, points->item, points->n), points->n};
-    int status = mesh_of_source(options, &s, threads, mesh, result, error);
+    int status = options->smooth ? mesh_of_source(options, &s, threads, mesh, result, error)
+                                 : mesh_by_zone(options, &s, threads, mesh, result, error);
     bool edges = status == 0 && mesh->face.n > 0 && !options->smooth;
-    if (edges && (result->creases > 0 || has_walls(options, &s, threads)))
-        status = mesh_by_zone(options, &s, threads, mesh, result, error);
     if (edges && status == 0 && result->creases + result->walls > 0 && !s.elsewhere &&
         result->rows.worst > options->error)
         status = mesh_without_edges(options, &s, threads, mesh, result, error);

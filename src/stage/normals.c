@@ -42,17 +42,20 @@ static double fit_points(struct mesh *mesh, const struct normals_options *o,
 static double move_vertices(struct mesh *mesh, const struct normals_options *o,
                             const struct point_grid *scan)
 {
-    struct smooth_nodes_options options = {o->noise, (size_t)o->neighbours, o->effort, o->threads};
+    struct smooth_nodes_options options = {o->noise, (size_t)o->neighbours, o->effort, o->threads,
+                                           o->explained};
     struct smooth_nodes r = smooth_nodes(mesh, scan, &options);
     if (o->silent)
         return r.error;
-    say_thin(r.thin, mesh);
+    if (!o->explained)
+        say_thin(r.thin, mesh);
     say("noise %.4f mm (one standard deviation): %zu of %zu vertices moved onto surfaces through "
         "about %zu points, to within %.4f mm (one standard deviation)",
         o->noise, r.moved, mesh->vertex.n, r.typical, r.error);
     if (r.kept > 0)
         say("%zu vertices not moved: no surface explains the points about them", r.kept);
-    effort_say(EFFORT_ALONG, o->effort, mesh->vertex.n);
+    if (!o->explained)
+        effort_say(EFFORT_ALONG, o->effort, mesh->vertex.n);
     if (r.typical < r.wanted)
         effort_say(EFFORT_NEIGHBOURS, o->effort, r.wanted * mesh->vertex.n);
     struct vec3 at = mesh->vertex.item[r.at];
