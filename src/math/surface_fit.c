@@ -2,6 +2,7 @@
 #include "math/surface_fit.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/array.h"
 #include "base/parallel.h"
@@ -107,21 +108,27 @@ static int fit_weighted(const struct surface_fit_hood *hood, const double *weigh
     return quadric_fit_weighted(hood->point, weight, k, vertex, normal, q);
 }
 
-/* A surface through the first k points in the frame of a normal, what is far off counting less and
- * less.  -1: there is none, or all points alike are spread by more than `most` about it. */
-static int fit_within(struct surface_fit_hood *hood, size_t k, struct vec3 vertex,
-                      struct vec3 normal, struct vec3 guess, double sigma, double most,
-                      struct surface_fit *fit)
+/* A surface through the first k points in the frame of a normal, all of which count alike; -1:
+ * there is none. *farthest: how far they are off it at most, all in hood->off. */
+static int fit_alike(struct surface_fit_hood *hood, size_t k, struct vec3 vertex,
+                     struct vec3 normal, double sigma, struct surface_fit *fit, double *farthest)
+{
+    if (fit_weighted(hood, NULL, k, vertex, normal, sigma, &fit->q) < 0)
+        return -1;
+    fit->n = k;
+    quadric_off_all(&fit->q, hood->point, k, hood->off);
+    fit->spread = weigh_points(hood, k, INFINITY, farthest);
+    return 0;
+}
+
+/* The same, what is far off counting less and less. */
+static int fit_through(struct surface_fit_hood *hood, size_t k, struct vec3 vertex,
+                       struct vec3 normal, struct vec3 guess, double sigma, struct surface_fit *fit)
 {
     const double far = 3.5; /* in sigma */
     struct quadric *q = &fit->q;
     double farthest;
-    if (fit_weighted(hood, NULL, k, vertex, normal, sigma, q) < 0)
-        return -1;
-    fit->n = k;
-    quadric_off_all(q, hood->point, k, hood->off);
-    fit->spread = weigh_points(hood, k, INFINITY, &farthest);
-    if (fit->spread > most)
+    if (fit_alike(hood, k, vertex, normal, sigma, fit, &farthest) < 0)
         return -1;
     for (int i = 0; i < REFITS && farthest > far * sigma; i++) {
         struct quadric next;
@@ -135,12 +142,6 @@ static int fit_within(struct surface_fit_hood *hood, size_t k, struct vec3 verte
     fit->offset = vec_dot(vec_sub(quadric_foot(q), vertex), guess);
     fit->reach = vec_distance(hood->point[k - 1], vertex);
     return 0;
-}
-
-static int fit_through(struct surface_fit_hood *hood, size_t k, struct vec3 vertex,
-                       struct vec3 normal, struct vec3 guess, double sigma, struct surface_fit *fit)
-{
-    return fit_within(hood, k, vertex, normal, guess, sigma, INFINITY, fit);
 }
 
 /* The surface through the first k points, in the frame of a quadric through some of them; where
@@ -251,8 +252,9 @@ static size_t begin_at(const struct surface_fit_options *rule, struct vec3 verte
                 return began;
             *fit = wide;
             began = hood->n;
-            if (is_settled(&fit->q, rule->sigma))
-                return began;
+            if (is_settled(&fit->q, rule->sigma) ||
+                (!is_useless(&fit->q, rule->sigma) && !surface_fit_holds(fit, rule->sigma)))
+                return began; /* more points would not hold it either */
         }
         if (hood->n < k)
             break;
@@ -356,37 +358,46 @@ struct longer {
     double step; /* ... by so much, radians */
 };
 
+enum { LONGEST = 72 }; /* points of such a neighbourhood at most */
+
 /* What a rib or groove leaves at most, in sigma: else it is a crease.  Where all points alike leave
  * so many times that, none without weight would bring them there. */
-static const double SHARP = 1.6, HOPELESS = 4;
+static const double SHARP = 1.6, HOPELESS = 2;
 
 /* The surface through a neighbourhood that is longer along one of the directions half a turn has,
- * `step` apart about a middle one: the one it fits best.  False: none fits better than *fit. */
+ * `step` apart about a middle one: the one that all its points alike are closest to.  False: it
+ * fits no better than *fit. */
 static bool best_along(const struct surface_fit_options *rule, const struct surface_fit_hood *wide,
                        struct vec3 vertex, struct vec3 guess, const struct longer *longer,
                        double *angle, struct surface_fit *fit)
 {
     struct surface_fit_hood *hood = wide->along;
-    double most = HOPELESS * SHARP * rule->sigma;
+    double least = HOPELESS * SHARP * rule->sigma, best = 0, farthest;
     struct vec3 normal = quadric_normal(&fit->q), u = vec_perpendicular(normal);
-    struct vec3 v = vec_cross(normal, u);
-    double middle = *angle;
-    bool better = false;
+    struct vec3 v = vec_cross(normal, u), found[LONGEST];
+    struct surface_fit along;
+    size_t n = 0;
 
     for (int i = -longer->tries; i <= longer->tries; i++) {
-        double a = middle + i * longer->step;
+        double a = *angle + i * longer->step;
         struct vec3 way = vec_along(vec_scale(cos(a), u), sin(a), v);
-        struct surface_fit along;
         hood->n = neighbourhood_along(wide->point, wide->n, vertex, way, longer->aspect,
                                       longer->points, hood->point);
-        if (fit_within(hood, hood->n, vertex, normal, guess, rule->sigma, most, &along) < 0 ||
-            along.spread >= fit->spread || is_useless(&along.q, rule->sigma))
+        if (fit_alike(hood, hood->n, vertex, normal, rule->sigma, &along, &farthest) < 0 ||
+            along.spread >= least)
             continue;
-        *fit = along;
-        *angle = a;
-        better = true;
+        least = along.spread;
+        best = a;
+        n = hood->n;
+        memcpy(found, hood->point, n * sizeof *found);
     }
-    return better;
+    memcpy(hood->point, found, n * sizeof *found);
+    if (n == 0 || fit_through(hood, n, vertex, normal, guess, rule->sigma, &along) < 0 ||
+        along.spread >= fit->spread || is_useless(&along.q, rule->sigma))
+        return false;
+    *fit = along;
+    *angle = best;
+    return true;
 }
 
 /* The way in which a surface bends least, from the perpendicular of its normal on, radians. */
