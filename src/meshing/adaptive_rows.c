@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "adaptive_rows_steps.h"
+#include "cloud/scan_lines.h"
 
 /* Part of the error that the rows may be off along themselves; the rest is for between them. */
 static const double ALONG = 0.4;
@@ -304,7 +305,7 @@ struct adaptive_rows adaptive_rows_make(const struct point_grid *point_grid,
                                         const struct adaptive_rows_options *options,
                                         struct mesh *mesh)
 {
-    const double gaps = 6, reaches = 1.2;
+    const double gaps = 6, reaches = scan_lines_found(point_grid) ? 2.4 : 1.2;
     struct cell_surfaces cells = cell_surfaces_make(point_grid, options->threads);
     struct refinement w = {.point_grid = point_grid,
                            .cells = &cells,
