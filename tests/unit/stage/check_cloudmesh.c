@@ -184,6 +184,49 @@ START_TEST(in_parts)
 }
 END_TEST
 
+/* A dome on a plane, which it meets in a crease; and a roof, cut off above and below. */
+static double dome(double x, double y)
+{
+    double r2 = (x - 40) * (x - 40) + (y - 30) * (y - 30);
+    return sqrt(22 * 22 * 1.2 - fmin(r2, 22 * 22));
+}
+
+static double roof(double x, double y)
+{
+    return fmax(fmin(10 - 0.7 * fabs(x - 40), 6), 2) + 0.15 * fabs(y - 30);
+}
+
+/* Scan lines 1 mm apart, a point each 0.25 along them, noise in turn up and down: no facet between
+ * two lines is far off, whether there is a point over it or not, nor a vertex beside an edge. */
+START_TEST(lines_within_an_error)
+{
+    double (*const surface[2])(double x, double y) = {dome, roof};
+    struct cloudmesh_options options = usual();
+    double noise = _i == 0 ? 0.005 : 0.02, area = 0, off2 = 0;
+
+    points.n = 0;
+    for (int j = 0; j < 60; j++)
+        for (int i = 0; i <= 320; i++) {
+            double x = 0.25 * i + 0.002 * (i * 31 % 53), y = 60.0 / 59 * j;
+            double off = noise * sqrt(3) * ((i * 7919 + j * 104729) % 1009 / 504.0 - 1);
+            *array_push(&points) = vec(x, y, surface[_i](x, y) + off);
+        }
+    options.error = 0.05;
+    make(&options, noise);
+    for (size_t f = 0; f < mesh.face.n; f++) {
+        struct vec3 p = vec(0, 0, 0);
+        for (int k = 0; k < 3; k++)
+            p = vec_along(p, 1.0 / 3, mesh.vertex.item[mesh.face.item[f].v[k]]);
+        double off = p.z - surface[_i](p.x, p.y), part = mesh_face_cross(&mesh, f).z / 2;
+        area += part;
+        off2 += part * off * off;
+        ck_assert_double_lt(fabs(off), 1);
+    }
+    ck_assert_double_eq_tol(area, 80 * 60, 0.01 * 80 * 60);
+    ck_assert_double_lt(sqrt(off2 / area), 0.03);
+}
+END_TEST
+
 START_TEST(no_mesh)
 {
     struct cloudmesh_options options = usual();
@@ -211,6 +254,7 @@ int main(void)
     tcase_add_test(tests, other_ways);
     tcase_add_test(tests, rid_of_noise);
     tcase_add_test(tests, in_parts);
+    tcase_add_loop_test(tests, lines_within_an_error, 0, 2);
     tcase_add_test(tests, no_mesh);
     suite_add_tcase(suite, tests);
     SRunner *runner = srunner_create(suite);
