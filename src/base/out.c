@@ -40,7 +40,12 @@ static void on_signal(int signal_number)
     raise(signal_number);
 }
 
-static const int ending[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE};
+static const int ending[] = {
+    SIGINT,  SIGTERM, SIGHUP, SIGPIPE,
+#ifdef SIGXCPU
+    SIGQUIT, SIGXCPU,
+#endif
+};
 
 static void watch_signals(void)
 {
@@ -48,6 +53,24 @@ static void watch_signals(void)
     for (size_t i = 0; i < sizeof ending / sizeof *ending; i++)
         if (sigaction(ending[i], NULL, &was) == 0 && was.sa_handler == SIG_DFL)
             sigaction(ending[i], &action, NULL);
+}
+
+/* The files that this process has given their names: two results with one name are one too few. */
+static struct {
+    size_t n, cap;
+    struct file_id {
+        dev_t device;
+        ino_t number;
+    } * item;
+} written;
+
+static bool is_written(const struct stat *st)
+{
+    for (size_t i = 0; i < written.n; i++)
+        if (st->st_ino != 0 && written.item[i].device == st->st_dev &&
+            written.item[i].number == st->st_ino)
+            return true;
+    return false;
 }
 
 /* The file that `file` leads to through symbolic links, so that a rename keeps the links; the last
@@ -111,6 +134,9 @@ static int create_beside(struct out *o, const struct stat *older)
 struct out *out_open(const char *file)
 {
     struct out *o = mem_alloc(1, sizeof *o);
+#ifdef SIGXFSZ
+    signal(SIGXFSZ, SIG_IGN); /* a file beyond its limit: write tells */
+#endif
     if (!file || strcmp(file, "-") == 0) {
         o->fd = 1;
         o->name = "standard output";
@@ -129,6 +155,8 @@ struct out *out_open(const char *file)
             die("%s: cannot write: %s", file, strerror(errno));
         return o;
     }
+    if (there && is_written(&st))
+        die("%s: found two results for this file, expected a file for each", file);
     if (there && access(file, W_OK) < 0)
         die("%s: cannot write: %s", file, strerror(errno));
     o->target = resolve_links(file);
@@ -241,6 +269,9 @@ void out_close(struct out *o)
     flush(o);
     if (o->target && fsync(o->fd) < 0)
         die("%s: cannot write: %s", o->name, strerror(errno));
+    struct stat st;
+    if (o->target && fstat(o->fd, &st) == 0)
+        *array_push(&written) = (struct file_id){st.st_dev, st.st_ino};
     if (close(o->fd) < 0)
         die("%s: cannot write: %s", o->name, strerror(errno));
     if (o->target) {

@@ -203,4 +203,20 @@ status 2 "ncpost -c nosuch" ncpost -c nosuch arcs.cl
 has "... says what there is" "siemens" err
 status 2 "meshnorm without -r" meshnorm mesh.ply
 status 2 "ncpost without -c" ncpost arcs.cl
+# ---- two results with one name: one of them would be lost
+ncpost -q -c siemens arcs.cl >program.mpf
+for file in both ./both; do
+	rm -f both
+	status 1 "ncverify: a map and a report in $file" ncverify -q -r 4 -g cloud.xyz --map both -o $file program.mpf
+	has "is told" "$file: found two results for this file, expected a file for each" err
+done
+
+# ---- a file may not become that large: told, and nothing is left
+echo older >limited
+shell 1 "a file beyond its limit" "ulimit -f 1; exec cloud2mesh -q -t 1 -o limited cloud.xyz"
+has "is told" '^cloud2mesh: limited: cannot write: ' err
+ok "the older one stays" test "$(cat limited)" = older
+# shellcheck disable=SC2012
+ok "and nothing beside it" test "$(ls limited* | wc -l)" -eq 1
+
 done_testing
