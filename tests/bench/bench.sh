@@ -10,6 +10,7 @@
 #	make bench GROWTH="100000 1000000"  how large clouds grow (default: to ten million points)
 #	make bench ONLY=cloud2mesh          part of it: reading cloud2mesh fit post verify
 #	make bench SCANS="a.xyz b.xyz"      instead of the samples
+#	make bench LIDAR=N CUT=N            points of the large lidar scan, of planecut's part
 #
 # Other programs (peers) run where they are installed: gmt, python3 with scipy.
 tmp=$(mktemp -d "${TMPDIR:-/tmp}/cloudmill.XXXXXX") || exit 1
@@ -55,14 +56,17 @@ ours() {
 	}' "$tmp/took"
 }
 
-# each NAME GOAL N CMD...: a row by the point
+# each NAME GOAL N CMD...: a row by the point, and by the floor where there is one
 each() {
 	name=$1 goal=$2 n=$3
 	shift 3
 	measure "$@"
-	awk -v name="$name" -v goal="$goal" -v n="$n" '{
-		printf "%-52s %9.3f s CPU %8.3f s %7s %12s %8.1f MB%s\n", name, $1, $2,
-			sprintf("%.2f us", 1e6 * $1 / n), goal, $3, ($4 ? " (exit " $4 ")" : "")
+	[ -s "$tmp/floor" ] || echo 0 >"$tmp/floor"
+	read -r least _ <"$tmp/floor"
+	awk -v name="$name" -v goal="$goal" -v n="$n" -v least="$least" '{
+		printf "%-52s %9.3f s CPU %8.3f s %7s %12s %8.1f MB%s%s\n", name, $1, $2,
+			sprintf("%.2f us", 1e6 * $1 / n), goal, $3, (least > 0 ? sprintf(" %.2f x", $1 / least) : ""),
+			($4 ? " (exit " $4 ")" : "")
 	}' "$tmp/took"
 }
 
@@ -106,19 +110,25 @@ print(p[s.cKDTree(p[:, :2]).query(n.array(n.meshgrid(x, y)).reshape(2, -1).T)[1]
 	head_row 'Growth: microseconds a point'
 	for n in ${GROWTH:-100000 1000000 10000000}; do
 		"$FLOOR/make_cloud" random "$n" >"$tmp/growing.xyz"
+		floor "$n points" "$FLOOR/floor_mesh" 1 "$tmp/growing.xyz"
 		each "cloud2mesh -t 1 --normals facet, $n points" 'linear' "$n" "$BIN/cloud2mesh" -q -j 1 -t 1 --normals facet "$tmp/growing.xyz"
 		each "cloud2mesh -t 1, $n points" 'linear' "$n" "$BIN/cloud2mesh" -q -j 1 -t 1 "$tmp/growing.xyz"
 	done
-	rm -f "$tmp/growing.xyz" "$tmp/cloud.xyz"
+	rm -f "$tmp/growing.xyz" "$tmp/cloud.xyz" "$tmp/floor"
 
 	head_row 'Scans with edges, defaults: microseconds a point'
 	for scan in ${SCANS:-"$samples"/face_nefertiti_26493.xyz "$samples"/panel_17036.xyz}; do
 		n=$(wc -l <"$scan")
 		each "cloud2mesh ${scan##*/}" '10 us' "$n" "$BIN/cloud2mesh" -q -j 1 "$scan"
+		each 'the same, all processors: the clock' '1.8 x' "$n" "$BIN/cloud2mesh" -q "$scan"
 		each "cloud2mesh -e 0.05 ${scan##*/}" '20 us' "$n" "$BIN/cloud2mesh" -q -j 1 -e 0.05 "$scan"
 	done
 	"$FLOOR/make_cloud" lidar "$points" >"$tmp/lidar.xyz"
 	each "cloud2mesh, lidar, $points points" '1.1 us, 66 B' "$points" "$BIN/cloud2mesh" -q -j 1 "$tmp/lidar.xyz"
+	large=${LIDAR:-10650000} often=$runs runs=1
+	"$FLOOR/make_cloud" lidar "$large" >"$tmp/lidar.xyz"
+	each "cloud2mesh, lidar, $large points, once" '12 s, 700 MB' "$large" "$BIN/cloud2mesh" -q -j 1 "$tmp/lidar.xyz"
+	runs=$often
 	rm -f "$tmp/lidar.xyz"
 fi
 
@@ -128,6 +138,9 @@ if wanted fit; then
 	"$FLOOR/make_cloud" random 300000 | "$BIN/cloud2mesh" -q -t 1 --normals facet -o "$tmp/part.ply" - 2>/dev/null
 	n=$(sed -n 's/^element face //p' "$tmp/part.ply")
 	ours "planecut -r 6 -s 3, $n facets" 'linear' "$BIN/planecut" -q -r 6 -s 3 "$tmp/part.ply"
+	"$FLOOR/make_cloud" random "${CUT:-3000000}" | "$BIN/cloud2mesh" -q -t 1 --normals facet -o "$tmp/part.ply" - 2>/dev/null
+	n=$(sed -n 's/^element face //p' "$tmp/part.ply")
+	ours "planecut -r 6 -s 3, $n facets: the clock" '2 s' "$BIN/planecut" -q -r 6 -s 3 "$tmp/part.ply"
 	awk 'BEGIN {
 		print "UNITS/MM\nMULTAX/ON\nLOADTL/1\nSPINDL/8000,CLW\nCUTTER/8,4,0,4,0,0,60"
 		print "RAPID\nGOTO/0,0,60,0,0,1\nFEDRAT/MMPM,500"
