@@ -6,6 +6,7 @@
  *   1. --subdivide: the cloud in parts, each in its own projection (cloud/segment.h)
  *   2. nodes by a grid, or with -e rows and points between them (meshing/meshing.h); with -e of the
  *      surface that noisy points lie about, and clear of creases and walls that a grid has found
+ *      before; without room for these where that is closer
  *   3. normals, and noise taken out of the vertices (normals.h)
  *   4. creases, walls, ribs (feature/feature.h); twice where there are walls, with and without
  *      vertices on them: the mesh closer to the points is the result
