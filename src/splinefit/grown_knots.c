@@ -28,8 +28,10 @@ static const double GOAL = 0.975;    /* of the tolerance, at the points and betw
 static const double CLOSER = 0.98;   /* of that, when the proof finds more */
 static const double HOPELESS = 4;    /* times the tolerance, by the proof */
 static const double SHORTEST = 1.05; /* of the least length, for a span before it is printed */
-static const double FLOOR = 0.02;    /* mm: no span is made shorter, if there is a least length */
-static const double LOWER = 0.7;     /* of that length, each time that it does not do */
+/* mm of the reference: no span is made shorter, if there is a least length; 0.02 are left of that on
+ * a curve that cuts corners. */
+static const double FLOOR = 0.023;
+static const double LOWER = 0.7; /* of that length, each time that it does not do */
 
 struct inner_knot {
     double u;
@@ -184,16 +186,19 @@ static size_t parts_of(const struct growth *g, double floor, double worst, doubl
     return parts > 1 ? parts : 1;
 }
 
-/* Divides the spans that are too far off, none into parts shorter than `floor`; false if there is
+/* Divides the spans that are too far off, none shorter than `floor` on a mean of its parts, which
+ * have as many points, and none of these shorter than is bearable; false if there is
  * none that can be. */
 static bool divide_spans(struct growth *g, double floor)
 {
     const struct reference *t = g->reference;
     size_t degree = (size_t)g->options->degree, spans = g->curve.poles - degree, k = 0;
+    double least = g->options->least > 0 ? FLOOR : 0;
     struct inner_knots more = {0};
 
     for (size_t s = 0; s < spans; s++) {
         double from = g->curve.knot[degree + s], to = g->curve.knot[degree + s + 1];
+        double last = from;
         size_t first = k;
         while (k < t->n && t->length[k] < to)
             k++;
@@ -201,8 +206,12 @@ static bool divide_spans(struct growth *g, double floor)
         for (size_t i = 1; i < parts; i++) {
             size_t at = first + i * (k - first) / parts;
             double u = at > first ? (t->length[at - 1] + t->length[at]) / 2 : from;
-            if (u > from)
+            if (least > 0 && to - last >= 2 * least) /* points may lie anywhere in it */
+                u = fmin(fmax(u, last + least), to - least);
+            if (u > last && (least == 0 || fmin(u - last, to - u) >= 0.999 * least)) {
                 add_knot(&more, u);
+                last = u;
+            }
         }
         if (s + 1 < spans) {
             bool kept = g->inner.item[s].kept;
