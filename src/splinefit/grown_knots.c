@@ -28,8 +28,8 @@ static const double GOAL = 0.975;    /* of the tolerance, at the points and betw
 static const double CLOSER = 0.98;   /* of that, when the proof finds more */
 static const double HOPELESS = 4;    /* times the tolerance, by the proof */
 static const double SHORTEST = 1.05; /* of the least length, for a span before it is printed */
-/* mm of the reference: no span is made shorter, if there is a least length; 0.02 are left of that on
- * a curve that cuts corners. */
+/* mm of the reference: no span is made shorter, if there is a least length; 0.02 are left of that
+ * on a curve that cuts corners. */
 static const double FLOOR = 0.023;
 static const double LOWER = 0.7; /* of that length, each time that it does not do */
 
