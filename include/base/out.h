@@ -4,8 +4,7 @@
  * A file is written under a temporary name beside its place and renamed by out_close.  A process
  * that ends before that (die, a signal) leaves an older file unchanged and no temporary file.
  * Anything but a regular file (a FIFO, /dev/null) is written directly.  A failure to write ends the
- * process with exit status 1, and so does a second output to a file that has one.  One output at a
- * time.
+ * process with exit status 1.  One output at a time.
  */
 #ifndef CLOUDMILL_OUT_H
 #define CLOUDMILL_OUT_H
@@ -13,6 +12,10 @@
 #include <stddef.h>
 
 struct out;
+
+/* From now on a second output to a file that has one ends the process too: for tools, each of whose
+ * results is a file of its own. */
+void out_once_each(void);
 
 /* NULL or "-": standard output. */
 struct out *out_open(const char *file);

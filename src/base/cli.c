@@ -416,6 +416,7 @@ static void hold_standard_files(void)
         if (!is_open_file(fd) && open(NOTHING_FILE, mode[fd]) != fd)
             exit(EXIT_FAILED);
     system_begin();
+    out_once_each();
 }
 
 /* How many letters must be put in, taken out or changed to make one word of the other; `n` letters

@@ -64,6 +64,13 @@ static struct {
     } * item;
 } written;
 
+static bool once;
+
+void out_once_each(void)
+{
+    once = true;
+}
+
 static bool is_written(const struct stat *st)
 {
     for (size_t i = 0; i < written.n; i++)
@@ -270,7 +277,7 @@ void out_close(struct out *o)
     if (o->target && fsync(o->fd) < 0)
         die("%s: cannot write: %s", o->name, strerror(errno));
     struct stat st;
-    if (o->target && fstat(o->fd, &st) == 0)
+    if (once && o->target && fstat(o->fd, &st) == 0)
         *array_push(&written) = (struct file_id){st.st_dev, st.st_ino};
     if (close(o->fd) < 0)
         die("%s: cannot write: %s", o->name, strerror(errno));
