@@ -170,8 +170,10 @@ int main(int argc, char **argv)
          "(default: the one that the path names)",
          CLI_LIST, &s.common.gouge.scan.files, 0, 0, 0, NULL},
         FITTER_OPTIONS(&s.common),
-        {0, "axis-tolerance", "DEG", "largest deviation of the tool axis (1)", CLI_NUMBER,
-         &s.common.angle, CLI_POSITIVE, 90, 0, NULL},
+        {0, "axis-tolerance", "DEG",
+         "largest deviation of the tool axis (1; without\n"
+         "a scan what moves the flute's end by twice -e)",
+         CLI_NUMBER, &s.common.angle, CLI_POSITIVE, 90, 0, &s.common.angle_given},
         {0, "tilt", "DEG",
          "set a new tool axis: tilted this far from the normal, to the side of\n"
          "the path (with --paper by the Frenet frame of the centres' biarcs)",

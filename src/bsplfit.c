@@ -194,8 +194,10 @@ int main(int argc, char **argv)
          "(default: the one that the path names)",
          CLI_LIST, &s.common.gouge.scan.files, 0, 0, 0, NULL},
         FITTER_OPTIONS(&s.common),
-        {0, "axis-tolerance", "DEG", "largest deviation of the tool axis (1)", CLI_NUMBER,
-         &s.common.angle, 0.001, 45, 0, NULL},
+        {0, "axis-tolerance", "DEG",
+         "largest deviation of the tool axis (1; without\n"
+         "a scan what moves the flute's end by twice -e)",
+         CLI_NUMBER, &s.common.angle, 0.001, 45, 0, &s.common.angle_given},
         {0, "degree", "P", "degree of the curves, 2 to 5 (3); a straight line has 1", CLI_COUNT,
          &s.degree, 2, 5, 0, &s.degree_given},
         {0, "points", "same|tip|centre|contact", NULL, CLI_ALIAS, "track", 0, 0, 0, NULL},

@@ -14,6 +14,8 @@ static const double AXIS_SMOOTH = PI / 3; /* axes further apart than this: great
 static const double SHARP = PI / 18;      /* and one above this may be beside one */
 static const double ASTRAY = 0.01;        /* mm: what a curve may be off a chord unasked */
 static const double NEAR = 0.003;         /* mm: a curve so near a chord is as good as it */
+static const double FLUTE = 4;            /* radii: the usual one's end from the centre */
+static const double UNEVEN = 1.5;           /* times as long as the other is a long interval */
 static const double STEEP = 0.7;          /* slope of the centres against the surface: no tangent */
 
 enum { PARTS_MAX = 10000 }; /* pieces of one interval */
@@ -315,10 +317,18 @@ static struct vec3 turn_after(const struct run *run, const struct stations *s, s
     return vec_scale(1 / vec_length(chord_of(run, s, k)), vec_sub(to, from));
 }
 
+/* By how much an axis that begins or ends with this turn is beside those that go evenly from one
+ * end to the other, radians for each mm between them. */
+static double axis_bulge(struct vec3 turn, struct vec3 even)
+{
+    return 4 / 27.0 * vec_length(vec_reject(turn, vec_unit(even)));
+}
+
 /*
  * How fast the axis turns at each station: of the parabola through three axes, but never more than
- * three times as fast as in the slower of the two intervals, so that it does not overshoot; not at
- * all where the axis turns while the centre stands still.
+ * three times as fast as in the slower of the two intervals, so that it does not overshoot, and not
+ * so fast that it takes the flute's end astray, as a swing between two near stations would the long
+ * way to the next; not at all where the axis turns while the centre stands still.
  */
 static void set_axis_turns(const struct run *run, struct stations *s)
 {
@@ -331,7 +341,10 @@ static void set_axis_turns(const struct run *run, struct stations *s)
         struct vec3 r0 = turn_after(run, s, i), r1 = turn_after(run, s, j);
         struct vec3 r = vec_mix(r0, r1, h0 / (h0 + h1));
         double most = 3 * fmin(vec_length(r0), vec_length(r1)), l = vec_length(r);
-        here->turn = l > most ? vec_scale(most / l, r) : r;
+        r = l > most ? vec_scale(most / l, r) : r;
+        double astray = fmax(h0 * axis_bulge(r, r0), h1 * axis_bulge(r, r1)) * FLUTE * run->radius;
+        bool uneven = fmax(h0, h1) > UNEVEN * fmin(h0, h1);
+        here->turn = uneven && astray > ASTRAY ? vec_scale(ASTRAY / astray, r) : r;
     }
 }
 

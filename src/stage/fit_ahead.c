@@ -9,6 +9,9 @@
 /* So many points get the usual work each, more share it. */
 static const double USUAL_POINTS = 12000;
 
+/* That the end of an unguarded flute may be off. */
+static const double TOLERANCES = 2;
+
 /* Passes that are complete: a copy of their items, so that the path can grow meanwhile. */
 struct chunk {
     struct fit_ahead *ahead;
@@ -31,6 +34,7 @@ struct fit_ahead {
     struct path head; /* without items */
     size_t said;      /* what was unmet in it before */
     double work;
+    double axis_share; /* of the axis tolerance that may be used */
     struct gouge_refit_options gouge;
     struct guard_scan *scan;
     struct fitted_runs fitted; /* by the items of the whole path */
@@ -76,6 +80,21 @@ bool fit_ahead_began(const struct fit_ahead *a)
     return a->aside != NULL;
 }
 
+/*
+ * The axis may be off by a degree where a guard looks at what flute and holder do.  Without one
+ * nothing does, and the tool may stand beside a wall: then its flute's end is off by no more than
+ * the tolerances of the fit and of the path.
+ */
+static void find_axis_share(struct fit_ahead *a, const struct path *path)
+{
+    const struct fitter_options *o = a->fitter->options;
+    double flute = path->head.body.flute;
+
+    a->axis_share = 1;
+    if (!a->gouge.guard && !o->angle_given && !o->paper && path->head.body_given && flute > 0)
+        a->axis_share = fmin(1, TOLERANCES * o->tolerance / (flute * RADIANS(o->angle)));
+}
+
 static void read_scan(void *context)
 {
     struct fit_ahead *a = context;
@@ -83,6 +102,7 @@ static void read_scan(void *context)
 
     a->result = gouge_options_begin(&o->gouge, &a->head, o->paper, o->tolerance, a->threads,
                                     &a->gouge, &a->scan, &a->error);
+    find_axis_share(a, &a->head);
 }
 
 /* The runs from the first on, by items that begin at `now` where they began at `was`. */
@@ -96,7 +116,8 @@ static void move_runs(struct fitted_runs *runs, size_t first, size_t was, size_t
 
 static struct fit_request request_of(const struct fit_ahead *a, const struct path *in)
 {
-    return (struct fit_request){.gouge = &a->gouge, .in = in, .axis_share = 1, .work = a->work};
+    return (struct fit_request){
+        .gouge = &a->gouge, .in = in, .axis_share = a->axis_share, .work = a->work};
 }
 
 static void free_chunk(struct chunk *c)
@@ -196,9 +217,12 @@ static int take_scan(struct fit_ahead *a, struct path *in, struct error *error)
 {
     const struct fitter_options *o = a->fitter->options;
 
-    if (!a->aside)
-        return gouge_options_begin(&o->gouge, in, o->paper, o->tolerance, a->threads, &a->gouge,
-                                   &a->scan, error);
+    if (!a->aside) {
+        int result = gouge_options_begin(&o->gouge, in, o->paper, o->tolerance, a->threads,
+                                         &a->gouge, &a->scan, error);
+        find_axis_share(a, in);
+        return result;
+    }
     aside_end(a->aside);
     if (a->result != 0) {
         *error = a->error;
