@@ -46,22 +46,29 @@ static double least_off(const struct edge_work *work, size_t i, size_t k)
     return edge_within(work, fmax(work->flank[i].spacing, work->flank[k].spacing));
 }
 
-/* The normal of the flank where it begins, no steeper than STEEP. */
-static struct vec3 clamped_normal(const struct cliff *cliff)
+/* How far a point is above the flank of the point `own`.  Far off that is a plane, no steeper than
+ * STEEP. */
+static double above_flank(const struct edge_flank *flank, struct vec3 own, struct vec3 p)
 {
-    struct vec3 n = quadric_normal_at(cliff->q, cliff->from);
+    struct vec3 n;
 
-    return vec_unit(vec(n.x, n.y, fmax(n.z, hypot(n.x, n.y) / STEEP)));
+    if (vec_distance(p, own) <= FARTHER * flank->spacing)
+        return edge_flank_above(flank, p, &n);
+    n = quadric_normal_at(&flank->q, own);
+    n.z = fmax(n.z, hypot(n.x, n.y) / STEEP);
+    return vec_dot(vec_unit(n), vec_sub(p, own));
 }
 
-/* How far a point is above the flank of point i. */
-static double above_flank(const struct edge_flank *flank, struct vec3 p, const struct cliff *cliff)
+/* Its points are near enough to a flank for a wall to hang from it, though not for a rim. */
+static bool is_fair(const struct edge_flank *flank)
 {
-    struct vec3 normal;
+    return edge_flank_known(flank) && flank->rms <= FAIR * flank->spacing;
+}
 
-    if (vec_distance(p, cliff->from) > FARTHER * flank->spacing)
-        return vec_dot(clamped_normal(cliff), vec_sub(p, cliff->from));
-    return edge_flank_above(flank, p, &normal);
+/* From so far off a flank tells of a wall: nearer, it may be the same surface. */
+static bool is_sure(const struct edge_work *work, const struct edge_flank *flank, double far)
+{
+    return edge_flank_certain(work, flank) || (far > FARTHER * flank->spacing && is_fair(flank));
 }
 
 /* Points below the flank whose own surface the point is not above are beyond an edge. */
@@ -69,8 +76,7 @@ static void sort_by_height(const struct edge_work *work, size_t i, size_t k, str
 {
     const struct edge_flank *own = &work->flank[i], *other = &work->flank[k];
     const struct vec3 p = work->options->point_grid->point[k];
-    struct vec3 normal;
-    double off = above_flank(own, p, cliff), least = least_off(work, i, k);
+    double off = above_flank(own, cliff->from, p), least = least_off(work, i, k);
 
     if (fabs(off) <= least) {
         *array_push(&cliff->on) = p;
@@ -79,11 +85,11 @@ static void sort_by_height(const struct edge_work *work, size_t i, size_t k, str
     if (!(off < 0))
         return;
     double far = vec_distance(p, cliff->from);
-    double down = edge_flank_known(other) ? edge_flank_above(other, cliff->from, &normal) : 0;
+    double down = edge_flank_known(other) ? above_flank(other, p, cliff->from) : 0;
     if (edge_flank_known(other) && down <= least)
         *array_push(&cliff->beyond) = k;
     else if (off < -WALL * far ||
-             (off < -STEP * far && edge_flank_certain(work, other) && down > STEP * far))
+             (off < -STEP * far && down > STEP * far && is_sure(work, other, far)))
         *array_push(&cliff->below) = p;
 }
 
@@ -183,11 +189,10 @@ static bool is_before_wall(const struct cliff *cliff, double u, double v)
 /* The place is no further than the edges that are known. */
 static bool is_before_edges(const struct edge_work *work, const struct cliff *cliff, struct vec3 at)
 {
-    struct vec3 normal;
-
     for (size_t k = 0; k < cliff->beyond.n; k++) {
         const struct edge_flank *other = &work->flank[cliff->beyond.item[k]];
-        if (edge_flank_above(other, at, &normal) > edge_within(work, other->spacing))
+        struct vec3 own = work->options->point_grid->point[cliff->beyond.item[k]];
+        if (above_flank(other, own, at) > edge_within(work, other->spacing))
             return false;
     }
     return true;
@@ -243,12 +248,6 @@ static double width_of(const struct cliff *cliff)
         least = fmin(least, hypot(cliff->below.item[k].x - cliff->from.x,
                                   cliff->below.item[k].y - cliff->from.y));
     return least;
-}
-
-/* Its points are near enough to a flank for a wall to hang from it, though not for a rim. */
-static bool is_fair(const struct edge_flank *flank)
-{
-    return edge_flank_known(flank) && flank->rms <= FAIR * flank->spacing;
 }
 
 double edge_cliff_add(const struct edge_work *work, size_t i, struct vec3s *to)
