@@ -11,6 +11,7 @@ static const double LEVEL = 0.35;  /* least z of a flank that has corners */
 static const double FACING = 0.12; /* least z of a flank that is continued over its wall */
 static const double STEEP = 2.5;   /* 68 degrees: a wall hangs from a flank as from one so steep */
 static const double FAIR = 0.1;    /* spacings: so far off its points a flank tells of a wall yet */
+static const double FOOT = 8;      /* spacings: so high a wall stands on a fair flank, too */
 static const double FARTHER = 4;   /* spacings: farther than that a flank is a plane */
 
 /* Seen from above the flank is open about a point of a corner by more: its sides make less than 75
@@ -65,10 +66,10 @@ static bool is_fair(const struct edge_flank *flank)
     return edge_flank_known(flank) && flank->rms <= FAIR * flank->spacing;
 }
 
-/* From so far off a flank tells of a wall: nearer, it may be the same surface. */
+/* A wall stands on the flank: one that is only fair may, nearer, be the same surface. */
 static bool is_sure(const struct edge_work *work, const struct edge_flank *flank, double far)
 {
-    return edge_flank_certain(work, flank) || (far > FARTHER * flank->spacing && is_fair(flank));
+    return edge_flank_certain(work, flank) || (far > FOOT * flank->spacing && is_fair(flank));
 }
 
 /* Points below the flank whose own surface the point is not above are beyond an edge. */

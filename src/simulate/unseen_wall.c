@@ -10,7 +10,7 @@ static const double NEAR = 2.8;  /* spacings: so far the wall may be, seen from 
 static const double STEEP = 2.5; /* 68 degrees: by so much a slope rises over that way ... */
 static const double ROUGH = 1;   /* ... and so many spacings more */
 static const double ASIDE = 0.2; /* of that reach: the middle of the high points is farther off */
-static const double AHEAD = 0.7; /* cosine: a low point is on the way to a high one */
+static const double AHEAD = 0.9; /* cosine: a low point is on the way to a high one */
 
 struct search {
     const struct vec3 *point;
