@@ -316,8 +316,8 @@ static double make_patch_mesh(const struct cli *cli, const struct settings *s,
             error, sewn.moved, s->tolerance);
     struct orient_count out =
         orient_outward(patch_mesh, patches, vec(s->up[0], s->up[1], s->up[2]));
-    note("%zu border vertices joined and %zu inserted, moved by at most %g mm; %zu %s; %zu open "
-         "edges",
+    note("%zu border vertices joined and %zu inserted, moved by at most %g mm; %zu %s; %zu edges "
+         "open before slits are filled",
          sewn.joined, sewn.inserted, sewn.moved, out.bodies, out.bodies == 1 ? "body" : "bodies",
          out.open);
     check_trimming(patches, sheet, s->partial, unmet);
