@@ -11,7 +11,7 @@
 /* By the size: chords of the loops.  By the range: lines so near are one. */
 static const double CHORD = 1e-4, SAME = 1e-5;
 
-/* By the area: a triangle and its quarters are alike.  So often triangles are quartered, of a few. */
+/* By the area: a triangle and its quarters are alike.  So often are triangles quartered, of FEW. */
 static const double EVEN = 1e-6;
 enum { DEPTH = 6, FEW = 20000 };
 
