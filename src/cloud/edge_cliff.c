@@ -47,15 +47,23 @@ static double least_off(const struct edge_work *work, size_t i, size_t k)
     return edge_within(work, fmax(work->flank[i].spacing, work->flank[k].spacing));
 }
 
-/* How far a point is above the flank of the point `own`.  Far off that is a plane, no steeper than
- * STEEP. */
+/* How far a point is above the flank of the point `own`: no bend of it goes on far. */
 static double above_flank(const struct edge_flank *flank, struct vec3 own, struct vec3 p)
 {
-    struct vec3 n;
+    struct vec3 normal;
 
     if (vec_distance(p, own) <= FARTHER * flank->spacing)
-        return edge_flank_above(flank, p, &n);
-    n = quadric_normal_at(&flank->q, own);
+        return edge_flank_above(flank, p, &normal);
+    return vec_dot(quadric_normal_at(&flank->q, own), vec_sub(p, own));
+}
+
+/* The same of one that walls hang from: far off it is no steeper than STEEP. */
+static double above_roof(const struct edge_flank *flank, struct vec3 own, struct vec3 p)
+{
+    struct vec3 n = quadric_normal_at(&flank->q, own);
+
+    if (vec_distance(p, own) <= FARTHER * flank->spacing)
+        return above_flank(flank, own, p);
     n.z = fmax(n.z, hypot(n.x, n.y) / STEEP);
     return vec_dot(vec_unit(n), vec_sub(p, own));
 }
@@ -77,7 +85,7 @@ static void sort_by_height(const struct edge_work *work, size_t i, size_t k, str
 {
     const struct edge_flank *own = &work->flank[i], *other = &work->flank[k];
     const struct vec3 p = work->options->point_grid->point[k];
-    double off = above_flank(own, cliff->from, p), least = least_off(work, i, k);
+    double off = above_roof(own, cliff->from, p), least = least_off(work, i, k);
 
     if (fabs(off) <= least) {
         *array_push(&cliff->on) = p;
