@@ -6,9 +6,8 @@
  * a tenth of a millimetre, in one of the directions that the machine has.  Kept off is one that
  * only balls touch that are in the part between its points: the surface that faces up goes on over
  * them, past a wall that has too few points to keep them off, or a wall that has none may stand
- * there (unseen_wall.h).  All the rest is left. The directions
- * of the ball from the point and of the tool are samples (constants in the .c), so that a narrow
- * access may count as none.
+ * there (unseen_wall.h).  All the rest is left.  The directions of the ball from the point and of
+ * the tool are samples (constants in the .c), so that a narrow access may count as none.
  *
  * The tool comes from outside: the middle line of the axis, nine tenths of a radius thick, has to
  * leave the part, and where the part does not stand upright the ball is on its upper side.  Lengths

@@ -14,7 +14,7 @@
  *   2. centre_path.h        where the ball's centre goes, as straight segments;
  *   3. deviation_map.h      the ball rolled over the points: gouges and material left;
  *      part_coverage.h      each point cut, out of the tool's reach, or left;
-      unseen_wall.h        where walls may stand that a scan has no points on;
+ *      unseen_wall.h        where walls may stand that a scan has no points on;
  *      excursion.h          a cut that leaves the part and comes back;
  *      path_compare.h       a program against the path that it was made from;
  *   4. tool_shape.h         flute, shank and holder as a body of revolution;

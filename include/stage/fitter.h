@@ -23,7 +23,7 @@
 struct fitter_options {
     double tolerance; /* -e, mm: of the tip and the ball's centre */
     bool tolerance_given;
-    double angle;    /* --axis-tolerance, degrees */
+    double angle; /* --axis-tolerance, degrees */
     bool angle_given;
     bool paper;      /* --paper: as published */
     bool links_stay; /* links are not fitted */

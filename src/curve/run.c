@@ -15,7 +15,7 @@ static const double SHARP = PI / 18;      /* and one above this may be beside on
 static const double ASTRAY = 0.01;        /* mm: what a curve may be off a chord unasked */
 static const double NEAR = 0.003;         /* mm: a curve so near a chord is as good as it */
 static const double FLUTE = 4;            /* radii: the usual one's end from the centre */
-static const double UNEVEN = 1.5;           /* times as long as the other is a long interval */
+static const double UNEVEN = 1.5;         /* times as long as the other is a long interval */
 static const double STEEP = 0.7;          /* slope of the centres against the surface: no tangent */
 
 enum { PARTS_MAX = 10000 }; /* pieces of one interval */

@@ -415,7 +415,7 @@ static double straight_angle(const struct quadric *q)
 static void fit_along(const struct surface_fit_options *rule, struct vec3 vertex, struct vec3 guess,
                       struct surface_fit_hood *hood, struct surface_fit *fit)
 {
-    static const struct longer rough = {3, 36, 1, PI / 9}, fine = {6, 72, 2, PI / 30};
+    static const struct longer rough = {3, 36, 1, PI / 9}, fine = {6, LONGEST, 2, PI / 30};
     const double better = 0.85;
     struct surface_fit along = *fit, best;
     double angle = straight_angle(&fit->q);

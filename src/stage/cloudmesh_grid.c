@@ -182,28 +182,6 @@ void cloudmesh_add_features(const struct cloudmesh_options *options,
         mesh_normals_seen(mesh);
 }
 
-/* Is there a wall between two nodes of a grid? */
-bool cloudmesh_grid_has_walls(const struct cloudmesh_options *options,
-                              const struct cloud_parts *parts, const struct vec3s *points,
-                              double noise, int threads)
-{
-    struct cloudmesh_options grid = *options;
-    struct mesh mesh = {.origin.ledger = NAN};
-    struct cloudmesh result;
-    struct error error;
-    struct feature_scan scan = scan_of(parts, points, noise);
-    struct feature_walls walls = {.found = 0};
-
-    if (!(grid.spacing > 0))
-        grid.spacing = cloudmesh_three_spacings(parts->mean);
-    if (cloudmesh_place_nodes(&grid, parts, points, &mesh, &result, &error) == 0)
-        walls = feature_mesh_walls(&mesh, &scan, options->effort, threads);
-    if (!options->silent)
-        effort_say(EFFORT_WALLS, options->effort, walls.edges);
-    mesh_free(&mesh);
-    return walls.found > 0;
-}
-
 /* The sum of the squared distances of the points from the mesh, of every so many of them. */
 static double off_points(const struct mesh *mesh, const struct vec3s *points, size_t most,
                          int threads)

@@ -43,11 +43,6 @@ void cloudmesh_add_features(const struct cloudmesh_options *options,
                             const struct point_grid *sorted, double noise, int threads,
                             struct mesh *mesh, struct cloudmesh *result);
 
-/* Is there a wall between two nodes of a grid? */
-bool cloudmesh_grid_has_walls(const struct cloudmesh_options *options,
-                              const struct cloud_parts *parts, const struct vec3s *points,
-                              double noise, int threads);
-
 /* Two meshes, and what came of them, change places: always, or where the other is closer to the
  * points (squares, every so many of them). */
 void cloudmesh_swap(struct mesh *other, struct cloudmesh *other_result, struct mesh *mesh,

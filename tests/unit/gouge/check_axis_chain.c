@@ -49,9 +49,8 @@ static void setup_chain(struct scene *s, int points)
     struct error error;
 
     ck_assert_int_eq(machine_finish(&machine, &error), 0);
-    s->options = (struct axis_calm_options){
-        s->guard, &flute, machine.chain, RADIUS, 0.01, RADIANS(15), 0, 1};
-    struct axis_calm_run run = {s->point, s->rule, (size_t)points, false};
+    s->options = (struct axis_calm_options){s->guard, &flute, machine.chain, RADIUS, 0.01, 0, 1};
+    struct axis_calm_run run = {s->point, s->rule, (size_t)points, RADIANS(15), false};
     s->chain = axis_chain_of(&s->options, &run, 1);
     for (int i = 0; i < points; i++)
         s->chain.at[i].part = 1;

@@ -63,7 +63,7 @@ static double wave_off(double r)
  * Returns how many of these deviations they are off in the mean of squares. */
 static double look_all_over(double (*height)(double, double), size_t neighbours)
 {
-    struct surface_fit_options rule = {&point_grid, SIGMA, neighbours, false};
+    struct surface_fit_options rule = {&point_grid, SIGMA, neighbours, false, false};
     double sum2 = 0, named2 = 0, n = 0;
     for (size_t i = 0; i < scan.n; i += 17) {
         struct surface_fit fit;
@@ -104,7 +104,7 @@ START_TEST(as_many_points_as_agree)
     size_t typical[2];
     for (int k = 0; k < 2; k++) {
         make_scan(k ? wave : saddle, NOISY_RANDOM);
-        struct surface_fit_options rule = {&point_grid, SIGMA, 0, false};
+        struct surface_fit_options rule = {&point_grid, SIGMA, 0, false, false};
         struct vec3s up = {0};
         for (size_t i = 0; i < scan.n; i++)
             *array_push(&up) = vec(0, 0, 1);
@@ -123,7 +123,7 @@ END_TEST
 START_TEST(not_across_an_edge)
 {
     make_scan(fold, NOISY_RANDOM);
-    struct surface_fit_options rule = {&point_grid, SIGMA, 200, false};
+    struct surface_fit_options rule = {&point_grid, SIGMA, 200, false, false};
     size_t seen = 0;
     for (size_t i = 0; i < scan.n; i++) {
         struct surface_fit fit;

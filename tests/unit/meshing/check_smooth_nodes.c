@@ -58,8 +58,8 @@ START_TEST(panel)
         for (size_t i = 0; i < mesh.vertex.n; i++)
             before = fmax(before, fabs(panel_distance(mesh.vertex.item[i])));
         ck_assert_double_gt(before, 2.8 * sigma[k]);
-        struct smooth_nodes r =
-            smooth_nodes(&mesh, &point_grid, &(struct smooth_nodes_options){sigma[k], 0, 0, 2});
+        struct smooth_nodes r = smooth_nodes(
+            &mesh, &point_grid, &(struct smooth_nodes_options){sigma[k], 0, 0, 2, false});
         ck_assert_uint_eq(r.moved, mesh.vertex.n);
         ck_assert_double_lt(worst_gouge(), 0.01 + 1.5 * sigma[k]);
         ck_assert_double_lt(r.error, 0.4 * sigma[k]);
@@ -83,7 +83,7 @@ START_TEST(plane)
     const struct vec3 normal = vec_unit(vec(-3, 0.3, 1));
     make_scan(tilted, NOISY_RANDOM, 0.02, 4);
     struct smooth_nodes r =
-        smooth_nodes(&mesh, &point_grid, &(struct smooth_nodes_options){0.02, 0, 0, 2});
+        smooth_nodes(&mesh, &point_grid, &(struct smooth_nodes_options){0.02, 0, 0, 2, false});
     ck_assert_uint_ge(r.typical, 180);
     ck_assert_uint_eq(r.moved, mesh.vertex.n);
     for (size_t i = 0; i < mesh.vertex.n; i++) {
@@ -103,7 +103,7 @@ static double fold(double x, double y)
 START_TEST(edge)
 {
     make_scan(fold, NOISY_RANDOM, 0.01, 2);
-    smooth_nodes(&mesh, &point_grid, &(struct smooth_nodes_options){0.01, 0, 0, 2});
+    smooth_nodes(&mesh, &point_grid, &(struct smooth_nodes_options){0.01, 0, 0, 2, false});
     for (size_t i = 0; i < mesh.vertex.n; i++) {
         struct vec3 p = mesh.vertex.item[i];
         ck_assert_double_lt(fabs(p.z - fold(p.x, p.y)) / sqrt(2.04), 0.08);
@@ -117,7 +117,7 @@ START_TEST(outliers)
     make_scan(panel_height, NOISY_RANDOM, 0.02, 4);
     for (size_t i = 0; i < point_grid.n; i += 40)
         point_grid.point[i].z += 1 + noisy_uniform();
-    smooth_nodes(&mesh, &point_grid, &(struct smooth_nodes_options){0.02, 0, 0, 2});
+    smooth_nodes(&mesh, &point_grid, &(struct smooth_nodes_options){0.02, 0, 0, 2, false});
     ck_assert_double_lt(worst_gouge(), 0.01 + 1.5 * 0.02);
 }
 END_TEST
@@ -129,8 +129,8 @@ START_TEST(threads_do_not_matter)
     for (size_t i = 0; i < mesh.vertex.n; i++)
         *array_push(&second.vertex) = mesh.vertex.item[i];
     second.face = mesh.face;
-    smooth_nodes(&first, &point_grid, &(struct smooth_nodes_options){0.02, 60, 0, 1});
-    smooth_nodes(&second, &point_grid, &(struct smooth_nodes_options){0.02, 60, 0, 5});
+    smooth_nodes(&first, &point_grid, &(struct smooth_nodes_options){0.02, 60, 0, 1, false});
+    smooth_nodes(&second, &point_grid, &(struct smooth_nodes_options){0.02, 60, 0, 5, false});
     ck_assert_mem_eq(first.vertex.item, second.vertex.item,
                      first.vertex.n * sizeof *first.vertex.item);
     ck_assert_mem_eq(first.normal.item, second.normal.item,
