@@ -65,9 +65,11 @@ static int find(struct crest_fit *fit)
     return crest_fit_find(point, N, SPACING, WITHIN, EVEN, fit, role);
 }
 
-/* Far from its points it is no better than they are: to ten times these. */
-static void is_on(const struct crest_fit *fit, double (*height)(double x, double y), double across)
+/* How far it is off the surface, across its sides, at most. */
+static double off_by(const struct crest_fit *fit, double (*height)(double x, double y),
+                     double across)
 {
+    double worst = 0;
     for (double s = -0.8; s <= 0.8; s += 0.1)
         for (double d = -across; d <= across; d += 0.05) {
             struct vec3 at;
@@ -78,46 +80,86 @@ static void is_on(const struct crest_fit *fit, double (*height)(double x, double
             ck_assert(crest_fit_local(fit, at.x, at.y, &along, &beside));
             ck_assert_double_eq_tol(along, s, 1e-9);
             ck_assert_double_eq_tol(beside, d, 1e-9);
-            ck_assert_double_eq_tol(at.z, height(at.x, at.y), 10 * WITHIN);
+            double slope = fit->c[d > 0 ? 5 : 3] + s * fit->c[d > 0 ? 6 : 4];
+            worst = fmax(worst, fabs(at.z - height(at.x, at.y)) / sqrt(1 + slope * slope));
         }
+    return worst;
 }
 
+/* Of n tries that succeed with this share: five standard deviations below their mean, rounded
+ * down. */
+static int fewest(int n, double share)
+{
+    return (int)(n * share - 5 * sqrt(n * share * (1 - share)));
+}
+
+/* What is explained: the points of a side are as near to it as was asked. */
+static void is_explained(const struct crest_fit *fit)
+{
+    for (size_t i = 0; i < N; i++) {
+        double s, d;
+        if (role[i] != CREST_SIDE)
+            continue;
+        ck_assert(crest_fit_local(fit, point[i].x, point[i].y, &s, &d));
+        const double *side = fit->c + (d > 0 ? 5 : 3), slope = side[0] + side[1] * s;
+        double z = fit->c[0] + fit->c[1] * s + fit->c[2] * s * s - slope * fabs(d);
+        ck_assert_double_le(fabs(point[i].z - z) / sqrt(1 + slope * slope), WITHIN * (1 + 1e-9));
+    }
+    ck_assert_double_le(fit->rms, EVEN);
+}
+
+/*
+ * Sides a millimetre wide, with ten numbers to be found from some thirty points, a few of which are
+ * of the foot and near enough to be taken for a side's.  Over 100 seeds of 20 places a crest was
+ * found at 66 of 100 of them, within WITHIN of the ring for 87 of 100 of these; a neighbour's was
+ * followed for 96 of 100, within WITHIN for 99.  Here: five standard deviations from these shares.
+ */
 START_TEST(of_a_ring)
 {
+    enum { PLACES = 80 };
     struct crest_fit fit, other;
-    int found = 0, followed = 0;
+    int found = 0, good = 0, followed = 0, true_too = 0;
 
     noisy_seed(1);
-    for (int k = 0; k < 20; k++) {
+    for (int k = 0; k < PLACES; k++) {
         make(ring, 6.1, 0.3);
         if (find(&fit) != 0)
             continue;
         found++;
-        ck_assert_double_le(fit.rms, EVEN);
-        is_on(&fit, ring, 0.6);
+        is_explained(&fit);
+        good += off_by(&fit, ring, 0.6) <= WITHIN;
         make(ring, 5.9, -0.7);
         if (crest_fit_follow(point, N, SPACING, WITHIN, EVEN, &fit, &other, role) != 0)
             continue;
         followed++;
-        is_on(&other, ring, 0.6);
+        is_explained(&other);
+        true_too += off_by(&other, ring, 0.6) <= WITHIN;
     }
-    ck_assert_int_ge(found, 10);
-    ck_assert_int_ge(followed, found / 2);
+    ck_assert_int_ge(found, fewest(PLACES, 0.66));
+    ck_assert_int_ge(good, fewest(found, 0.87));
+    ck_assert_int_ge(followed, fewest(found, 0.96));
+    ck_assert_int_ge(true_too, fewest(followed, 0.99));
 }
 END_TEST
 
+/* Nothing is beside the sides: what is found is exact.  99 of 100 are. */
 START_TEST(of_a_leaning_roof)
 {
+    enum { PLACES = 40 };
     struct crest_fit fit;
+    int found = 0;
 
     noisy_seed(2);
-    for (int k = 0; k < 10; k++) {
+    for (int k = 0; k < PLACES; k++) {
         make(leaning, 0.1, 0);
-        ck_assert_int_eq(find(&fit), 0);
-        is_on(&fit, leaning, 1);
+        if (find(&fit) != 0)
+            continue;
+        found++;
+        ck_assert_double_le(off_by(&fit, leaning, 1), 1e-6);
         for (size_t i = 0; i < N; i++)
             ck_assert_int_eq(role[i], CREST_SIDE);
     }
+    ck_assert_int_ge(found, fewest(PLACES, 0.99));
 }
 END_TEST
 
