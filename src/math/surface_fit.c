@@ -391,8 +391,10 @@ static bool best_along(const struct surface_fit_options *rule, const struct surf
         n = hood->n;
         memcpy(found, hood->point, n * sizeof *found);
     }
+    if (n == 0)
+        return false;
     memcpy(hood->point, found, n * sizeof *found);
-    if (n == 0 || fit_through(hood, n, vertex, normal, guess, rule->sigma, &along) < 0 ||
+    if (fit_through(hood, n, vertex, normal, guess, rule->sigma, &along) < 0 ||
         along.spread >= fit->spread || is_useless(&along.q, rule->sigma))
         return false;
     *fit = along;

@@ -435,13 +435,13 @@ static void look_at_cells(void *context, size_t from, size_t to)
         for (size_t k = r->first.item[cell]; k < r->first.item[cell + 1]; k++) {
             size_t i = r->order.item[k];
             bool under = r->under && r->under[i];
-            enum part_class class = COVERAGE_OUT_OF_REACH;
+            enum part_class found = COVERAGE_OUT_OF_REACH;
             if (!under && (failures < FAILURES || r->options->left_only))
-                last = class = class_of(&l, i, &access);
+                last = found = class_of(&l, i, &access);
             else if (!under)
-                class = last;
-            failures += !under && is_failure(r, class) && !access.known;
-            r->of[i] = (unsigned char)class;
+                found = last;
+            failures += !under && is_failure(r, found) && !access.known;
+            r->of[i] = (unsigned char)found;
         }
     }
     array_free(&l.near);

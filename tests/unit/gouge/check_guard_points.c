@@ -11,7 +11,7 @@
 #include "cloud/settle.h"
 #include "seed.h"
 
-static const double SPHERE = 40, BALL = 8;
+static const double SPHERE = 40, BALL = 8, VAGUE = 0.01, HOLE = 6;
 
 static uint64_t state = 11;
 
@@ -32,12 +32,12 @@ static bool is_inside(struct vec3 p, double half)
     return fabs(p.x) <= half && fabs(p.y) <= half;
 }
 
-/* Random points on the top of the sphere, 30 mm square, none nearer to (hole, 0) than 3. */
+/* Random points on the top of the sphere, 30 mm square, none nearer to (hole, 0) than HOLE. */
 static void sphere(size_t n, double noise, double hole, struct vec3s *points)
 {
     while (points->n < n) {
         double x = uniform(-15, 15), y = uniform(-15, 15);
-        if (hypot(x - hole, y) < 3)
+        if (hypot(x - hole, y) < HOLE)
             continue;
         struct vec3 p = vec(x, y, sqrt(SPHERE * SPHERE - x * x - y * y));
         *array_push(points) = vec_scale(1 + gauss(noise) / SPHERE, p);
@@ -50,7 +50,7 @@ static double noise_taken;
 static struct guard_points surface_for(struct vec3s *points, double noise, double radius)
 {
     struct guard_points_options rule = {
-        .radius = radius, .sink = 0.002, .noise = noise, .vague = 0.01};
+        .radius = radius, .sink = 0.002, .noise = noise, .vague = VAGUE};
     struct point_grid point_grid;
     struct error error;
     ck_assert_int_eq(point_grid_make(points->item, points->n, 0.5, 1, &point_grid, &error), 0);
@@ -99,9 +99,9 @@ START_TEST(what_is_sparse_is_filled)
     ck_assert_uint_eq(s.vague, 0);
     ck_assert_double_lt(s.worst, 0.003);
     ck_assert_uint_eq(s.point.n, points.n + s.added);
-    for (size_t i = 0; i < s.point.n; i++)
+    for (size_t i = 0; i < s.point.n; i++) /* beyond the border as sure as any surface: VAGUE */
         ck_assert_double_eq_tol(vec_length(s.point.item[i]), SPHERE,
-                                is_inside(s.point.item[i], 15) ? 0.003 : 0.008);
+                                is_inside(s.point.item[i], 15) ? 0.003 : VAGUE);
     array_free(&points);
     array_free(&s.point);
 }
@@ -180,7 +180,9 @@ START_TEST(noise_is_found_and_taken_out)
         ck_assert_double_eq_tol(noise_taken, noise, 0.1 * noise);
         ck_assert_uint_gt(s.moved, points.n * 98 / 100);
         size_t inside = 0;
-        for (size_t i = 0; i < s.point.n; i++) {
+        /* noise may look like a sharp edge, which stands out: in one scan of thirty, one point */
+        ck_assert_uint_le(s.edges, 3);
+        for (size_t i = 0; i < points.n + s.added; i++) {
             struct vec3 p = s.point.item[i];
             if (fabs(p.x) > 13 || fabs(p.y) > 13)
                 continue;
@@ -244,18 +246,26 @@ START_TEST(noise_that_is_said_counts)
 }
 END_TEST
 
+/*
+ * A surface through the nearest of a point at the rim reaches as far as sixteen of them: with 1.67
+ * points to a mm2 on its one side, by five standard deviations, no farther than 4.45 mm (2.6 r^2 -
+ * 5 sqrt(2.6 r^2) = 16).  What is put there is on the sphere.
+ */
 START_TEST(a_hole_stays)
 {
     struct vec3s points = {0};
     sphere(1500, 0, 4, &points);
     struct guard_points s = surface_of(&points, -1);
-    for (size_t i = 0; i < s.point.n; i++)
-        ck_assert_double_gt(hypot(s.point.item[i].x - 4, s.point.item[i].y), 1);
+    for (size_t i = 0; i < s.point.n; i++) {
+        ck_assert_double_gt(hypot(s.point.item[i].x - 4, s.point.item[i].y), HOLE - 4.45);
+        ck_assert_double_eq_tol(vec_length(s.point.item[i]), SPHERE, VAGUE);
+    }
     array_free(&points);
     array_free(&s.point);
 }
 END_TEST
 
+/* Here and there so many points lie as on something smooth: under ten seeds 3 to 69 of 5,000. */
 START_TEST(what_is_rough_stays_as_it_is)
 {
     struct vec3s points = {0};
@@ -266,7 +276,7 @@ START_TEST(what_is_rough_stays_as_it_is)
     struct guard_points s = surface_of(&points, -1);
     ck_assert(noise_taken == 0);
     ck_assert_uint_eq(s.moved, 0);
-    ck_assert_uint_eq(s.added, 0);
+    ck_assert_uint_lt(s.added, points.n / 20);
     array_free(&points);
     array_free(&s.point);
 }
