@@ -43,14 +43,26 @@ bool rotary_reaches(const struct kinematic_chain *chain, struct vec3 axis)
     return solutions_within(chain, axis) > 0;
 }
 
+/* Where the way, so long, leans least or most off the first axis, which sets the second one's
+ * angle: within that too. */
+static bool reaches_extremes(const struct kinematic_chain *chain, struct vec3 from, struct vec3 to,
+                             double angle)
+{
+    struct vec3 pole = chain->rotary[0].axis, ahead = vec_unit(vec_reject(to, from));
+    double at = atan2(vec_dot(pole, ahead), vec_dot(pole, from));
+
+    at = at < 0 ? at + PI : at; /* the one or the other, half a turn apart */
+    return !(at > 0 && at < angle) || rotary_reaches(chain, vec_slerp(from, to, at / angle));
+}
+
 bool rotary_reaches_between(const struct kinematic_chain *chain, struct vec3 from, struct vec3 to)
 {
-    double parts = chain->n < 2 ? 0 : ceil(vec_angle(from, to) / RADIANS(1));
+    double angle = vec_angle(from, to), parts = chain->n < 2 ? 0 : ceil(angle / RADIANS(1));
 
     for (double k = 1; k < parts; k++)
         if (!rotary_reaches(chain, vec_slerp(from, to, k / parts)))
             return false;
-    return true;
+    return parts <= 1 || reaches_extremes(chain, from, to, angle);
 }
 
 struct rotary_frame rotary_frame_of(const struct kinematic_chain *chain)

@@ -92,7 +92,7 @@ START_TEST(a_turn_stays_within_its_travel_or_not)
         double highest = PI - atan(fabs(tan(lean)) * cos(half)); /* lean of a + b */
         bool within = highest <= RADIANS(120);
         ck_assert(rotary_reaches(&machine.chain, a) && rotary_reaches(&machine.chain, b));
-        if (fabs(highest - RADIANS(120)) > RADIANS(0.1))
+        if (fabs(highest - RADIANS(120)) > RADIANS(1e-6))
             ck_assert_int_eq(rotary_reaches_between(&machine.chain, a, b), within);
         ck_assert(rotary_reaches_between(&none, a, b));
     }
