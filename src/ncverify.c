@@ -304,7 +304,9 @@ static struct verify_program read_program(const struct settings *s, const struct
     }
     if (nc_motion_bounded(motion, &error) < 0)
         die_error(&error);
-    motion->track = s->centre ? NC_MOTION_CENTRE : NC_MOTION_TIP;
+    if (head->centre && !s->centre)
+        note("places: the centre of the ball (as the program's head says)");
+    motion->track = s->centre || head->centre ? NC_MOTION_CENTRE : NC_MOTION_TIP;
     return (struct verify_program){.file = motion->name,
                                    .control = control_row(control)->name,
                                    .machine = machine->name,

@@ -47,6 +47,7 @@ struct ncread_head {
     double scallop, tolerance;      /* 0: not said */
     double post, axis;              /* what ncpost spent, mm and degrees; below zero: not said */
     bool contact_feed;              /* feeds are those of the contact point */
+    bool centre;                    /* places are the ball's centre, not the tip */
     bool numbered;                  /* by ncpost: in even steps */
     char machine[NCREAD_HEAD_TEXT]; /* its name, as far as it is there; "": not said */
     char control_file[NCREAD_HEAD_NAME]; /* as -c has it, in any case; "": not said */

@@ -137,6 +137,8 @@ void ncread_head_line(struct ncread_head *head, const char *line)
         read_name(head->set, sizeof head->set, s);
     } else if (has_key(&s, "FEED: CONTACT")) {
         head->contact_feed = true;
+    } else if (has_key(&s, "*** ATTENTION: X Y Z ARE THE CENTRE OF THE BALL")) {
+        head->centre = true;
     } else if (has_word(&s, "UNMET:")) {
         if (head->unmet++ == 0)
             read_name(head->unmet_first, sizeof head->unmet_first, s);

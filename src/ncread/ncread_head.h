@@ -8,7 +8,8 @@
  *   SET: A.max=30                           SCAN: 1681,3cad464a0113cb05,scan.xyz
  *   PLACE1: 1 0 0 5                         and PLACE2:, PLACE3:
  *
- * and TOOL+: for more of it.  What is not understood is as if it were not there.
+ * and TOOL+: for more of it, and an ATTENTION that the places are the centre of the ball.  What is
+ * not understood is as if it were not there.
  */
 #ifndef CLOUDMILL_NCREAD_HEAD_H
 #define CLOUDMILL_NCREAD_HEAD_H

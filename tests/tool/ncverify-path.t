@@ -11,6 +11,7 @@ cloud2mesh -q -t 2 dome.xyz -o dome.ply
 meshnorm -q -r 6 --tilt 12 --rows mesh --no-guard --ball-only dome.ply >line.cl
 biarcfit -q -e 0.01 --no-guard line.cl >arc.cl
 bsplfit -q -e 0.01 --no-guard line.cl >curve.cl
+bsplfit -q -e 0.01 --no-guard --track centre line.cl >centre.cl
 
 judge() { # PROGRAM PATH: status in $got, findings in err
 	run ncverify -g dome.xyz -r 6 --partial --ball-only -m "$machine" -c "$control" -p "$2" "$1"
@@ -19,7 +20,7 @@ judge() { # PROGRAM PATH: status in $got, findings in err
 for control in fanuc siemens heidenhain linuxcnc; do
 	machine='table-ac'
 	[ $control = linuxcnc ] && machine=linuxcnc-xyzac
-	for kind in line arc curve; do
+	for kind in line arc curve centre; do # whose program says that its places are the ball's
 		ncpost -q -c $control -m $machine $kind.cl >$kind.$control
 		judge $kind.$control $kind.cl
 		result "$got" "$control: $kind: the good program is accepted"

@@ -82,7 +82,9 @@ START_TEST(words)
     ck_assert_str_eq(head.machine_file, "head-ca");
     ck_assert_str_eq(head.set, "A.max=30 x");
     ck_assert_double_eq(head.scan_points, 1681);
-    ck_assert(head.contact_feed && head.numbered);
+    ck_assert(head.contact_feed && head.numbered && !head.centre);
+    line("; *** ATTENTION: X Y Z ARE THE CENTRE OF THE BALL, NOT THE TIP ***");
+    ck_assert(head.centre);
     ck_assert_str_eq(head.machine, "FORK HEAD C/A");
     ck_assert_double_eq(head.post, 0.0011);
     ck_assert_double_eq(head.axis, 0.0063);
