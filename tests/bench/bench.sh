@@ -135,6 +135,22 @@ fi
 if wanted fit; then
 	rm -f "$tmp/floor"
 	head_row 'Paths'
+	# 100 mm square, facets of 0.17 mm
+	awk -v n="${FINE:-592}" 'BEGIN {
+		printf "ply\nformat ascii 1.0\nelement vertex %d\n", (n + 1) * (n + 1)
+		print "property double x\nproperty double y\nproperty double z"
+		printf "element face %d\nproperty list uchar int vertex_indices\nend_header\n", 2 * n * n
+		for (j = 0; j <= n; j++) for (i = 0; i <= n; i++) {
+			x = 100 * i / n; y = 100 * j / n
+			printf "%.6f %.6f %.6f\n", x, y, 4 * sin(x / 9) * cos(y / 14)
+		}
+		for (j = 0; j < n; j++) for (i = 0; i < n; i++) {
+			k = j * (n + 1) + i
+			printf "3 %d %d %d\n3 %d %d %d\n", k, k + 1, k + n + 2, k, k + n + 2, k + n + 1
+		}
+	}' >"$tmp/part.ply"
+	n=$(sed -n 's/^element face //p' "$tmp/part.ply")
+	ours "planecut -r 4 -s 2, $n facets of a fine grid: the clock" '2 s' "$BIN/planecut" -q -r 4 -s 2 "$tmp/part.ply"
 	"$FLOOR/make_cloud" random 300000 | "$BIN/cloud2mesh" -q -t 1 --normals facet -o "$tmp/part.ply" - 2>/dev/null
 	n=$(sed -n 's/^element face //p' "$tmp/part.ply")
 	ours "planecut -r 6 -s 3, $n facets" 'linear' "$BIN/planecut" -q -r 6 -s 3 "$tmp/part.ply"
