@@ -323,6 +323,7 @@ int main(int argc, char **argv)
     if (cli.files != 1)
         die_usage("one program or path at a time");
     int status = run(cli.file[0], &o);
+    array_free(&o.set);
     if (fclose(stdout) != 0)
         die("writing the report failed");
     return status;
