@@ -24,6 +24,7 @@ struct run {
     size_t n, cap;
     struct run_point *item;
     double radius; /* of the ball, mm */
+    bool edges;    /* no scan guards what is fitted: an edge of the way must not be rounded */
 };
 
 /* Is its contact point known? */
@@ -44,7 +45,8 @@ static inline double run_point_height(const struct run_point *p)
  * perpendicular to the normal where there is one (a centre that is lifted off its contact point
  * has those of the centres alone where they keep near to the chords, else the slope of its lift);
  * where a curve along them would go more than 0.01 mm astray over a chord they give way to those of
- * the centres alone, or beside a sharp turn to the longer chord, as far as these go less astray;
+ * the centres alone, or beside a sharp turn (with `edges` any that does not go on at the longer
+ * chord's other end) to the longer chord, as far as these go less astray;
  * points that coincide have one tangent, all of them the zero vector when the run has no length.
  * At the ends T0 = 2 (v0 . T1) v0 - T1, v0 the first chord.  Paper 1, 3.4 instead with `forward`:
  * n x (PiPi+1 x n).  tangent[n].
@@ -57,7 +59,9 @@ size_t run_motion_at(const struct run *run, size_t from, size_t to, struct vec3 
 
 /*
  * Appends the indices of the inner points where the ball's path turns by more than 60 degrees: the
- * corners.  Tangents on the two sides of a corner are those of the two pieces that it parts.
+ * corners.  With `edges` also those where each tangent would take a curve astray and the path bends
+ * at neither neighbour half as much for each mm, as where a ball comes from one face to another.
+ * Tangents on the two sides of a corner are those of the two pieces that it parts.
  */
 void run_corners(const struct run *run, struct sizes *corner);
 

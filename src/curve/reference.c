@@ -76,7 +76,7 @@ struct reference reference_of(const struct run *run, size_t from, size_t n, bool
                               bool forward)
 {
     struct reference r = reference_new(n, run, centre);
-    struct run alone = {.radius = run->radius};
+    struct run alone = {.radius = run->radius, .edges = run->edges};
 
     for (size_t i = 0; i < n; i++) {
         const struct run_point *p = &run->item[from + i];

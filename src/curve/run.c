@@ -93,19 +93,59 @@ static double worst_bulge(struct vec3 tangent, struct vec3 in, struct vec3 out)
     return fmax(bulge_of(in, tangent), bulge_of(out, tangent));
 }
 
+/* A path at a point, with what may be its tangent there. */
+struct way {
+    struct vec3 in, out;       /* chords before and after it */
+    struct vec3 before, after; /* chords before and after these; zero: there are none */
+};
+
+static struct way way_at(const struct run *run, const struct stations *s, size_t k)
+{
+    struct way w = {.in = chord_of(run, s, k - 1), .out = chord_of(run, s, k)};
+    if (k > 1)
+        w.before = chord_of(run, s, k - 2);
+    if (k + 2 < s->n)
+        w.after = chord_of(run, s, k + 1);
+    return w;
+}
+
+/* What a way turns for each mm at a point between two chords, 1/mm; zero where one is missing. */
+static struct vec3 bend_of(struct vec3 in, struct vec3 out)
+{
+    double length = vec_length(in) + vec_length(out);
+    if (vec_length(in) <= 0 || vec_length(out) <= 0)
+        return (struct vec3){0, 0, 0};
+    return vec_scale(2 / length, vec_sub(vec_unit(out), vec_unit(in)));
+}
+
+/* A bend does not go on as it would if it were one: its way has an edge here. */
+static bool ends_bend(struct vec3 here, struct vec3 there)
+{
+    return vec_dot(there, here) < vec_dot(here, here) / 2;
+}
+
+/* The way turns sharply, or with `any` does not turn so at the longer chord's other end. */
+static bool is_edge(const struct way *w, bool any)
+{
+    struct vec3 there = vec_length(w->in) > vec_length(w->out) ? bend_of(w->before, w->in)
+                                                               : bend_of(w->out, w->after);
+    return vec_angle(w->in, w->out) > SHARP || (any && ends_bend(bend_of(w->in, w->out), there));
+}
+
 /*
  * A tangent along which a curve goes astray gives way to one along which it does so less: to that
  * of the centres alone, for what stops a ball need not be what the normals tell of; and where the
- * way turns sharply between a short chord and a long one, as beside an inner edge, to the long one.
+ * way has an edge between a short chord and a long one, as beside an inner edge, to the long one.
  */
-static struct vec3 least_bulge(struct vec3 tangent, struct vec3 of_centres, struct vec3 in,
-                               struct vec3 out)
+static struct vec3 least_bulge(struct vec3 tangent, struct vec3 of_centres, const struct way *w,
+                               bool any)
 {
+    struct vec3 in = w->in, out = w->out;
     double worst = worst_bulge(tangent, in, out), centres = worst_bulge(of_centres, in, out);
     struct vec3 longer = vec_unit(vec_length(in) > vec_length(out) ? in : out);
     if (worst <= ASTRAY)
         return tangent;
-    if (vec_angle(in, out) > SHARP && worst_bulge(longer, in, out) < fmin(worst, centres))
+    if (worst_bulge(longer, in, out) < fmin(worst, centres) && is_edge(w, any))
         return longer;
     return centres < worst ? of_centres : tangent;
 }
@@ -132,7 +172,8 @@ static struct vec3 bessel_tangent(const struct run *run, const struct stations *
     double slope =
         parabola_slope(run_point_height(a), h0, run_point_height(b), h1, run_point_height(c));
     struct vec3 along;
-    return least_bulge(along_surface(t, b->normal, slope, &along) ? along : t, t, in, out);
+    struct way way = way_at(run, s, k);
+    return least_bulge(along_surface(t, b->normal, slope, &along) ? along : t, t, &way, run->edges);
 }
 
 /* At an end: the tangent of the circle that the end chord and the tangent beyond it make. */
@@ -151,7 +192,8 @@ static struct vec3 end_tangent(const struct run *run, const struct stations *s, 
     double slope = (run_point_height(b) - run_point_height(a)) / h;
     struct vec3 along, chord = vec_scale(h, v);
     bool found = along_surface(t, a->normal, next > end ? slope : -slope, &along);
-    return found ? least_bulge(along, t, chord, chord) : t;
+    struct way way = {chord, chord, {0, 0, 0}, {0, 0, 0}};
+    return found ? least_bulge(along, t, &way, run->edges) : t;
 }
 
 static void set_bessel_tangents(const struct run *run, struct stations *s)
@@ -191,11 +233,25 @@ void run_tangents(const struct run *run, bool forward, struct vec3 *tangent)
     array_free(&s);
 }
 
+/* Every tangent takes a curve astray over one of the chords, and the way bends so much nowhere
+ * beside: it has an edge, as a ball's has where it comes from one face to another. */
+static bool has_no_tangent(const struct run *run, const struct stations *s, size_t k)
+{
+    struct way w = way_at(run, s, k);
+    struct vec3 here = bend_of(w.in, w.out);
+    bool alone = vec_length(w.before) <= 0 && vec_length(w.after) <= 0;
+
+    return !alone && ends_bend(here, bend_of(w.before, w.in)) &&
+           ends_bend(here, bend_of(w.out, w.after)) &&
+           worst_bulge(bessel_tangent(run, s, k), w.in, w.out) > ASTRAY;
+}
+
 void run_corners(const struct run *run, struct sizes *corner)
 {
     struct stations s = find_stations(run);
     for (size_t k = 1; k + 1 < s.n; k++)
-        if (vec_angle(chord_of(run, &s, k - 1), chord_of(run, &s, k)) > CORNER)
+        if (vec_angle(chord_of(run, &s, k - 1), chord_of(run, &s, k)) > CORNER ||
+            (run->edges && has_no_tangent(run, &s, k)))
             *array_push(corner) = s.item[k].first;
     array_free(&s);
 }
@@ -408,7 +464,10 @@ double run_densify(const struct run *run, double chord, struct run *dense)
     size_t from = 0;
     for (size_t k = 0; k < corner.n; k++) {
         size_t to = corner.item[k];
-        struct run piece = {.n = to - from + 1, .item = run->item + from, .radius = run->radius};
+        struct run piece = {.n = to - from + 1,
+                            .item = run->item + from,
+                            .radius = run->radius,
+                            .edges = run->edges};
         worst = fmax(worst, densify_piece(&piece, chord, dense));
         from = to;
     }

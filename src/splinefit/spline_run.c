@@ -102,8 +102,10 @@ static void fit_through(const struct run *part, const struct spline_run_options 
 static void fit_piece(const struct run *run, const struct spline_run_options *options,
                       const struct splinefit *before, struct spline_run_piece *piece)
 {
-    struct run part = {
-        .n = piece->to - piece->from + 1, .item = run->item + piece->from, .radius = run->radius};
+    struct run part = {.n = piece->to - piece->from + 1,
+                       .item = run->item + piece->from,
+                       .radius = run->radius,
+                       .edges = run->edges};
     struct splinefit_options o = options->fit;
     struct run dense = {.radius = run->radius};
     const struct run *data = &part;

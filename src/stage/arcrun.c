@@ -407,7 +407,7 @@ static void end_part(const struct run *run, size_t i, double least, struct sizes
  * and at the end of the run. */
 static struct sizes parts_of(const struct run *dense, const struct arcrun_options *options)
 {
-    struct run programmed = {.radius = dense->radius};
+    struct run programmed = {.radius = dense->radius, .edges = dense->edges};
     for (size_t i = 0; i < dense->n; i++) {
         struct run_point *p = array_push(&programmed);
         *p = dense->item[i];
@@ -497,7 +497,7 @@ void arcrun_fit(const struct run *run, const struct arcrun_options *options,
                 struct arcrun_memo *memo, struct path *out, struct arcrun_report *report)
 {
     struct arcrun_memo now = {0};
-    struct run dense = {.radius = run->radius};
+    struct run dense = {.radius = run->radius, .edges = run->edges};
     double taken = dense_run_of(run, options, &dense);
     if (options->chords)
         taken += ARC_CHORD * options->tolerance;

@@ -237,6 +237,7 @@ static void fit_part(const struct workload *w, struct fitted_run run, int time)
         return; /* as it came */
     for (;;) {
         struct run points = path_run_read(request.in, run.from, run.to);
+        points.edges = !request.gouge->guard && !w->fitter->options->paper;
         run.result = mem_alloc(1, w->fitter->result_size);
         w->fitter->fit(w->fitter->settings, &request, &points, &run);
         array_free(&points);

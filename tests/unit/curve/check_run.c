@@ -117,6 +117,77 @@ START_TEST(beside_an_inner_edge_the_way_stays_on_its_chords)
 }
 END_TEST
 
+/* Nothing guards the run: ball centres, of R 3, with their normals and how far they are off their
+ * contacts; the farthest that its smooth curve is off the lines between them. */
+static double farthest_astray(const double way[][7], size_t n)
+{
+    struct run run = {.radius = 3, .edges = true}, dense = {.radius = 3};
+    double farthest = 0;
+    for (size_t i = 0; i < n; i++) {
+        struct run_point p = pose(vec(way[i][0], way[i][1], way[i][2]), vec(0, 0, 1), 3);
+        p.normal = vec_unit(vec(way[i][3], way[i][4], way[i][5]));
+        p.contact = vec_along(p.ball, -way[i][6], p.normal);
+        *array_push(&run) = p;
+    }
+    run_densify(&run, 1e-4, &dense);
+    for (size_t i = 0; i < dense.n; i++) {
+        double near = HUGE_VAL;
+        for (size_t k = 0; k + 1 < run.n; k++)
+            near = fmin(near, vec_segment_distance(run.item[k].ball, run.item[k + 1].ball,
+                                                   dense.item[i].ball));
+        farthest = fmax(farthest, near);
+    }
+    array_free(&run);
+    array_free(&dense);
+    return farthest;
+}
+
+/* Down the flank of a pocket onto its floor, a turn of 53 degrees; along a cylinder and away over
+ * another; off the edge between two cylinders onto one of them, a turn of 7 degrees. */
+START_TEST(an_edge_that_nothing_guards_is_not_rounded)
+{
+    static const double pocket[][7] = {{6.5929, 1.4972, 4.6593, -0.745, 0, 0.667, 3},
+                                       {5.9035, 1.4972, 3.8898, -0.745, 0, 0.667, 3},
+                                       {5.2140, 1.4972, 3.1205, -0.745, 0, 0.667, 3},
+                                       {4.7360, 1.4972, 2.5971, 0.087, 0, 0.996, 3},
+                                       {3.7087, 1.4972, 2.6870, 0.087, 0, 0.996, 3},
+                                       {2.6813, 1.4972, 2.7769, 0.087, 0, 0.996, 3}};
+    static const double away[][7] = {{8.1917, -3.7573, 5.5087, 0.909, -0.417, 0, 3.0122},
+                                     {8.1926, -3.7577, 4.3170, 0.909, -0.417, 0, 3.0132},
+                                     {8.1933, -3.7581, 3.3020, 0.909, -0.417, 0, 3.0141},
+                                     {8.4597, -3.8798, 3.1210, 0.909, -0.417, 0, 3.3070},
+                                     {8.8571, -4.0614, 2.8436, 0.909, -0.417, 0, 3.7438},
+                                     {9.2489, -4.2402, 2.5607, 0.909, -0.417, 0, 4.1746}};
+    static const double knee[][7] = {{3.4236, 9.3202, 5.2874, -0.12934, 0.92588, 0.35499, 3.0609},
+                                     {3.7268, 9.2798, 5.3814, -0.12928, 0.92586, 0.35507, 3.0209},
+                                     {3.8815, 9.2606, 5.4290, -0.12925, 0.92584, 0.35512, 3},
+                                     {6.3594, 9.2596, 6.3335, -0.12925, 0.92584, 0.35512, 3},
+                                     {8.8372, 9.2586, 7.2379, -0.12925, 0.92584, 0.35512, 3}};
+    ck_assert_double_lt(farthest_astray(pocket, 6), 0.01);
+    ck_assert_double_lt(farthest_astray(away, 6), 0.01);
+    ck_assert_double_lt(farthest_astray(knee, 5), 0.01);
+}
+END_TEST
+
+/* Points far apart on a circle, unevenly, are its points and no corners. */
+START_TEST(a_bend_that_nothing_guards_is_no_edge)
+{
+    static const double at[] = {0, 0.6, 1, 1.8, 2.5, 2.9};
+    struct run run = {.radius = 3, .edges = true}, dense = {.radius = 3};
+    struct sizes corner = {0};
+    for (size_t i = 0; i < sizeof at / sizeof *at; i++)
+        *array_push(&run) = pose(vec(10 * cos(at[i]), 10 * sin(at[i]), 0), vec(0, 0, 1), 3);
+    run_corners(&run, &corner);
+    run_densify(&run, 1e-3, &dense);
+    ck_assert_uint_eq(corner.n, 0);
+    for (size_t i = 0; i < dense.n; i++)
+        ck_assert_double_lt(fabs(vec_length(dense.item[i].ball) - 10), 0.02);
+    array_free(&run);
+    array_free(&dense);
+    array_free(&corner);
+}
+END_TEST
+
 START_TEST(repeated_points_and_no_length_are_no_trouble)
 {
     struct run run = {.radius = 2};
@@ -286,6 +357,8 @@ int main(void)
     tcase_add_test(t, forward_tangents_are_those_of_the_paper);
     tcase_add_test(t, a_lifted_centre_keeps_its_slope);
     tcase_add_test(t, beside_an_inner_edge_the_way_stays_on_its_chords);
+    tcase_add_test(t, an_edge_that_nothing_guards_is_not_rounded);
+    tcase_add_test(t, a_bend_that_nothing_guards_is_no_edge);
     tcase_add_test(t, repeated_points_and_no_length_are_no_trouble);
     tcase_add_test(t, the_reference_of_a_circle_stays_on_it);
     tcase_add_test(t, corners_stay_corners);
