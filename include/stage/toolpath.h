@@ -139,8 +139,8 @@ struct toolpath {
     size_t lifted;          /* of these strips */
     struct vec3s swept;     /* the ball's centre on them, before they are put into the path, ... */
     struct sizes swept_end; /* ... and where their parts end */
-    struct vec3s ball;      /* its centre at the points that are not rapid, ... */
-    struct sizes ball_end;  /* ... and where a rapid one is between them */
+    struct vec3s ball;      /* its centre on what is cut, ... */
+    struct sizes ball_end;  /* ... and where a link or rapid is between */
     struct run_point at;
     struct toolpath_part last; /* that it is at the end of */
     double height;             /* z of the tip over the clearance plane */
@@ -169,7 +169,7 @@ int toolpath_bounded(const struct toolpath *t, int layers, struct error *error);
 void toolpath_cut(struct toolpath *t);
 
 /* The same, and puts all of them into the path, with what leads from one to the next and, at the
- * end, up from the last.  Where the ball's centre has been is in t->ball. */
+ * end, up from the last.  Where the ball's centre has cut is in t->ball. */
 void toolpath_end(struct toolpath *t);
 
 void toolpath_free(struct toolpath *t);

@@ -58,14 +58,21 @@ int toolpath_bounded(const struct toolpath *t, int layers, struct error *error)
     return toolpath_length_bounded(length, t->rule.radius, said, error);
 }
 
-/* A point of the path, and of what is looked at when it is done. */
-static struct path_item *add_point(struct toolpath *t, struct pose pose, bool rapid)
+/* A point of a cut, which is looked at when the path is done. */
+static struct path_item *add_cut_point(struct toolpath *t, struct pose pose)
 {
-    if (t->lift.guard && !rapid)
+    if (t->lift.guard)
         *array_push(&t->ball) = vec_along(pose.p, t->rule.radius, pose.a);
-    else if (t->lift.guard)
+    return path_add_point(t->path, pose, false);
+}
+
+/* One of a link or a rapid, which need not stay where it is: who fits curves to a link has a tenth
+ * of the radius. */
+static void add_point(struct toolpath *t, struct pose pose, bool rapid)
+{
+    if (t->lift.guard)
         *array_push(&t->ball_end) = t->ball.n;
-    return path_add_point(t->path, pose, rapid);
+    path_add_point(t->path, pose, rapid);
 }
 
 static void add_move(struct toolpath *t, struct vec3 ball, struct vec3 axis, bool rapid)
@@ -253,7 +260,7 @@ static void add_cut(struct toolpath *t, const struct run_point *point, size_t n)
 {
     for (size_t i = 0; i < n; i++) {
         const struct run_point *p = &point[i];
-        struct path_item *item = add_point(t, (struct pose){p->tip, p->axis}, false);
+        struct path_item *item = add_cut_point(t, (struct pose){p->tip, p->axis});
         if (vec_length(p->normal) > 0)
             path_set_contact(t->path, item, (struct contact){p->contact, p->normal});
         if (vec_dot(p->axis, p->normal) < -1e-6)

@@ -53,6 +53,20 @@ static struct vec3 ball_of(const struct path_item *item)
     return vec_along(item->to.p, R, item->to.a);
 }
 
+/* Only what touches has cut, and where a link goes from row to row nothing has. */
+static void check_cut(const struct toolpath *t)
+{
+    bool ends[10] = {false};
+
+    ck_assert_uint_eq(t->ball.n, 9);
+    for (size_t i = 0; i < t->ball.n; i++)
+        ck_assert_double_eq_tol(t->ball.item[i].z, R, 1e-9);
+    for (size_t i = 0; i < t->ball_end.n; i++)
+        ends[t->ball_end.item[i]] = true;
+    for (size_t i = 0; i <= 9; i++)
+        ck_assert_int_eq(ends[i], i % 3 == 0);
+}
+
 START_TEST(passes_links_and_feeds_are_in_order)
 {
     struct gouge_check *guard = make_floor();
@@ -85,6 +99,7 @@ START_TEST(passes_links_and_feeds_are_in_order)
     ck_assert_uint_eq(t.high, 2); /* to pass 1 and to pass 3 */
     ck_assert_uint_eq(rapids, 6); /* over, down, up; twice */
     ck_assert_int_eq(toolpath_conclude(&t), 0);
+    check_cut(&t);
     toolpath_free(&t);
     path_free(&path);
     gouge_free(guard);
