@@ -270,7 +270,8 @@ lint:
 	shellcheck -S warning -x -P tests/lib src/*.sh tests/*.sh tests/*/*.sh tests/*/*.t tests/house/bare/* \
 	  samples/*.sh samples/tasks/*.sh man/*.sh .ci/run
 
-# What is abandoned when a process ends, and asking for more memory than there is, are no faults.
+# What is abandoned when a process ends (by the names of functions, for which frames are kept), and
+# asking for more memory than there is, are no faults.
 # Without the tests of texts, of the build and of libraries put before others.
 sanitize:
 	mkdir -p $(BUILD)/sanitize && printf "leak:%s\n" create_beside out_open >$(BUILD)/sanitize/leaks
@@ -278,7 +279,7 @@ sanitize:
 	  ASAN_OPTIONS=allocator_may_return_null=1 \
 	  LSAN_OPTIONS=print_suppressions=0:suppressions=$(abspath $(BUILD))/sanitize/leaks \
 	  $(MAKE) BUILD=$(BUILD)/sanitize CC=clang \
-	  CFLAGS='-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all' check
+	  CFLAGS='-O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all' check
 
 # Each reader under libFuzzer and the sanitizers, each tool on broken files: FUZZ_SECONDS in all, READERS
 # (default: all; a tool is tool:NAME).
