@@ -85,6 +85,32 @@ START_TEST(a_zone_of_a_sphere)
 }
 END_TEST
 
+/* Swept along z: a cubic that turns within a hundredth of its length, nearly a cusp, so that the
+ * area element there is hardly a polynomial.  With w from -1 to 1 its derivative by t = (1 + w) / 2
+ * is 3 (NARROW / 2 + w^2 (1 - 3 NARROW / 2)), 3 w; the length by Simpson's rule. */
+START_TEST(nearly_a_cusp)
+{
+    static const double NARROW = 0.02;
+    enum { STEPS = 20000 };
+    struct nurbs_curve c = patch_curve(3, 4);
+    const double x[] = {0, 1 - NARROW, NARROW, 1}, y[] = {0, 1, 1, 0};
+    for (int i = 0; i < 4; i++)
+        c.pole[i] = (struct nurbs_pole){x[i], y[i], 0, 1};
+    struct patch p = {.surface = construct_extrusion(&c, vec(0, 0, 4))};
+    double length = 0;
+    for (int i = 0; i <= STEPS; i++) {
+        double w = 2.0 * i / STEPS - 1, weight = i == 0 || i == STEPS ? 1 : i % 2 ? 4 : 2;
+        double dx = 3 * (NARROW / 2 + w * w * (1 - 1.5 * NARROW));
+        length += weight * hypot(dx, 3 * w) / (3 * STEPS);
+    }
+    struct patch_measure m = patch_measure(&p, 4, vec(0, 0, 0));
+    ck_assert(m.sound);
+    ck_assert_double_eq_tol(m.area, 4 * length, 1e-5 * m.area);
+    nurbs_curve_free(&c);
+    patch_free(&p);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("patch_measure");
@@ -93,6 +119,7 @@ int main(void)
     tcase_add_test(tcase, a_cylinder_cut_askew);
     tcase_add_test(tcase, a_whole_sphere);
     tcase_add_test(tcase, a_zone_of_a_sphere);
+    tcase_add_test(tcase, nearly_a_cusp);
     suite_add_tcase(suite, tcase);
     SRunner *runner = srunner_create(suite);
     srunner_run_all(runner, CK_NORMAL);
