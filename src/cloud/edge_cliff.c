@@ -259,7 +259,30 @@ static double width_of(const struct cliff *cliff)
     return least;
 }
 
-double edge_cliff_add(const struct edge_work *work, size_t i, struct vec3s *to)
+/* Of two points the upper one of an edge, whose flank is the more level, finds it, unless both
+ * have flanks that meet anyhow. */
+static bool is_owner(const struct edge_work *work, size_t i, size_t k)
+{
+    const struct edge_flank *own = &work->flank[i], *other = &work->flank[k];
+    double level = quadric_normal(&own->q).z - quadric_normal(&other->q).z;
+
+    return !(own->valid && other->valid) && edge_flank_known(other) &&
+           (level > 0 || (!(level < 0) && i < k));
+}
+
+static void add_edges(const struct edge_work *work, size_t i, const struct cliff *cliff,
+                      struct vec3s *edge)
+{
+    struct sizes across = {0};
+
+    for (size_t k = 0; k < cliff->beyond.n; k++)
+        if (is_owner(work, i, cliff->beyond.item[k]))
+            *array_push(&across) = cliff->beyond.item[k];
+    edge_meet_across(work, i, &across, edge);
+    array_free(&across);
+}
+
+double edge_cliff_add(const struct edge_work *work, size_t i, struct vec3s *edge, struct vec3s *to)
 {
     const struct edge_flank *flank = &work->flank[i];
     bool certain = edge_flank_certain(work, flank);
@@ -274,6 +297,8 @@ double edge_cliff_add(const struct edge_work *work, size_t i, struct vec3s *to)
         fill_cliff(work, &cliff, to);
     if (cliff.below.n > 0)
         fill_wall(work, &cliff, certain, to);
+    if (certain)
+        add_edges(work, i, &cliff, edge);
     if (to->n > before)
         width = width_of(&cliff);
     array_free(&cliff.on);

@@ -12,6 +12,9 @@
  * that planes are tried through. */
 enum { SMOOTH = EDGE_SMOOTH, LINED = 36, TRIED = 12 };
 
+/* So many points deep flanks go on towards an edge. */
+enum { CONTINUED = 2 };
+
 /* In spacings: a surface off its points by less is a flank; so narrow a flank is none; a point so
  * far from all others is on none of theirs. */
 static const double FLAT = 0.02, BENT = 0.015, NARROW = 0.25, APART = 2,
@@ -239,6 +242,69 @@ static bool is_confirmed(const struct edge_work *work, const struct edge_hood *n
     return same >= EDGE_FEWEST / 2 && (double)same >= part * (double)on;
 }
 
+/* The surface through the point and the neighbours that are on it; false: there is none through all
+ * of these that is certain. */
+static bool refit_flank(const struct edge_work *work, const struct edge_hood *near,
+                        struct edge_flank *flank)
+{
+    struct vec3 on[EDGE_NEAR], way = quadric_normal_at(&flank->q, near->point[0]);
+    double least = edge_within(work, flank->spacing);
+    struct side_fit fit;
+    size_t n = 0;
+
+    for (size_t k = 0; k < near->n; k++)
+        if (k == 0 || fabs(quadric_off(&flank->q, near->point[k])) <= least)
+            on[n++] = near->point[k];
+    if (n < 2 * EDGE_FEWEST || side_fit_plane(on, n, near->point[0], way, &fit) < 0)
+        return false;
+    side_fit_bend(on, n, &fit);
+    flank->q = fit.q;
+    flank->rms = fit.rms;
+    quadric_face_up(&flank->q);
+    return quadric_normal_at(&flank->q, near->point[0]).z > EDGE_UPRIGHT &&
+           edge_flank_certain(work, flank) && fabs(quadric_off(&flank->q, near->point[0])) <= least;
+}
+
+/* A rough point that no certain flank goes through takes the surface of its nearest neighbour that
+ * has one and goes on to it, as beside the rim of a groove, whose wall bends too much for a
+ * plane. */
+static struct edge_flank continue_flank(const struct edge_work *work, const struct edge_hood *near,
+                                        struct edge_flank own)
+{
+    struct vec3 normal;
+
+    for (size_t k = 1; k < EDGE_MEETING; k++) {
+        const struct edge_flank *other = &work->flank[near->index[k]];
+        struct edge_flank flank = own;
+        if (!edge_flank_certain(work, other) ||
+            fabs(edge_flank_above(other, near->point[0], &normal)) >
+                allowed(work, own.spacing, near->distance2[k]))
+            continue;
+        flank.q = other->q;
+        flank.rms = other->rms;
+        flank.valid = flank.continued = true;
+        if (refit_flank(work, near, &flank))
+            return flank;
+    }
+    return own;
+}
+
+static void continue_flanks(void *context, size_t from, size_t to)
+{
+    const struct edge_work *work = context;
+    struct edge_hood near;
+
+    for (size_t i = from; i < to; i++) {
+        const struct edge_flank *own = &work->flank[i];
+        work->chosen[i] = *own;
+        if (!own->rough || (own->valid && edge_flank_certain(work, own)))
+            continue;
+        edge_hood_find(work, i, &near);
+        if (near.n == EDGE_NEAR)
+            work->chosen[i] = continue_flank(work, &near, *own);
+    }
+}
+
 /* The flank that a rough point takes: its own, if its neighbours confirm it; but that of a
  * neighbour, if it lies on it too and that is fitted much better, or it has none. */
 static struct edge_flank choose_flank(const struct edge_work *work, const struct edge_hood *near,
@@ -263,6 +329,30 @@ static struct edge_flank choose_flank(const struct edge_work *work, const struct
     return own;
 }
 
+/* A cubic has bends enough to go round an edge among noise.  Where a surface with less goes through
+ * the point, and another way, it is that one. */
+static struct edge_flank plainer_flank(const struct edge_work *work, const struct edge_hood *near,
+                                       size_t i)
+{
+    const double alike = 0.985; /* cosine of 10 degrees */
+    struct edge_flank own = work->flank[i];
+    double least = edge_within(work, own.spacing);
+    struct vec3 way = quadric_normal_at(&own.q, near->point[0]), normal;
+
+    for (size_t k = 1; k < EDGE_MEETING; k++) {
+        const struct edge_flank *other = &work->flank[near->index[k]];
+        if (!(other->bent ? other->confirmed : edge_flank_certain(work, other)) ||
+            fabs(edge_flank_above(other, near->point[0], &normal)) > least ||
+            vec_dot(way, normal) > alike || normal.z <= EDGE_UPRIGHT)
+            continue;
+        own.q = other->q;
+        own.rms = other->rms;
+        own.valid = true;
+        break;
+    }
+    return own;
+}
+
 static void choose_flanks(void *context, size_t from, size_t to)
 {
     const struct edge_work *work = context;
@@ -270,11 +360,12 @@ static void choose_flanks(void *context, size_t from, size_t to)
 
     for (size_t i = from; i < to; i++) {
         work->chosen[i] = work->flank[i];
-        if (!work->flank[i].rough)
+        if (!work->flank[i].bent)
             continue;
         edge_hood_find(work, i, &near);
         if (near.n == EDGE_NEAR)
-            work->chosen[i] = choose_flank(work, &near, i);
+            work->chosen[i] =
+                work->flank[i].rough ? choose_flank(work, &near, i) : plainer_flank(work, &near, i);
     }
 }
 
@@ -339,6 +430,12 @@ void edge_flanks_find(struct edge_work *work)
         parallel_for(threads, n, confirm_flanks, work);
     }
     parallel_for(threads, n, choose_flanks, work);
+    for (int turn = 0; turn < CONTINUED; turn++) {
+        struct edge_flank *flank = work->flank;
+        work->flank = work->chosen;
+        work->chosen = flank;
+        parallel_for(threads, n, continue_flanks, work);
+    }
     free(work->flank);
     work->flank = work->chosen;
     if (work->options->fill)

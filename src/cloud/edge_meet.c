@@ -48,7 +48,7 @@ static bool is_edge_between(const struct edge_work *work, size_t i, size_t k)
     double least = edge_within(work, fmax(a->spacing, b->spacing));
     struct vec3 na, nb;
 
-    if (!b->valid || edge_flank_above(a, point[k], &na) > -least ||
+    if (!edge_flank_known(b) || edge_flank_above(a, point[k], &na) > -least ||
         edge_flank_above(b, point[i], &nb) > -least)
         return false;
     edge_flank_above(a, point[i], &na);
@@ -199,6 +199,22 @@ void edge_meet_add(const struct edge_work *work, const struct edge_hood *near, s
                    struct vec3s *to)
 {
     for (size_t k = 1; k < EDGE_MEETING; k++)
-        if (near->index[k] > i && is_edge_between(work, i, near->index[k]))
+        if (near->index[k] > i && work->flank[near->index[k]].valid &&
+            is_edge_between(work, i, near->index[k]))
             add_edge(work, near, i, near->index[k], to);
+}
+
+void edge_meet_across(const struct edge_work *work, size_t i, const struct sizes *across,
+                      struct vec3s *to)
+{
+    struct edge_hood near = {.n = 0};
+
+    for (size_t k = 0; k < across->n; k++) {
+        if (!is_edge_between(work, i, across->item[k]))
+            continue;
+        if (near.n == 0)
+            edge_hood_find(work, i, &near);
+        if (near.n == EDGE_NEAR)
+            add_edge(work, &near, i, across->item[k], to);
+    }
 }

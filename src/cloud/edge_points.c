@@ -102,7 +102,7 @@ static void find_edges(void *context, size_t from, size_t to)
     struct edge_hood near;
 
     for (size_t i = from; i < to; i++) {
-        work->gap[i] = edge_cliff_add(work, i, &work->between[i]);
+        work->gap[i] = edge_cliff_add(work, i, &work->found[i], &work->between[i]);
         if (!work->flank[i].bent)
             continue;
         edge_hood_find(work, i, &near);

@@ -38,6 +38,7 @@ struct edge_flank {
     bool valid;       /* it has a flank */
     bool confirmed;   /* by those of its neighbours */
     bool along;       /* it is of neighbours along a rib or wall */
+    bool continued;   /* it is a neighbour's, that goes on to the point */
     double spacing, rms;
     struct quadric q; /* if valid, or of the neighbourhood; faces up */
 };
@@ -91,16 +92,20 @@ double edge_even(const struct edge_work *work, double spacing);
 
 void edge_along_find(const struct edge_work *work, size_t i);
 
-/* ---- edge_meet: appends the places of edges between point i and neighbours after it. */
+/* ---- edge_meet: appends the places of edges between point i and neighbours after it, or the
+ * points `across`, whose surfaces are known. */
 
 void edge_meet_add(const struct edge_work *work, const struct edge_hood *near, size_t i,
                    struct vec3s *to);
+void edge_meet_across(const struct edge_work *work, size_t i, const struct sizes *across,
+                      struct vec3s *to);
 
 /* ---- edge_cliff: appends places on the flank of point i, continued to the points so steeply below
  * that a wall must be between, and on that wall; returns how far these are, seen from above; 0:
- * there are none. */
+ * there are none.  To `edge`: places of edges with surfaces that begin farther down than the
+ * nearest points of its own neighbourhood. */
 
-double edge_cliff_add(const struct edge_work *work, size_t i, struct vec3s *to);
+double edge_cliff_add(const struct edge_work *work, size_t i, struct vec3s *edge, struct vec3s *to);
 
 /* How far the flank may go on before point i of such a wall, mm, where that is a sharp corner: a
  * tip of it passes between points below; 0: it is none. */

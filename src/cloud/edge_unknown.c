@@ -24,10 +24,12 @@ static const double OUT = 0.1, ROUGH = 0.08, BARE = 1;
 /* Least z of the middle of these directions: no ball comes from below. */
 static const double UP = 0.05;
 
-/* Its surface is known, or it is guarded as the points below let it be. */
+/* Its surface is known by itself, or it is guarded as the points below let it be. */
 static bool is_explained(const struct edge_work *work, size_t i)
 {
-    return work->gap[i] > 0 || edge_flank_certain(work, &work->flank[i]);
+    const struct edge_flank *own = &work->flank[i];
+
+    return work->gap[i] > 0 || (edge_flank_certain(work, own) && !own->continued);
 }
 
 /* A place that an edge was found at, or that is on a cone, lies in front of the point, or no

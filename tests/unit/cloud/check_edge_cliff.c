@@ -15,13 +15,13 @@ static double mesa(double x, double y)
 START_TEST(mesa_goes_on)
 {
     struct edge_trial trial;
-    struct vec3s to = {0};
+    struct vec3s to = {0}, edge = {0};
 
     edge_trial_make(&trial, mesa, false, 0);
     edge_flanks_find(&trial.work);
     for (size_t i = 0; i < trial.grid.n; i++) {
         struct vec3 p = trial.grid.point[i];
-        double side = edge_trial_side(p.x, p.y), width = edge_cliff_add(&trial.work, i, &to);
+        double side = edge_trial_side(p.x, p.y), width = edge_cliff_add(&trial.work, i, &edge, &to);
         ck_assert(width == 0 || (p.z > HIGH / 2 && side < EDGE_REACH * 0.5));
         ck_assert(width == 0 ||
                   (width >= side && width <= side + 1)); /* the floor is seen so near */
@@ -46,6 +46,7 @@ START_TEST(mesa_goes_on)
         ck_assert_double_le(least, 0.3);
     }
     array_free(&to);
+    array_free(&edge);
     edge_trial_free(&trial);
 }
 END_TEST
@@ -53,12 +54,12 @@ END_TEST
 START_TEST(roof_has_none)
 {
     struct edge_trial trial;
-    struct vec3s to = {0};
+    struct vec3s to = {0}, edge = {0};
 
     edge_trial_make(&trial, edge_trial_roof, _i == 1, 0);
     edge_flanks_find(&trial.work);
     for (size_t i = 0; i < trial.grid.n; i++)
-        ck_assert_double_eq(edge_cliff_add(&trial.work, i, &to), 0);
+        ck_assert_double_eq(edge_cliff_add(&trial.work, i, &edge, &to), 0);
     ck_assert_uint_eq(to.n, 0);
     edge_trial_free(&trial);
 }

@@ -483,6 +483,45 @@ START_TEST(walls_under_round_rims)
 }
 END_TEST
 
+/* A ring groove, half a circle deep: its walls are upright at its rims and bend away below these, so
+ * that a scan from above has few points on their upper parts. */
+static const double GROOVE = 2.2;
+
+static double ring_groove(double x, double y)
+{
+    double d = hypot(x - 0.3, y + 0.2) - 9;
+
+    return fabs(d) < GROOVE ? -sqrt(GROOVE * GROOVE - d * d) : 0;
+}
+
+/* A ball over it rests on both rims: where points are missing it sinks in by no more than a part of
+ * their distance, and hardly anywhere by much. */
+START_TEST(rims_of_grooves)
+{
+    enum { POINTS = 60000, PLACES = 400 };
+    static const enum noisy_pattern pattern[] = {NOISY_RANDOM, NOISY_GRID};
+    const double noise = _i / 2 * 0.008, most = 0.065, more = 0.02;
+    struct guarded g = {0};
+    int deep = 0;
+
+    noisy_seed(110 + (unsigned)_i);
+    noisy_scan(&g.scan, ring_groove, POINTS, pattern[_i % 2], noise);
+    crop(&g.scan, 14, 14);
+    guarded_make(&g, 0.26, noise);
+    struct gouge_check *guard = guarded_gouge(&g);
+    for (int i = 0; i < PLACES; i++) {
+        double t = 2 * PI * i / PLACES, level = sqrt(RADIUS * RADIUS - GROOVE * GROOVE);
+        struct vec3 c = vec(0.3 + 9 * cos(t), -0.2 + 9 * sin(t), level - most);
+        ck_assert_msg(gouge_depth(guard, c, RADIUS) > 0, "%d: free at %g %g %g", _i, c.x, c.y, c.z);
+        c.z = level - more;
+        deep += gouge_depth(guard, c, RADIUS) <= 0;
+    }
+    ck_assert_int_le(deep, PLACES / 8);
+    gouge_free(guard);
+    guarded_free(&g);
+}
+END_TEST
+
 /* A wall 0.6 mm thick, on which there are one or two points across; and a blade of 14 degrees, on
  * whose sides a scan from above has few. */
 static double narrow_wall(double x, double y)
@@ -542,6 +581,7 @@ int main(void)
     tcase_add_loop_test(tests, points_on_a_ridge, 0, 3);
     tcase_add_loop_test(tests, on_scan_lines, 0, 3);
     tcase_add_loop_test(tests, walls_under_round_rims, 0, 12);
+    tcase_add_loop_test(tests, rims_of_grooves, 0, 4);
     tcase_add_loop_test(tests, unseen_walls, 0, 3);
     tcase_add_loop_test(tests, thin_parts, 0, 6);
     suite_add_tcase(suite, tests);
