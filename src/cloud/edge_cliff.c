@@ -7,6 +7,7 @@
  * too, and lies as far below: down a step. */
 static const double WALL = 0.9, STEP = 0.1;
 static const double CORNER = 1.5;  /* spacings */
+static const double TIP = 2;       /* the same of a square corner's tip */
 static const double LEVEL = 0.35;  /* least z of a flank that has corners */
 static const double FACING = 0.12; /* least z of a flank that is continued over its wall */
 static const double STEEP = 2.5;   /* 68 degrees: a wall hangs from a flank as from one so steep */
@@ -17,7 +18,7 @@ static const double FARTHER = 4;   /* spacings: farther than that a flank is a p
 /* Seen from above the flank is open about a point of a corner by more: its sides make less than 75
  * degrees.  Before blunter ones a ball is held off by the walls of both sides. */
 static const double CORNER_OPEN = RADIANS(285);
-enum { CORNER_FEWEST = 2 };
+enum { CORNER_FEWEST = 2, MOST = 60 }; /* points down a wall */
 
 /* What is seen from above about a point of a flank: points of the flank, those so steeply below it
  * that a wall is between, and points whose flank meets it in a known edge. */
@@ -100,6 +101,11 @@ static void sort_by_height(const struct edge_work *work, size_t i, size_t k, str
     else if (off < -WALL * far ||
              (off < -STEP * far && down > STEP * far && is_sure(work, other, far)))
         *array_push(&cliff->below) = p;
+}
+
+static double plan_distance(struct vec3 a, struct vec3 b)
+{
+    return hypot(b.x - a.x, b.y - a.y);
 }
 
 /* The points within EDGE_REACH of point i as seen from above, one after the other. */
@@ -207,6 +213,70 @@ static bool is_before_edges(const struct edge_work *work, const struct cliff *cl
     return true;
 }
 
+/* Of these points, seen from above, as turned from a way at a place: between -PI and PI. */
+static double turned(struct vec3 p, struct vec3 at, double x, double y)
+{
+    double u = p.x - at.x, v = p.y - at.y;
+
+    return atan2(x * v - y * u, x * u + y * v);
+}
+
+/* No point below is in the quarter of the plane that begins at this turn. */
+static bool is_free(const struct cliff *cliff, struct vec3 at, double x, double y, double begin)
+{
+    const double slack = 1e-9;
+
+    for (size_t k = 0; k < cliff->below.n; k++) {
+        double t = turned(cliff->below.item[k], at, x, y) - begin;
+        t += t < 0 ? 2 * PI : 0;
+        if (t > slack && t < PI / 2 - slack)
+            return false;
+    }
+    return true;
+}
+
+/* The upper points may be those of a square corner whose tip is over the place: there is one that
+ * holds all of them, and none of those below. */
+static bool is_corner_tip(const struct cliff *cliff, struct vec3 at)
+{
+    double x = cliff->from.x - at.x, y = cliff->from.y - at.y, low = 0, high = 0;
+
+    for (size_t k = 0; k < cliff->on.n; k++) {
+        x += cliff->on.item[k].x - at.x;
+        y += cliff->on.item[k].y - at.y;
+    }
+    for (size_t k = 0; k <= cliff->on.n; k++) {
+        double t = turned(k < cliff->on.n ? cliff->on.item[k] : cliff->from, at, x, y);
+        low = k == 0 ? t : fmin(low, t);
+        high = k == 0 ? t : fmax(high, t);
+    }
+    if (!(high - low < PI / 2))
+        return false;
+    if (is_free(cliff, at, x, y, low) || is_free(cliff, at, x, y, high - PI / 2))
+        return true;
+    for (size_t k = 0; k < cliff->below.n; k++) {
+        double t = turned(cliff->below.item[k], at, x, y);
+        t -= t > 0 ? PI / 2 : 0; /* as the end of the quarter, or as its begin */
+        if (t > high - PI / 2 && t < low && is_free(cliff, at, x, y, t))
+            return true;
+    }
+    return false;
+}
+
+/* Straight down from a place of the flank as far as the nearest point below. */
+static void add_wall(const struct edge_work *work, const struct cliff *cliff, struct vec3 at,
+                     struct vec3s *to)
+{
+    struct vec3 foot = cliff->below.item[0];
+
+    for (size_t k = 1; k < cliff->below.n; k++)
+        if (plan_distance(cliff->below.item[k], at) < plan_distance(foot, at))
+            foot = cliff->below.item[k];
+    double parts = fmin(ceil((at.z - foot.z) / work->options->along), MOST);
+    for (double part = 1; part < parts; part++)
+        *array_push(to) = vec(at.x, at.y, at.z + part / parts * (foot.z - at.z));
+}
+
 /* The flank of point i goes on up to the points below: where the wall between is nobody knows. */
 static void fill_cliff(const struct edge_work *work, const struct cliff *cliff, struct vec3s *to)
 {
@@ -225,11 +295,46 @@ static void fill_cliff(const struct edge_work *work, const struct cliff *cliff, 
         }
 }
 
+/* The wall of a corner whose tip may be over a place. */
+static bool add_tip(const struct edge_work *work, const struct cliff *cliff, double u, double v,
+                    struct vec3s *to)
+{
+    if (hypot_compare(u, v, cliff->reach) > 0 || !is_before_wall(cliff, u, v))
+        return false;
+    struct vec3 at = place_above(cliff, cliff->from.x + u, cliff->from.y + v);
+    if (!is_corner_tip(cliff, at))
+        return false;
+    *array_push(to) = at;
+    add_wall(work, cliff, at, to);
+    return true;
+}
+
+/* Corners of the flank stand out between points below, with their walls: places of tips, and closer
+ * about these. */
+static void fill_tips(const struct edge_work *work, const struct cliff *cliff, struct vec3s *to)
+{
+    enum { CLOSER = 3 };
+    const double dense = 0.65, triangle = 0.8660254037844386;
+    double pitch = dense * work->options->along, close = pitch / CLOSER;
+    int rings = (int)fmin(cliff->reach / pitch, EDGE_RINGS);
+
+    for (int j = -rings; j <= rings; j++)
+        for (int k = -rings; k <= rings; k++) {
+            double u = pitch * (k + j / 2.0), v = pitch * j * triangle;
+            if (!add_tip(work, cliff, u, v, to))
+                continue;
+            for (int a = -1; a <= 1; a++)
+                for (int b = -1; b <= 1; b++)
+                    if (a != 0 || b != 0)
+                        add_tip(work, cliff, u + close * (b + a / 2.0), v + close * a * triangle,
+                                to);
+        }
+}
+
 /* The wall itself may go down from there to a point below, without points that were seen. */
 static void fill_wall(const struct edge_work *work, const struct cliff *cliff, bool certain,
                       struct vec3s *to)
 {
-    enum { MOST = 60 };
     const double nearly = 0.9;
     bool steep = quadric_normal_at(cliff->q, cliff->from).z < FACING;
 
@@ -295,6 +400,12 @@ double edge_cliff_add(const struct edge_work *work, size_t i, struct vec3s *edge
 
     if (cliff.below.n > 0 && certain && quadric_normal(&flank->q).z > FACING)
         fill_cliff(work, &cliff, to);
+    if (cliff.below.n > 0 && cliff.beyond.n == 0 && certain &&
+        quadric_normal(&flank->q).z > LEVEL) {
+        struct cliff wider = cliff;
+        wider.corner = TIP * point_grid_spacing(work->options->point_grid);
+        fill_tips(work, &wider, to);
+    }
     if (cliff.below.n > 0)
         fill_wall(work, &cliff, certain, to);
     if (certain)

@@ -522,6 +522,42 @@ START_TEST(rims_of_grooves)
 }
 END_TEST
 
+/* A square post on a grid that is turned: its corners stand out between two points of the floor. */
+static double square_post(double x, double y)
+{
+    turned(&x, &y);
+    return fabs(x - 0.11) < 3 && fabs(y + 0.07) < 2 ? 4 : 0;
+}
+
+/* Balls that stand on the floor and touch a corner's upright edge are held off as far. */
+START_TEST(corners_between_points)
+{
+    enum { POINTS = 16000, WAYS = 9 };
+    static const enum noisy_pattern pattern[] = {NOISY_GRID, NOISY_RANDOM};
+    const double depth = _i % 2 ? 0.14 : 0.05; /* anywhere there are holes */
+    struct guarded g = {0};
+
+    turn = 0.1 + 0.13 * _i;
+    noisy_seed(120 + (unsigned)_i);
+    noisy_scan(&g.scan, square_post, POINTS, pattern[_i % 2], 0);
+    crop(&g.scan, 10, 10);
+    guarded_make(&g, 0.5, 0);
+    struct gouge_check *guard = guarded_gouge(&g);
+    for (int corner = 0; corner < 4; corner++)
+        for (int i = 0; i < WAYS; i++) {
+            double x = corner % 2 ? 3.11 : -2.89, y = corner / 2 ? 1.93 : -2.07;
+            double way = PI / 2 * (i + 1) / (WAYS + 1), far = RADIUS - depth;
+            x += (corner % 2 ? 1 : -1) * far * cos(way);
+            y += (corner / 2 ? 1 : -1) * far * sin(way);
+            struct vec3 c =
+                vec(x * cos(turn) - y * sin(turn), x * sin(turn) + y * cos(turn), RADIUS);
+            ck_assert_msg(gouge_depth(guard, c, RADIUS) > 0, "%d: free at %g %g", _i, c.x, c.y);
+        }
+    gouge_free(guard);
+    guarded_free(&g);
+}
+END_TEST
+
 /* A wall 0.6 mm thick, on which there are one or two points across; and a blade of 14 degrees, on
  * whose sides a scan from above has few. */
 static double narrow_wall(double x, double y)
@@ -582,6 +618,7 @@ int main(void)
     tcase_add_loop_test(tests, on_scan_lines, 0, 3);
     tcase_add_loop_test(tests, walls_under_round_rims, 0, 12);
     tcase_add_loop_test(tests, rims_of_grooves, 0, 4);
+    tcase_add_loop_test(tests, corners_between_points, 0, 24);
     tcase_add_loop_test(tests, unseen_walls, 0, 3);
     tcase_add_loop_test(tests, thin_parts, 0, 6);
     suite_add_tcase(suite, tests);
