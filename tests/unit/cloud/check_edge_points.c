@@ -483,8 +483,8 @@ START_TEST(walls_under_round_rims)
 }
 END_TEST
 
-/* A ring groove, half a circle deep: its walls are upright at its rims and bend away below these, so
- * that a scan from above has few points on their upper parts. */
+/* A ring groove, half a circle deep: its walls are upright at its rims and bend away below these,
+ * so that a scan from above has few points on their upper parts. */
 static const double GROOVE = 2.2;
 
 static double ring_groove(double x, double y)
