@@ -85,7 +85,7 @@ $(BUILD)/%.o: %.c
 once := io/nurbs/% nurbs/trim_% nurbs/construct nurbs/uv_polygon machine/machine% stage/% \
   mesh/mesh_clip mesh/mesh_repair toolpath/pass_extend toolpath/rest_% base/cli \
   cloud/crest_fit cloud/edge_points cloud/edge_meet cloud/edge_crest cloud/edge_fill \
-  cloud/edge_flank cloud/edge_along cloud/cone_tip cloud/roof cloud/sheets cloud/holes io/path/path_tool \
+  cloud/edge_flank cloud/edge_along cloud/edge_cliff cloud/edge_unknown cloud/cone_tip cloud/roof cloud/sheets cloud/holes io/path/path_tool \
   gouge/guard_mesh io/mesh/ply io/mesh/ply_source \
   gouge/gouge_lift gouge/lift_smooth gouge/link gouge/smooth_up gouge/smooth_aside
 $(once:%=$(BUILD)/src/%.o): CFLAGS := $(CFLAGS:-O3=-O2)
