@@ -18,7 +18,7 @@
 #define CLOUDMILL_TOOLPATH_H
 
 #include "gouge/gouge_lift.h"
-#include "gouge/link.h"
+#include "gouge/link_retract.h"
 #include "io/path/path.h"
 #include "machine/kinematics.h"
 #include "stage/path_check.h"

@@ -1,5 +1,5 @@
 /* link: a low arch over a floor, over a low wall, and not over a high one. */
-#include "gouge/link.h"
+#include "gouge/link_retract.h"
 
 #include <check.h>
 #include <stdint.h>
