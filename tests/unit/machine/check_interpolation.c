@@ -93,6 +93,23 @@ START_TEST(chord_of_an_arc)
 }
 END_TEST
 
+/* A curve as printed that leaves what is meant more and more: most of all at its end. */
+START_TEST(the_end_of_a_curve_counts)
+{
+    struct kinematic_chain chain = table_ac();
+    struct interpolation f = {INTERPOLATE_ROTARY, &chain, 0};
+    struct block_pose from = station(&chain, vec(0, 0, 0), 0, 0);
+    struct block_pose to = station(&chain, vec(10, 0.1, 0), 0, 0);
+    struct motion meant =
+        motion_line((struct pose){from.p, from.a}, (struct pose){vec(10, 0, 0), to.a});
+    struct motion printed = motion_line((struct pose){from.p, from.a}, (struct pose){to.p, to.a});
+    double point;
+    struct pose_deviation d = interpolation_curve(&f, &from, &to, &printed, &meant, 0, 1, &point);
+    ck_assert_double_eq_tol(d.point, 0.1, 1e-9);
+    ck_assert_double_eq_tol(point, 0.1, 1e-12);
+}
+END_TEST
+
 /* The tool turns over the pole on one spot: its two ends alone would look right. */
 START_TEST(a_turn_on_the_spot_is_seen)
 {
@@ -284,6 +301,7 @@ int main(void)
     tcase_add_test(tests, rotary_words_leave_the_great_circle);
     tcase_add_test(tests, joints_leave_the_straight_line);
     tcase_add_test(tests, chord_of_an_arc);
+    tcase_add_test(tests, the_end_of_a_curve_counts);
     tcase_add_test(tests, a_turn_on_the_spot_is_seen);
     tcase_add_loop_test(tests, bounds_hold, 0, 2);
     tcase_add_loop_test(tests, bends_hold, 0, 2);

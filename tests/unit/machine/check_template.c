@@ -55,7 +55,7 @@ static const struct {
     {TEMPLATE_IN_KEY, "{?frob}M6", "`{?frob}`"},
     {TEMPLATE_IN_KEY, "{Tool}", "`{Tool}`"},
     {TEMPLATE_IN_KEY, "{tool:0}", "a width of 1 to 20"},
-    {TEMPLATE_IN_KEY, "{tool:21}", "a width of 1 to 20"},
+    {TEMPLATE_IN_KEY, "{tool:21}", "found `{tool:21}`, expected a value with a width of 1 to 20"},
     {TEMPLATE_IN_KEY, "{tool:999999999999999999999}", "a width of 1 to 20"},
     {TEMPLATE_IN_KEY, "{tool:-4}", "a width of 1 to 20"},
     {TEMPLATE_IN_KEY, "{tool:4x}", "a width of 1 to 20"},
