@@ -1,7 +1,8 @@
 /*
  * toolpath_parts - what the files of toolpath.h share: strips lifted and their axes shaped
  * (toolpath_axes.c), centres smoothed (toolpath_smooth.c), their parts put in order
- * (toolpath_order.c), linked and put into the path (toolpath.c).
+ * (toolpath_order.c), linked (toolpath.c) and put into the path (toolpath_moves.c), and what is told
+ * of it (toolpath_report.c).
  */
 #ifndef CLOUDMILL_TOOLPATH_PARTS_H
 #define CLOUDMILL_TOOLPATH_PARTS_H
@@ -86,5 +87,22 @@ void toolpath_parts_free(struct toolpath_parts *parts);
 void toolpath_calm(const struct toolpath *t, const struct toolpath_parts *parts, double longest);
 
 struct link_options toolpath_link_options(const struct toolpath *t);
+
+/* No way leads to the part of so many points, or out of it. */
+bool toolpath_is_blocked(const struct toolpath_part *part, size_t points);
+
+/* Puts a part into the path, with what leads to it from the one before: a link, or up, over and
+ * down. */
+void toolpath_add_part(struct toolpath *t, const struct toolpath_part *part);
+
+/* Up from the last of them. */
+void toolpath_add_end(struct toolpath *t);
+
+/* Of an axis off z, radians. */
+double toolpath_axis_lean(struct vec3 axis);
+
+/* Looks from the places where a lifted ball may leave something for the nearest that it comes on
+ * the whole path, which may reach them from the side, and counts those where it does not. */
+void toolpath_find_uncut(struct toolpath *t);
 
 #endif
