@@ -1,8 +1,8 @@
 /*
  * toolpath_parts - what the files of toolpath.h share: strips lifted and their axes shaped
  * (toolpath_axes.c), centres smoothed (toolpath_smooth.c), their parts put in order
- * (toolpath_order.c), linked (toolpath.c), put into the path (toolpath_moves.c), and what is told of
- * it (toolpath_report.c).
+ * (toolpath_order.c), linked (toolpath.c), put into the path (toolpath_moves.c), and what is told
+ * of it (toolpath_report.c).
  */
 #ifndef CLOUDMILL_TOOLPATH_PARTS_H
 #define CLOUDMILL_TOOLPATH_PARTS_H
