@@ -45,16 +45,21 @@ static bool holds(int type, struct pointers *p)
     }
 }
 
-static int count_of(const struct walk *w, const struct iges_values *v, const struct pointers *p,
-                    size_t *n, struct error *error)
+/* The parts of an entity of this type. */
+static int count_of(const struct walk *w, int type, const struct iges_values *v,
+                    const struct pointers *p, size_t *n, struct error *error)
 {
     long count = 0;
     if (p->count < v->n &&
         iges_whole(w->iges, v, p->count, 0, COUNT_MAX, "count of parts", &count, error) < 0)
         return -1;
+    size_t most = v->n < p->first ? 0 : (v->n - p->first + p->step - 1) / p->step;
     *n = (size_t)count;
-    if (v->n < p->first || *n > (v->n - p->first + p->step - 1) / p->step)
-        *n = v->n < p->first ? 0 : (v->n - p->first + p->step - 1) / p->step;
+    if (*n > most && type != 402)
+        return error_at(error, w->iges->name, v->line,
+                        "entity %d with a count of %ld parts but %zu, expected as many", type,
+                        count, most);
+    *n = *n > most ? most : *n; /* groups are not all that careful */
     return 0;
 }
 
@@ -84,7 +89,7 @@ static int mark_inside(const struct walk *w, bool *inside, struct error *error)
         if (iges_values(w->iges, &first[i], &v, error) < 0)
             return -1;
         if (list)
-            status = count_of(w, &v, &p, &n, error);
+            status = count_of(w, first[i].type, &v, &p, &n, error);
         for (size_t k = 0; k < n && status == 0; k++) {
             const struct iges_entity *e;
             status = iges_pointer(w->iges, &v, p.first + k * p.step, &e, error);
@@ -138,7 +143,7 @@ static int place_held(struct walk *w, const struct iges_entity *e, const struct 
     if (e->type == 186 || e->type == 408 || e->type == 430)
         status = place_at(w, v, 1, to, body, depth, error);
     if (status == 0 && holds(e->type, &p))
-        status = count_of(w, v, &p, &n, error);
+        status = count_of(w, e->type, v, &p, &n, error);
     for (size_t k = 0; k < n && status == 0; k++) {
         struct transform own = transform_identity();
         if (e->type == 184 && value_at(v, 2 + n + k, 0) > 0 &&

@@ -136,13 +136,15 @@ static int compare_instances(const void *p, const void *q)
 static int index_instances(struct step *step, struct error *error)
 {
     struct cursor c = {step, 0, 1};
-    bool data = false, end = false;
+    bool header = false, data = false, end = false;
     while (!end) {
         if (skip_blanks(&c, error) < 0)
             return -1;
         if (at_end(&c))
             return unexpected(&c, "END-ISO-10303-21", error);
-        if (data && char_here(&c) == '#') {
+        if (!data && word_begins(&c, "HEADER")) {
+            header = true;
+        } else if (data && char_here(&c) == '#') {
             double id;
             size_t line = c.line;
             take_char(&c);
@@ -152,14 +154,16 @@ static int index_instances(struct step *step, struct error *error)
                 return unexpected(&c, "'=' after the number of an instance", error);
             take_char(&c);
             *array_push(&step->instance) = (struct step_instance){(long)id, c.at, line};
-        } else if (word_begins(&c, "DATA")) {
+        } else if (!data && word_begins(&c, "DATA")) {
+            if (!header)
+                return unexpected(&c, "a HEADER section before the DATA", error);
             data = true;
         } else if (word_begins(&c, "ENDSEC")) {
             data = false;
-        } else if (word_begins(&c, "END-ISO-10303-21")) {
+        } else if (!data && word_begins(&c, "END-ISO-10303-21")) {
             end = true;
         } else if (data) {
-            return unexpected(&c, "'#' and the number of an instance", error);
+            return unexpected(&c, "'#' and the number of an instance, or ENDSEC", error);
         }
         if (skip_statement(&c, error) < 0)
             return -1;

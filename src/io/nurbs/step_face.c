@@ -177,6 +177,9 @@ int step_face(const struct step_place *place, const struct step_values *v,
     const struct step_value *list = step_item(face, 1);
     bool same;
     int got = step_flag(place->step, v, step_item(face, 3), &same, error);
+    if (got == 0 && (!list || list->kind != STEP_LIST))
+        got = error_at(error, place->step->name, v->instance->line,
+                       "#%ld: no list of bounds where one belongs, expected it", v->instance->id);
     for (const struct step_value *i = step_item(list, 0); i && got == 0; i = step_next(list, i))
         got = add_bound(place, v, i, same, &patch, &points, error);
     if (got == 0)

@@ -187,8 +187,8 @@ START_TEST(without_end)
     setup(); /* a count beyond what is there */
     int face = iges_file_add(510, 0, 0, true, "510,0;");
     add(186, 0, "186,%d,1,0;", add(514, 0, "514,9,%d,1;", face, 0, 0), 0, 0);
-    ck_assert_int_eq(find(), 0);
-    ck_assert_uint_eq(parts.n, 1);
+    ck_assert_int_eq(find(), -1);
+    ck_assert_ptr_nonnull(strstr(error.text, "514 with a count of 9 parts but 1"));
 }
 END_TEST
 

@@ -161,6 +161,8 @@ static const struct {
     {"#80=ORIENTED_EDGE('',*,*,#76,.T.);\n#81=EDGE_LOOP('',(#80));\n"
      "#82=FACE_BOUND('',#81,.T.);\n#90=ADVANCED_FACE('',(#82),#5,.T.);\n",
      "#76"},
+    {"#90=ADVANCED_FACE('',7,#5,.T.);\n", "#90: no list of bounds"},
+    {"#90=ADVANCED_FACE('',$,#5,.T.);\n", "#90: no list of bounds"},
 };
 
 START_TEST(what_is_wrong_is_named)
