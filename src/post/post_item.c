@@ -5,6 +5,7 @@
 #include "base/num.h"
 #include "post_hole.h"
 #include "post_ik.h"
+#include "post_block.h"
 #include "post_motion.h"
 #include "post_rewind.h"
 
@@ -247,7 +248,7 @@ static int drill_hole(struct nc_planner *planner, const struct path_item *item)
     struct machine_pose to = post_ik_pose(planner, above, planner->state.at.q);
     if (post_ik_check_linear(planner, &deep) != 0 || post_ik_check_linear(planner, &to) != 0)
         return -1;
-    struct nc_move *move = post_motion_append(planner, NC_HOLE, &to);
+    struct nc_move *move = post_block_append(planner, NC_HOLE, &to);
     move->why = NC_WHY_PATH;
     move->feed = hole.feed;
     move->index = (unsigned)planner->plan->hole.n;

@@ -8,6 +8,7 @@
 #include "machine/ik_plan.h"
 #include "post_ik.h"
 #include "post_item.h"
+#include "post_block.h"
 #include "post_motion.h"
 #include "post_rewind.h"
 #include "post_travel.h"
@@ -464,7 +465,7 @@ static void turn_before_rapid(struct nc_planner *planner, const struct path_item
         post_ik_reach(planner, item->to, 1, &to) == 0 &&
         ik_choose(chain, planner->state.pose.a, to.at.q, true, -1, q, &over) == 0 &&
         ik_travel(chain, q, planner->state.at.q) > far_turn)
-        post_motion_turn(planner, q);
+        post_block_turn(planner, q);
     planner->off_part = true;
     planner->doubtful = doubt;
 }
@@ -478,7 +479,7 @@ static void turn_at_part(struct nc_planner *planner, const struct lookahead *ahe
     if (planner->off_part && ahead && planner->state.begun &&
         ik_choose(chain, planner->state.pose.a, ahead->item[0].q, true, -1, q, &over) == 0 &&
         ik_travel(chain, q, planner->state.at.q) > RADIANS(0.01))
-        post_motion_turn(planner, q);
+        post_block_turn(planner, q);
     planner->off_part = planner->off_part && !planner->state.begun;
 }
 

@@ -1,7 +1,9 @@
 /* post_rewind - see post_rewind.h. */
 #include "post_rewind.h"
 
+#include "post_block.h"
 #include "post_motion.h"
+#include "post_straight.h"
 #include "post_ik.h"
 
 static const double return_height = 2; /* mm above the part, down to which the return is a rapid */
@@ -90,7 +92,7 @@ static int retract_turn_return(struct nc_planner *planner, const double q[])
     planner->aim.n = 0;
     if (post_motion_rapid(planner, up) != 0)
         return -1;
-    post_motion_turn(planner, q);
+    post_block_turn(planner, q);
     struct motion back = motion_line(near, here);
     planner->plan->total.turns++;
     int result = post_motion_rapid(planner, near) == 0 ? post_rewind_motion(planner, &back) : -1;
@@ -119,7 +121,7 @@ int post_rewind_for(struct nc_planner *planner, struct pose goal)
 
 int post_rewind_line(struct nc_planner *planner, struct pose to)
 {
-    if (planner->rewinds.n == 0 && post_motion_one_block(planner, &to) == 0)
+    if (planner->rewinds.n == 0 && post_straight_one(planner, &to) == 0)
         return 0;
     planner->plan->unmet = false;
     struct motion motion = motion_line(planner->state.pose, to);

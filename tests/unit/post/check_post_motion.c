@@ -9,7 +9,9 @@
 #include "chains.h"
 #include "planners.h"
 #include "post/post_ik.h"
+#include "post/post_block.h"
 #include "post/post_motion.h"
+#include "post/post_straight.h"
 
 enum { STEPS = 200, MODES = 3 };
 
@@ -158,7 +160,7 @@ START_TEST(one_block)
             to.p = vec_scale(0.98, from.p);
         struct block_pose at = b.planner.state.at;
         size_t moves = b.plan.move.n;
-        bool one = post_motion_one_block(&b.planner, &to) == 0;
+        bool one = post_straight_one(&b.planner, &to) == 0;
         if (one && b.plan.move.n > moves) {
             struct block_pose end = end_of(&b, moves);
             struct pose_deviation d = off(&b, (struct meant){from, to}, &at, &end);
@@ -191,7 +193,7 @@ START_TEST(turned_in_place)
         begin(&b, _i, mode_of[mode]);
         const double *now = b.planner.state.at.q, q[2] = {now[0] + 2, now[1] - 0.3};
         struct vec3 tip = b.planner.state.pose.p;
-        post_motion_turn(&b.planner, q);
+        post_block_turn(&b.planner, q);
         size_t n = b.plan.move.n;
         ck_assert_uint_eq(n, mode_of[mode] == INTERPOLATE_JOINT ? 58 : 1); /* 2 radians by 2 deg */
         for (size_t k = 0; k < n; k++) {

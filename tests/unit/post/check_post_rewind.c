@@ -9,7 +9,6 @@
 #include "chains.h"
 #include "planners.h"
 #include "post/post_ik.h"
-#include "post/post_motion.h"
 #include "post/post_rewind.h"
 
 enum { MODES = 2 };
