@@ -85,12 +85,12 @@ $(BUILD)/%.o: %.c
 once := io/nurbs/% nurbs/trim_% nurbs/construct nurbs/uv_polygon machine/machine% stage/% \
   mesh/mesh_clip mesh/mesh_repair toolpath/pass_extend toolpath/rest_% base/cli \
   cloud/crest_fit cloud/edge_points cloud/edge_meet cloud/edge_crest cloud/edge_fill \
-  cloud/edge_flank cloud/edge_along cloud/edge_cliff cloud/edge_unknown cloud/cone_tip cloud/roof cloud/sheets cloud/holes io/path/path_tool \
+  cloud/edge_flank cloud/edge_along cloud/cone_tip cloud/roof cloud/sheets cloud/holes io/path/path_tool \
   gouge/guard_mesh io/mesh/ply io/mesh/ply_source \
   gouge/gouge_lift gouge/lift_smooth gouge/link gouge/link_retract gouge/link_sweep gouge/smooth_up gouge/smooth_aside
 $(once:%=$(BUILD)/src/%.o): CFLAGS := $(CFLAGS:-O3=-O2)
 # Of these, IGES and STEP files and where rest passes go, also without what makes -O2 longer.
-small := io/nurbs/iges% io/nurbs/step% toolpath/rest_% stage/toolpath_shorten stage/toolpath_order
+small := io/nurbs/iges% io/nurbs/step% cloud/edge_unknown cloud/edge_cliff toolpath/rest_% stage/toolpath_shorten stage/toolpath_order
 $(small:%=$(BUILD)/src/%.o): CFLAGS := $(CFLAGS:-O3=-Os)
 
 # The file VERSION is what `--version`, the tarball and the packages say.

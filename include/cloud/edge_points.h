@@ -22,7 +22,10 @@
  *      as it is above their own surface, nobody knows where the wall is: a flank goes on up to
  *      these points, at a corner a little beyond, and down to them goes a wall, so that a ball is
  *      kept off whatever may be there.  Only flanks are continued that are certain:
- *      their points are off them by no more than noise, or than a ball may sink.
+ *      their points are off them by no more than noise, or than a ball may sink.  Where a square
+ *      corner that holds the upper points stands out between two points below, its wall hangs
+ *      there, too; and over the foot of a wall of 8 spacings and more one hangs whatever is known
+ *      of the surfaces, as over round teeth.
  *   5. The tip of a cone is put where its straight lines, continued, meet (cone_tip.h), and places
  *      round it as far as all neighbours know.  Where sides are so narrow, or bend so much, that
  *      none is certain, both sides of a crest are fitted together (crest_fit.h), and places put on

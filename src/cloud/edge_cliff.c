@@ -12,13 +12,13 @@ static const double LEVEL = 0.35;  /* least z of a flank that has corners */
 static const double FACING = 0.12; /* least z of a flank that is continued over its wall */
 static const double STEEP = 2.5;   /* 68 degrees: a wall hangs from a flank as from one so steep */
 static const double FAIR = 0.1;    /* spacings: so far off its points a flank tells of a wall yet */
-static const double FOOT = 8;      /* spacings: so high a wall stands on a fair flank, too */
+static const double FOOT = 8;      /* spacings: so high a wall stands on a fair flank, or any */
 static const double FARTHER = 4;   /* spacings: farther than that a flank is a plane */
 
 /* Seen from above the flank is open about a point of a corner by more: its sides make less than 75
  * degrees.  Before blunter ones a ball is held off by the walls of both sides. */
 static const double CORNER_OPEN = RADIANS(285);
-enum { CORNER_FEWEST = 2, MOST = 60 }; /* points down a wall */
+enum { CORNER_FEWEST = 2 };
 
 /* What is seen from above about a point of a flank: points of the flank, those so steeply below it
  * that a wall is between, and points whose flank meets it in a known edge. */
@@ -263,18 +263,25 @@ static bool is_corner_tip(const struct cliff *cliff, struct vec3 at)
     return false;
 }
 
-/* Straight down from a place of the flank as far as the nearest point below. */
-static void add_wall(const struct edge_work *work, const struct cliff *cliff, struct vec3 at,
+/* From a place straight down as far as a point below. */
+static void add_wall(const struct edge_work *work, struct vec3 at, struct vec3 foot,
                      struct vec3s *to)
+{
+    enum { MOST = 60 };
+    double parts = fmin(ceil((at.z - foot.z) / work->options->along), MOST);
+
+    for (double part = 1; part < parts; part++)
+        *array_push(to) = vec(at.x, at.y, at.z + part / parts * (foot.z - at.z));
+}
+
+static struct vec3 nearest_below(const struct cliff *cliff, struct vec3 at)
 {
     struct vec3 foot = cliff->below.item[0];
 
     for (size_t k = 1; k < cliff->below.n; k++)
         if (plan_distance(cliff->below.item[k], at) < plan_distance(foot, at))
             foot = cliff->below.item[k];
-    double parts = fmin(ceil((at.z - foot.z) / work->options->along), MOST);
-    for (double part = 1; part < parts; part++)
-        *array_push(to) = vec(at.x, at.y, at.z + part / parts * (foot.z - at.z));
+    return foot;
 }
 
 /* The flank of point i goes on up to the points below: where the wall between is nobody knows. */
@@ -305,7 +312,7 @@ static bool add_tip(const struct edge_work *work, const struct cliff *cliff, dou
     if (!is_corner_tip(cliff, at))
         return false;
     *array_push(to) = at;
-    add_wall(work, cliff, at, to);
+    add_wall(work, at, nearest_below(cliff, at), to);
     return true;
 }
 
@@ -347,9 +354,8 @@ static void fill_wall(const struct edge_work *work, const struct cliff *cliff, b
         double way = hypot(u, v), top = steep ? fmax(at.z, cliff->from.z - STEEP * way) : at.z;
         at = vec(cliff->from.x + u, cliff->from.y + v,
                  fmin(top, cliff->from.z + (certain ? way : 0)));
-        double parts = fmin(ceil((at.z - foot.z) / work->options->along), MOST);
-        for (double part = 1; part < parts && is_before_edges(work, cliff, at); part++)
-            *array_push(to) = vec(at.x, at.y, at.z + part / parts * (foot.z - at.z));
+        if (is_before_edges(work, cliff, at))
+            add_wall(work, at, foot, to);
     }
 }
 
@@ -416,6 +422,126 @@ double edge_cliff_add(const struct edge_work *work, size_t i, struct vec3s *edge
     array_free(&cliff.below);
     array_free(&cliff.beyond);
     return width;
+}
+
+/* ---- feet of walls, whatever is known of the surfaces: as simulate/unseen_wall.h, by its own
+ * formulas, takes a wall for one that a scan has no points on */
+
+static int by_height(const void *pa, const void *pb)
+{
+    const struct vec3 *a = pa, *b = pb;
+
+    return (a->z > b->z) - (a->z < b->z);
+}
+
+/* The points about point i that are no farther, seen from above, than a wall may be; lowest
+ * first. */
+static struct vec3s places_about(const struct edge_work *work, size_t i, double reach)
+{
+    struct about about = points_about(work, i);
+    struct vec3 from = about.grid->point[i];
+    struct vec3s near = {0};
+
+    for (size_t k; next_about(&about, &k);)
+        if (plan_distance(about.grid->point[k], from) < reach)
+            *array_push(&near) = about.grid->point[k];
+    if (near.n > 0)
+        qsort(near.item, near.n, sizeof *near.item, by_height);
+    return near;
+}
+
+/* Of near[from] on, the nearest to p seen from above. */
+static size_t nearest_of(const struct vec3s *near, size_t from, struct vec3 p)
+{
+    size_t nearest = from;
+
+    for (size_t k = from + 1; k < near->n; k++)
+        if (plan_distance(near->item[k], p) < plan_distance(near->item[nearest], p))
+            nearest = k;
+    return nearest;
+}
+
+/* The high points, from near[high] on, are on one side of p, and no low one is before these. */
+static bool is_at_foot(const struct vec3s *near, size_t high, struct vec3 p, double reach)
+{
+    const double aside = 0.2, ahead = 0.9; /* of the reach; cosine of 25 degrees */
+    double x = 0, y = 0;
+
+    for (size_t k = high; k < near->n; k++) {
+        x += (near->item[k].x - p.x) / (double)(near->n - high);
+        y += (near->item[k].y - p.y) / (double)(near->n - high);
+    }
+    if (hypot(x, y) < aside * reach)
+        return false;
+    for (size_t k = 0; k < high; k++) {
+        double u = near->item[k].x - p.x, v = near->item[k].y - p.y;
+        if (x * u + y * v > ahead * hypot(x, y) * hypot(u, v))
+            return false;
+    }
+    return true;
+}
+
+/* From the rim over a point straight down to it. */
+static void hang_wall(const struct edge_work *work, const struct vec3s *near, size_t high,
+                      struct vec3 foot, struct vec3s *to)
+{
+    const double nearly = 0.9;
+    struct vec3 rim = near->item[nearest_of(near, high, foot)];
+    struct vec3 at = vec_mix(rim, foot, nearly);
+
+    add_wall(work, vec(at.x, at.y, rim.z), foot, to);
+}
+
+/* Something steep is over the point. */
+static bool may_be_foot(const struct edge_work *work, size_t i)
+{
+    struct about about = points_about(work, i);
+    struct vec3 from = about.grid->point[i];
+
+    for (size_t k; next_about(&about, &k);) {
+        struct vec3 p = about.grid->point[k];
+        if (p.z - from.z > STEEP * plan_distance(p, from))
+            return true;
+    }
+    return false;
+}
+
+/* Mean distance of the points next to it, mm. */
+static double spacing_at(const struct edge_work *work, size_t i)
+{
+    enum { BESIDE = 6 };
+    const struct point_grid *b = work->options->point_grid;
+    uint32_t index[BESIDE + 1];
+    double distance2[BESIDE + 1];
+    size_t n = point_grid_nearest(b, b->point[i], BESIDE + 1, index, distance2);
+
+    return n > 1 ? sqrt(PI * distance2[n - 1] / (double)(n - 1)) : 0;
+}
+
+void edge_cliff_foot(const struct edge_work *work, size_t i, struct vec3s *to)
+{
+    struct vec3 p = work->options->point_grid->point[i];
+
+    if (!may_be_foot(work, i))
+        return;
+    double spacing = spacing_at(work, i), level = p.z;
+    struct vec3s near = places_about(work, i, EDGE_REACH * spacing);
+
+    for (size_t k = 0; k < near.n; k++) {
+        double step = near.item[k].z - level;
+        level = fmax(level, near.item[k].z);
+        if (!(step > spacing))
+            continue;
+        struct vec3 rim = near.item[nearest_of(&near, k, p)];
+        if (!(step > STEEP * plan_distance(rim, p) + spacing))
+            continue;
+        if (!(step > FOOT * spacing))
+            break;
+        if (is_at_foot(&near, k, p, EDGE_REACH * spacing))
+            hang_wall(work, &near, k, p, to);
+        break;
+    }
+    array_free(&near);
 }
 
 /* ---- corners */

@@ -107,6 +107,10 @@ void edge_meet_across(const struct edge_work *work, size_t i, const struct sizes
 
 double edge_cliff_add(const struct edge_work *work, size_t i, struct vec3s *edge, struct vec3s *to);
 
+/* Appends places on the wall that may stand over point i: a gap of heights over it, steeper than
+ * any slope that was scanned, whatever is known of the surfaces of its rim and foot. */
+void edge_cliff_foot(const struct edge_work *work, size_t i, struct vec3s *to);
+
 /* How far the flank may go on before point i of such a wall, mm, where that is a sharp corner: a
  * tip of it passes between points below; 0: it is none. */
 double edge_cliff_corner(const struct edge_work *work, size_t i);

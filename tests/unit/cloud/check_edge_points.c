@@ -522,6 +522,45 @@ START_TEST(rims_of_grooves)
 }
 END_TEST
 
+/* Round teeth, their rims and feet rounded: hardly a point of a rim has a surface that is known. */
+static const double TOOTH = 1.2, TEETH = 0.9; /* mm; radians a mm */
+
+static double teeth(double x, double y)
+{
+    const double rim = 0.8, foot = 1, high = 7;
+    turned(&x, &y);
+    double d = (x - TOOTH * cos(TEETH * y)) / hypot(1, TOOTH * TEETH * sin(TEETH * y));
+    if (d < 0)
+        return d < -rim ? high : high - rim + sqrt(rim * rim - (d + rim) * (d + rim));
+    return d < foot ? foot - sqrt(foot * foot - (foot - d) * (foot - d)) : 0;
+}
+
+/* A ball before the tips, anywhere over their feet, goes in by less than points are apart. */
+START_TEST(tips_of_teeth)
+{
+    enum { POINTS = 60000, TIPS = 3, HEIGHTS = 8 };
+    const double noise = _i / 2 % 2 * 0.012, depth = 0.1;
+    struct guarded g = {0};
+
+    turn = 0.1 + 0.17 * _i;
+    noisy_seed(150 + (unsigned)_i);
+    noisy_scan(&g.scan, teeth, POINTS, _i % 2 ? NOISY_GRID : NOISY_RANDOM, noise);
+    crop(&g.scan, 12, 12);
+    guarded_make(&g, 0.26, noise);
+    struct gouge_check *guard = guarded_gouge(&g);
+    for (int tip = 0; tip < TIPS; tip++)
+        for (int i = 0; i < HEIGHTS; i++) {
+            double x = TOOTH + RADIUS - depth, y = 2 * PI / TEETH * (tip - TIPS / 2);
+            struct vec3 c = vec(x * cos(turn) - y * sin(turn), x * sin(turn) + y * cos(turn),
+                                3.2 + 2.8 * i / HEIGHTS);
+            ck_assert_msg(gouge_depth(guard, c, RADIUS) > 0, "%d: free at %g %g %g", _i, c.x, c.y,
+                          c.z);
+        }
+    gouge_free(guard);
+    guarded_free(&g);
+}
+END_TEST
+
 /* A square post on a grid that is turned: its corners stand out between two points of the floor. */
 static double square_post(double x, double y)
 {
@@ -618,6 +657,7 @@ int main(void)
     tcase_add_loop_test(tests, on_scan_lines, 0, 3);
     tcase_add_loop_test(tests, walls_under_round_rims, 0, 12);
     tcase_add_loop_test(tests, rims_of_grooves, 0, 4);
+    tcase_add_loop_test(tests, tips_of_teeth, 0, 8);
     tcase_add_loop_test(tests, corners_between_points, 0, 24);
     tcase_add_loop_test(tests, unseen_walls, 0, 3);
     tcase_add_loop_test(tests, thin_parts, 0, 6);
