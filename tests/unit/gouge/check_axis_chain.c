@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "machine/machine.h"
+#include "seed.h"
 
 enum { RADIUS = 5, POINTS = 40 };
 
@@ -149,7 +150,7 @@ START_TEST(moved_by_chance_none_is_forgotten)
     setup_scene(&s, POINTS);
     for (int round = 0; round < 60; round++) {
         for (int k = 0; k < 4; k++) {
-            state = state * 1664525u + 1013904223u;
+            state = state * 1664525u + seed_step_32();
             struct axis_station *at = &s.chain.at[(state >> 16) % POINTS];
             at->angles.lean = at->was.lean + RADIANS(3) * ((double)(state >> 28) - 7);
         }
@@ -174,7 +175,7 @@ START_TEST(a_clearance_is_on_the_side_of_the_guards)
     setup_scene(&s, POINTS);
     const struct holder_sweep sweep = {s.guard, &flute, 0.005};
     for (int k = 0; k < 4000; k++) {
-        state = state * 1664525u + 1013904223u;
+        state = state * 1664525u + seed_step_32();
         struct axis_station *at = &s.chain.at[(state >> 24) % POINTS];
         double lean = RADIANS(0.01) * ((double)(state >> 12 & 4095) - 2300);
         struct run_point p = {.ball = at->point->ball, .axis = vec(0, -sin(lean), cos(lean))};

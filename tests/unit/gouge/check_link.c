@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "chains.h"
+#include "seed.h"
 
 static const double R = 5;
 
@@ -282,7 +283,7 @@ START_TEST(no_flute_goes_deeper_between_steps)
 
     for (int i = -30; i <= 30; i++)
         for (int k = 0; k < 90; k++) {
-            state = state * 1664525u + 1013904223u;
+            state = state * 1664525u + seed_step_32();
             double out = 0.06 * (double)(state >> 8) / (1 << 24);
             *array_push(&points) = vec(0.4 * i, 2 + 0.1 * k - out, 0.4 * k);
         }

@@ -1,5 +1,6 @@
 /* axis_time: ways whose times are known by hand. */
 #include "machine/axis_time.h"
+#include "seed.h"
 
 #include <check.h>
 #include <math.h>
@@ -64,7 +65,7 @@ static unsigned long long seed = 11;
 /* 0 <= x < 1 */
 static double chance(void)
 {
-    seed = seed * 6364136223846793005u + 1442695040888963407u;
+    seed = seed * 6364136223846793005u + seed_step();
     return (double)(seed >> 11) / 9007199254740992.0;
 }
 

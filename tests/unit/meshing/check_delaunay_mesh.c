@@ -10,12 +10,13 @@
 #include "mesh/mesh_distance.h"
 #include "meshing/delaunay_mesh.h"
 #include "meshing/scan_border.h"
+#include "seed.h"
 
 static uint64_t state = 5;
 
 static double chance(void)
 {
-    state = state * 6364136223846793005u + 1442695040888963407u;
+    state = state * 6364136223846793005u + seed_step();
     return (double)(state >> 11) / 9007199254740992.0;
 }
 

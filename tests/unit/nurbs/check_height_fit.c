@@ -10,13 +10,14 @@
 #include "base/array.h"
 #include "nurbs/height_fit.h"
 #include "nurbs/height_knots.h"
+#include "seed.h"
 
 static const double RANGE[2] = {0, 10};
 static uint64_t state = 3;
 
 static double chance(void)
 {
-    state = state * 6364136223846793005u + 1442695040888963407u;
+    state = state * 6364136223846793005u + seed_step();
     return (double)(state >> 11) / 9007199254740992.0;
 }
 

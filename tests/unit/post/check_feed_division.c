@@ -6,6 +6,7 @@
 
 #include "base/array.h"
 #include "post/feed_division.h"
+#include "seed.h"
 
 static const double SECOND = 1 / 60.0;
 
@@ -13,7 +14,7 @@ static uint32_t state;
 
 static double chance(double from, double to)
 {
-    state = state * 1664525u + 1013904223u;
+    state = state * 1664525u + seed_step_32();
     return from + (to - from) * (double)(state >> 8) / (1 << 24);
 }
 

@@ -1,5 +1,6 @@
 /* fit_runs: runs and links of a path that grows are those of the whole path. */
 #include "stage/fit_runs.h"
+#include "seed.h"
 
 #include <check.h>
 #include <stdlib.h>
@@ -10,7 +11,7 @@ static unsigned state = 1;
 
 static unsigned draw(unsigned n)
 {
-    state = state * 1664525 + 1013904223;
+    state = state * 1664525 + seed_step_32();
     return (state >> 16) % n;
 }
 
