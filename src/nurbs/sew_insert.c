@@ -155,7 +155,7 @@ static void find_faces(struct patch_mesh *q, const struct insertions *in, size_t
         qsort(side.item, side.n, sizeof *side.item, compare_edges);
     for (size_t i = 0; i < q->edge.n; i++) {
         struct patch_mesh_edge *e = &q->edge.item[i], *now = NULL;
-        if (e->face < faces && cut[e->face])
+        if (side.n > 0 && e->face < faces && cut[e->face])
             now = bsearch(e, side.item, side.n, sizeof *e, compare_edges);
         if (now)
             e->face = now->face;
