@@ -67,7 +67,8 @@ static struct course course_new(void)
         for (int i = 1; i <= STEPS; i++) {
             double s = (double)i / STEPS;
             struct vec3 axis = lean(k == 1 ? s * LEAN : k > 1 ? LEAN : 0);
-            *array_push(&c.run) = point_at(place_on(k, p, heading, s), axis, c.run.n);
+            size_t at = c.run.n;
+            *array_push(&c.run) = point_at(place_on(k, p, heading, s), axis, at);
         }
         struct vec3 to = place_on(k, p, heading, 1);
         c.arc[k] = arc_to(p, vec(cos(heading), sin(heading), 0), to);
