@@ -133,6 +133,7 @@ static struct guard_read_options usual(double noise)
 static struct gouge_check *guard_of(struct guard_read_options *rule, const struct mesh *mesh,
                                     double near)
 {
+    scan_sources_free(&scan.source);
     scan = (struct guard_scan){.point = points};
     scan_sources_add(&scan.source, "scan.xyz", points.item, points.n);
     points = (struct vec3s){0};
