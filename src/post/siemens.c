@@ -134,6 +134,19 @@ static void head_words(struct nc_program *p, struct vec3 head)
     nc_number(&p->w, "ZH=", head.z, digits);
 }
 
+/* Of a block that only says again where the tool stands.  At the pole the last digits of its axis
+ * may be half a turn, and a curve that is slow there would have it turn as slowly. */
+static void standing_feed(struct nc_program *p, const struct nc_move *move)
+{
+    const struct machine *m = p->machine;
+    const double slow = 100; /* mm/min: no curve is, but beside the pole */
+    struct nc_move fast = *move;
+
+    for (int i = 0; i < m->chain.n && move->feed < slow / p->plan->ability.unit; i++)
+        fast.feed = i == 0 ? m->rapid[m->letter[i]] : fmin(fast.feed, m->rapid[m->letter[i]]);
+    nc_feed(p, &fast);
+}
+
 /* Where the tool stands already, with the head point as the second curve's start; it also keeps
  * two B-splines apart. */
 static void begin_curve(struct nc_program *p, const struct nc_move *move)
@@ -147,7 +160,28 @@ static void begin_curve(struct nc_program *p, const struct nc_move *move)
         nc_code(&p->w, "ORICURVE");
         head_words(p, s->head_start);
     }
-    nc_feed(p, move);
+    standing_feed(p, move);
+    nc_end(&p->w);
+}
+
+/* A curve of the head that follows begins where this one ends. */
+static bool turns_on(const struct nc_program *p, const struct nc_move *move)
+{
+    const struct nc_move *next = move + 1, *end = p->plan->move.item + p->plan->move.n;
+
+    return next < end && next->kind == NC_SPLINE && p->plan->spline.item[next->index].turns;
+}
+
+/* Back to vectors. */
+static void end_curve(struct nc_program *p, const struct nc_move *move)
+{
+    nc_forget(&p->w, NC_I, NC_K);
+    if (turns_on(p, move))
+        return;
+    nc_motion(&p->w, "G1");
+    nc_code(&p->w, "ORIVECT");
+    nc_axis(p, move, vector_address);
+    standing_feed(p, move);
     nc_end(&p->w);
 }
 
@@ -175,13 +209,8 @@ static void spline(struct nc_program *p, const struct nc_move *move)
     nc_remember(w, NC_X, move->p.x);
     nc_remember(w, NC_Y, move->p.y);
     nc_remember(w, NC_Z, move->p.z);
-    if (s->turns) {
-        nc_forget(w, NC_I, NC_K);
-        nc_motion(w, "G1");
-        nc_code(w, "ORIVECT");
-        nc_axis(p, move, vector_address);
-        nc_end(w);
-    }
+    if (s->turns)
+        end_curve(p, move);
 }
 
 /* ---- drilling cycles */

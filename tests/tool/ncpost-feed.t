@@ -205,6 +205,22 @@ for said in MMPM,508 IPM,20 MMPR,0.0635 IPR,0.0025; do
 done >units
 empty "mm and inches, a minute and a turn" units
 
+# beside the pole a curve of the head is slow, but what only says again where the tool stands is not:
+# its last digits may turn an axis by half a turn there
+awk 'BEGIN { print "UNITS/MM\nMULTAX/ON\nCUTTER/6,3,0,3\nLOADTL/1\nSPINDL/8000,CLW\nRAPID\nGOTO/-10,0,60,0,0,1\nFEDRAT/MMPM,800"
+	for (i = -100; i <= 100; i++) { x = i / 10; a = 0.03 * sin(x / 4); b = 0.000001
+		printf "GOTO/%.6f,%.6f,%.6f,%.9f,%.9f,%.9f\n", x, sin(x / 5) / 2, 0.3 * cos(x / 3), a, b, sqrt(1 - a * a - b * b) }
+	print "RAPID\nGOTO/10,0,60,0,0,1\nFINI" }' >pole.cl
+bsplfit -q -e 0.01 pole.cl | ncpost -q -c siemens -o pole.mpf
+awk '{ if (match($0, / F[0-9.]+$/)) f = substr($0, RSTART + 2) + 0 }
+	/BSPLINE|PO\[|^N[0-9]+ X/ && f > 0 && f < 100 { print "slow " f; slow = 1 }
+	/G1 ORI/ && f < 100 { print "stands at " f }' pole.mpf >feeds
+has "a curve beside the pole is slow" '^slow' feeds
+hasnt "what stands is not" '^stands' feeds
+has "the vectors are back before the rapid" 'ORIVECT' pole.mpf
+grep -c 'G1 ORIVECT' pole.mpf >back
+has "and only there" '^1$' back
+
 # --feed and a path that has feeds
 printf 'FEDRAT/100\nGOTO/0,0,9\nGOTO/0,0,8\nFINI\n' >has.cl
 ncpost --no-spindle -c fanuc --feed 1500 has.cl >has.nc 2>said
