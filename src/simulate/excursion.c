@@ -10,6 +10,8 @@
 #define NEAR_END 0.1 /* of a piece, from its end: how it goes there */
 #define MOST 0.5     /* of its height: so far a spike amid a link rises over both its feet */
 
+enum { REACH = 8 }; /* spans of a curve: no pole or coefficient reaches over more than six */
+
 struct search {
     const struct nc_motion *motion;
     const struct centre_path *path;
@@ -207,6 +209,8 @@ static void look_at_stretch(struct search *s, size_t from, size_t to)
         look_at_end(s, to);
         return;
     }
+    if (segment[to].piece - segment[from].piece >= REACH)
+        return; /* a link */
     double height = clearance(s, segment[top].b);
     if (most > band && height > band &&
         up_the_tool(s, from, top, to, rise_over_line(a, b, segment[top].b)) >= RISES * most)

@@ -16,11 +16,12 @@ static const double level[PIECES + 1] = {0};
 
 /*
  * Blocks along x, 4 mm each, from x = -12; `high` of them at their ends, the second rotary axis at
- * `turn` degrees; those not straight are one cubic each, straight too, so that heights are those
- * given.
+ * `turn` degrees; those not straight are one cubic each, or so many spans, straight too, so that
+ * heights are those given.
  */
-static struct excursion turned(const double high[PIECES + 1], const double side[PIECES + 1],
-                               const double turn[PIECES + 1], const unsigned char shape[PIECES])
+static struct excursion in_spans(const double high[PIECES + 1], const double side[PIECES + 1],
+                                 const double turn[PIECES + 1], const unsigned char shape[PIECES],
+                                 int spans)
 {
     struct nc_motion motion = {.kinematics = verify_kinematics_trunnion('A', 1),
                                .track = NC_MOTION_TIP};
@@ -30,21 +31,26 @@ static struct excursion turned(const double high[PIECES + 1], const double side[
     for (double x = -14; x <= 14; x += 0.5)
         for (double y = -4; y <= 4; y += 0.5)
             *array_push(&points) = vec(x, y, 0);
-    for (int i = 0; i < PIECES; i++) {
-        struct vec3 from = vec(4 * i - 12, side[i], high[i]);
-        struct vec3 to = vec(4 * i - 8, side[i + 1], high[i + 1]);
+    for (int n = 0; n < PIECES * spans; n++) {
+        int i = n / spans;
+        double begin = (double)(n % spans) / spans, end = begin + 1.0 / spans;
+        struct vec3 a = vec(4 * i - 12, side[i], high[i]);
+        struct vec3 b = vec(4 * i - 8, side[i + 1], high[i + 1]);
+        struct vec3 from = vec_mix(a, b, begin), to = vec_mix(a, b, end);
+        double turns = turn[i + 1] - turn[i];
         *array_push(&motion.polynomial) = (struct nc_motion_polynomial){.p[0] = vec_sub(to, from)};
-        *array_push(&motion.piece) = (struct nc_piece){.shape = shape[i],
-                                                       .interpolation = AXIS_ROTARY_LINEAR,
-                                                       .index = (size_t)i,
-                                                       .p = {from, to},
-                                                       .q = {{0, turn[i], 0}, {0, turn[i + 1], 0}}};
+        *array_push(&motion.piece) = (struct nc_piece){
+            .shape = shape[i],
+            .interpolation = AXIS_ROTARY_LINEAR,
+            .index = (size_t)n,
+            .p = {from, to},
+            .q = {{0, turn[i] + begin * turns, 0}, {0, turn[i] + end * turns, 0}}};
         for (int k = 0; k < 40; k++)
             *array_push(&path) = (struct centre_segment){
                 vec_along(vec_mix(from, to, k / 40.0), RADIUS, vec(0, 0, 1)),
                 vec_along(vec_mix(from, to, (k + 1) / 40.0), RADIUS, vec(0, 0, 1)),
                 {(float)k / 40, (float)(k + 1) / 40},
-                (unsigned)i,
+                (unsigned)n,
                 false};
     }
     const struct deviation_map_options setup = {RADIUS, 0.02, 1.25, 1, false};
@@ -56,6 +62,12 @@ static struct excursion turned(const double high[PIECES + 1], const double side[
     array_free(&path);
     array_free(&points);
     return leap;
+}
+
+static struct excursion turned(const double high[PIECES + 1], const double side[PIECES + 1],
+                               const double turn[PIECES + 1], const unsigned char shape[PIECES])
+{
+    return in_spans(high, side, turn, shape, 1);
 }
 
 static struct excursion shaped(const double high[PIECES + 1], const double side[PIECES + 1],
@@ -80,6 +92,17 @@ START_TEST(a_curve_that_jumps)
     ck_assert_double_eq_tol(leap.at.x, 0, 1e-6);
     ck_assert(leap.piece == 2 || leap.piece == 3);
     ck_assert_uint_eq(over(level, level, SHAPE_POLYNOMIAL).count, 0);
+}
+END_TEST
+
+/* A link as a curve: no pole reaches over so many spans. */
+START_TEST(a_long_rise_is_a_link)
+{
+    const double high[PIECES + 1] = {0, 3, 6, 7, 6, 2, 0};
+    const unsigned char p = SHAPE_POLYNOMIAL, shape[PIECES] = {p, p, p, p, p, p};
+
+    ck_assert_uint_eq(in_spans(high, level, level, shape, 1).count, 1);
+    ck_assert_uint_eq(in_spans(high, level, level, shape, 2).count, 0);
 }
 END_TEST
 
@@ -203,6 +226,7 @@ int main(void)
     TCase *tcase = tcase_create("excursion");
     tcase_add_test(tcase, a_curve_that_jumps);
     tcase_add_test(tcase, a_curve_that_jumps_last);
+    tcase_add_test(tcase, a_long_rise_is_a_link);
     tcase_add_test(tcase, a_curve_that_turns_the_tool_over);
     tcase_add_test(tcase, a_curve_that_ends_high);
     tcase_add_test(tcase, a_curve_that_begins_high);
