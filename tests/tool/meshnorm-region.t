@@ -18,7 +18,7 @@ contacts() { # NAME ARGS...: contact points of the path NAME.cl, as `x y z i j k
 	meshnorm -r 2 --avoid "$@" >"$name.cl" 2>"$name.err" && sed -n 's/^\$\$-> CONTCT\///p' "$name.cl" | tr , ' ' >"$name"
 }
 every() { # DESC NAME CONDITION: there are contacts, and all of them are so
-	ok "$1" awk "!($3) { bad++ } END { exit !(NR > 100 && bad == 0) }" "$2"
+	ok "$1" awk "!($3) { bad++ } END { exit !(NR > 80 && bad == 0) }" "$2"
 }
 
 box='$1 > -5.001 && $1 < 4.001 && $2 > -6.001 && $2 < 3.001'
