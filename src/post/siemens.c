@@ -2,6 +2,7 @@
  * siemens - the dialect of the Sinumerik 840D sl and ONE (Siemens, Programming Manual Job Planning,
  * for TRAORI, ORIVECT, ORICURVE, CIP, POLY and BSPLINE).
  */
+#include <stddef.h>
 #include <ctype.h>
 #include <stdio.h>
 #include <string.h>
@@ -147,6 +148,16 @@ static void standing_feed(struct nc_program *p, const struct nc_move *move)
     nc_feed(p, &fast);
 }
 
+/* The move so many after this one turns the tool by a curve of its head. */
+static bool is_head_curve(const struct nc_program *p, const struct nc_move *move, int after)
+{
+    ptrdiff_t at = move - p->plan->move.item + after;
+
+    if (at < 0 || at >= (ptrdiff_t)p->plan->move.n || p->plan->move.item[at].kind != NC_SPLINE)
+        return false;
+    return p->plan->spline.item[p->plan->move.item[at].index].turns;
+}
+
 /* Where the tool stands already, with the head point as the second curve's start; it also keeps
  * two B-splines apart. */
 static void begin_curve(struct nc_program *p, const struct nc_move *move)
@@ -157,26 +168,19 @@ static void begin_curve(struct nc_program *p, const struct nc_move *move)
     p->w.motion = NULL;
     nc_motion(&p->w, "G1");
     if (s->turns) {
-        nc_code(&p->w, "ORICURVE");
+        if (!is_head_curve(p, move, -1))
+            nc_code(&p->w, "ORICURVE");
         head_words(p, s->head_start);
     }
     standing_feed(p, move);
     nc_end(&p->w);
 }
 
-/* A curve of the head that follows begins where this one ends. */
-static bool turns_on(const struct nc_program *p, const struct nc_move *move)
-{
-    const struct nc_move *next = move + 1, *end = p->plan->move.item + p->plan->move.n;
-
-    return next < end && next->kind == NC_SPLINE && p->plan->spline.item[next->index].turns;
-}
-
 /* Back to vectors. */
 static void end_curve(struct nc_program *p, const struct nc_move *move)
 {
     nc_forget(&p->w, NC_I, NC_K);
-    if (turns_on(p, move))
+    if (is_head_curve(p, move, 1))
         return;
     nc_motion(&p->w, "G1");
     nc_code(&p->w, "ORIVECT");

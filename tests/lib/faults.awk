@@ -86,9 +86,13 @@ function leans(t,   a, b) {
 }
 
 # At the pole C turns as far as it likes within no way at all: how slow F may be there nobody can say.
-function is_at_pole(t) {
+function is_at_pole(t,   dx, dy, dz) {
 	if (t ~ /C3=/)
 		return word(t, "C3=") > 0.99999
+	if (t ~ / XH=/) {
+		dx = word(t, "XH=") - word(t, "X"); dy = word(t, "YH=") - word(t, "Y"); dz = word(t, "ZH=") - word(t, "Z")
+		return dz > 0.99999 * sqrt(dx * dx + dy * dy + dz * dz)
+	}
 	return word(t, "C") != "" && (word(t, "A") != "" || word(t, "B") != "") && !tilts(t)
 }
 
@@ -118,6 +122,8 @@ function fits(i,   t) {
 	if (kind == "retract") return i == lastcut
 	if (kind ~ /^(offset|edge|length|tool|coolant)$/) return amid(i) && at[i] == "feed" && t ~ / [XYZ]/
 	if (kind == "slow" && (is_at_pole(t) || is_at_pole(line[before[i]]))) return 0
+	# beside it a block is slow already, and a thousandth of the path's feed none of its own
+	if (kind == "slow" && word(t, "F") < feed / 10) return 0
 	if (kind ~ /^(fast|slow)$/) return way[i] > 0.001 && cuts(i) && cuts(before[i]) && word(t, "F") != "" && t ~ / [XYZ]/
 	if (kind == "ORIMKS") return t ~ /ORIWKS/
 	if (kind == "no-offset") return t ~ / G54( |$)/
