@@ -52,6 +52,17 @@ static inline double elementary_fmin(double a, double b)
     return a <= b || b != b ? a : b;
 }
 
+/* fmax and fmin for what is a number, in one instruction. */
+static inline double larger(double a, double b)
+{
+    return a > b ? a : b;
+}
+
+static inline double smaller(double a, double b)
+{
+    return a < b ? a : b;
+}
+
 /* -1 where hypot(x, y) < limit, 1 where it is above it, 0 where it is that or one of them is NaN.
  * The squares tell, but where rounding might. */
 static inline int elementary_hypot_compare(double x, double y, double limit)

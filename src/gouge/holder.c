@@ -29,11 +29,6 @@ static double to_segment2(struct place a, struct place b, struct place p)
     return r * r + h * h;
 }
 
-static double smaller(double a, double b)
-{
-    return a < b ? a : b;
-}
-
 static bool is_cylinder(const struct holder *holder)
 {
     return holder->n == 1 && holder->part[0].low == holder->part[0].high;

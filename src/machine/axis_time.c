@@ -14,17 +14,6 @@ struct rates {
     double change[AXIS_TIME_AXES], over; /* of the slope, over so much of the way */
 };
 
-/* fmax and fmin for what is a number: one instruction. */
-static inline double larger(double a, double b)
-{
-    return a > b ? a : b;
-}
-
-static inline double smaller(double a, double b)
-{
-    return a < b ? a : b;
-}
-
 static double bend_of(const struct rates *r, int k)
 {
     return r->change[k] / r->over;

@@ -3,13 +3,8 @@
 
 #include "base/array.h"
 #include "base/num.h"
+#include "math/elementary.h"
 #include "post_ik.h"
-
-/* fmax for what is a number, without a call. */
-static inline double larger(double a, double b)
-{
-    return a > b ? a : b;
-}
 
 struct nc_move *post_block_append(struct nc_planner *planner, enum nc_kind kind,
                                   const struct machine_pose *target)

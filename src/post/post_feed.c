@@ -5,6 +5,7 @@
 
 #include "base/array.h"
 #include "base/num.h"
+#include "math/elementary.h"
 #include "feed_division.h"
 #include "post_ik.h"
 
@@ -14,11 +15,6 @@ static const double NOTHING = 1e-6;  /* mm and degrees */
 static const double KEPT = 0.98;     /* of an axis' largest speed: for who looks at other places */
 static const double SHORTEST = 0.02; /* mm: of a block that is made to be slow alone */
 static const double AT_ONCE = 0.014; /* mm: and of a way that is looked at as one; 0.02 is asked */
-
-static inline double larger(double a, double b)
-{
-    return a > b ? a : b;
-}
 
 static double rotary_minutes(const struct machine *m, const double a[], const double b[])
 {

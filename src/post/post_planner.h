@@ -2,8 +2,9 @@
  * post_planner - the planner between two blocks: where the program stands, what it may do next.
  *
  * Its modules, each using those before it: post_ik (a pose as words), post_feed (how fast a block
- * may be), post_motion (a motion as blocks), post_rewind (retract, turn, return), post_item (an
- * item of the path), post_lookahead (the whole path, group by group).
+ * may be), post_block (one more block), post_straight (a motion as straight blocks), post_motion
+ * (as arcs and curves, too), post_rewind (retract, turn, return), post_item (an item of the path),
+ * post_lookahead (the whole path, group by group).
  */
 #ifndef CLOUDMILL_POST_PLANNER_H
 #define CLOUDMILL_POST_PLANNER_H

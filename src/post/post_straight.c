@@ -2,6 +2,7 @@
 #include "post_straight.h"
 
 #include "machine/rotary_cost.h"
+#include "math/elementary.h"
 #include "post_block.h"
 #include "post_ik.h"
 
@@ -11,12 +12,6 @@ enum {
 };
 
 static const double BESIDE_POLE = 0.002; /* radians */
-
-/* fmax for what is a number, without a call. */
-static inline double larger(double a, double b)
-{
-    return a > b ? a : b;
-}
 
 /*
  * The block is surely no further off than what blocks before it have spent: so much by the digits

@@ -7,6 +7,7 @@
 #include "base/num.h"
 #include "machine/axis_time.h"
 #include "machine/ik_near.h"
+#include "math/elementary.h"
 #include "post_feed.h"
 
 enum { LOOKS_MOST = 400, TURNED_ON_MOST = 64 };
@@ -121,12 +122,6 @@ static void add_place(struct timing *t, const double axis[], double way, double 
     }
     *array_push(&t->places) = place;
     *array_push(&t->move) = move;
-}
-
-/* fmax for what is a number, in one instruction. */
-static inline double larger(double a, double b)
-{
-    return a > b ? a : b;
 }
 
 /* The places of a move at feed: one at its end, and on the way to it where it bends or turns. */

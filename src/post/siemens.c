@@ -2,8 +2,8 @@
  * siemens - the dialect of the Sinumerik 840D sl and ONE (Siemens, Programming Manual Job Planning,
  * for TRAORI, ORIVECT, ORICURVE, CIP, POLY and BSPLINE).
  */
-#include <stddef.h>
 #include <ctype.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -140,7 +140,7 @@ static void head_words(struct nc_program *p, struct vec3 head)
 static void standing_feed(struct nc_program *p, const struct nc_move *move)
 {
     const struct machine *m = p->machine;
-    const double slow = 100; /* mm/min: no curve is, but beside the pole */
+    const double slow = 100; /* mm/min: most curves are slower only beside the pole */
     struct nc_move fast = *move;
 
     for (int i = 0; i < m->chain.n && move->feed < slow / p->plan->ability.unit; i++)
