@@ -272,7 +272,7 @@ pole() {
 	function fits(i,   k) {
 		if (!pole[i] || first[i] || !middle(i)) return 0
 		if (which == "inner") return pole[i - 1] && pole[i + 1] && !first[i + 1]
-		for (k = i + 1; line[k] ~ / G1 ORI| K[0-9.]+$/; k++);
+		for (k = i + 1; line[k] ~ / G1 (ORI|XH=)| K[0-9.]+$/; k++);
 		return first[k] }
 	END { for (i = 1; i <= NR; i++) { $0 = line[i]
 		if (!done && fits(i)) { done = 1; print $1 >"named"
