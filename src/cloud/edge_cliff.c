@@ -10,9 +10,7 @@ static const double CORNER = 1.5;  /* spacings */
 static const double TIP = 2;       /* the same of a square corner's tip */
 static const double LEVEL = 0.35;  /* least z of a flank that has corners */
 static const double FACING = 0.12; /* least z of a flank that is continued over its wall */
-static const double STEEP = 2.5;   /* 68 degrees: a wall hangs from a flank as from one so steep */
 static const double FAIR = 0.1;    /* spacings: so far off its points a flank tells of a wall yet */
-static const double FOOT = 8;      /* spacings: so high a wall stands on a fair flank, or any */
 static const double FARTHER = 4;   /* spacings: farther than that a flank is a plane */
 
 /* Seen from above the flank is open about a point of a corner by more: its sides make less than 75
@@ -58,14 +56,14 @@ static double above_flank(const struct edge_flank *flank, struct vec3 own, struc
     return vec_dot(quadric_normal_at(&flank->q, own), vec_sub(p, own));
 }
 
-/* The same of one that walls hang from: far off it is no steeper than STEEP. */
+/* The same of one that walls hang from: far off it is no steeper than EDGE_STEEP. */
 static double above_roof(const struct edge_flank *flank, struct vec3 own, struct vec3 p)
 {
     struct vec3 n = quadric_normal_at(&flank->q, own);
 
     if (vec_distance(p, own) <= FARTHER * flank->spacing)
         return above_flank(flank, own, p);
-    n.z = fmax(n.z, hypot(n.x, n.y) / STEEP);
+    n.z = fmax(n.z, hypot(n.x, n.y) / EDGE_STEEP);
     return vec_dot(vec_unit(n), vec_sub(p, own));
 }
 
@@ -78,7 +76,7 @@ static bool is_fair(const struct edge_flank *flank)
 /* A wall stands on the flank: one that is only fair may, nearer, be the same surface. */
 static bool is_sure(const struct edge_work *work, const struct edge_flank *flank, double far)
 {
-    return edge_flank_certain(work, flank) || (far > FOOT * flank->spacing && is_fair(flank));
+    return edge_flank_certain(work, flank) || (far > EDGE_FOOT * flank->spacing && is_fair(flank));
 }
 
 /* Points below the flank whose own surface the point is not above are beyond an edge. */
@@ -103,61 +101,11 @@ static void sort_by_height(const struct edge_work *work, size_t i, size_t k, str
         *array_push(&cliff->below) = p;
 }
 
-static double plan_distance(struct vec3 a, struct vec3 b)
-{
-    return hypot(b.x - a.x, b.y - a.y);
-}
-
-/* The points within EDGE_REACH of point i as seen from above, one after the other. */
-struct about {
-    const struct point_grid *grid;
-    size_t i, first, last; /* columns of cells */
-    size_t row, rows;      /* the next one; end of them */
-    size_t k, end;         /* the next point, and where those of its row end */
-    double reach;
-};
-
-static struct about points_about(const struct edge_work *work, size_t i)
-{
-    const struct point_grid *b = work->options->point_grid;
-    size_t column = point_grid_column(b, b->point[i].x), row = point_grid_row(b, b->point[i].y);
-
-    return (struct about){.grid = b,
-                          .i = i,
-                          .first = column > 0 ? column - 1 : 0,
-                          .last = column + 1 < b->columns ? column + 1 : column,
-                          .row = row > 0 ? row - 1 : 0,
-                          .rows = row + 1 < b->rows ? row + 2 : b->rows,
-                          .reach = fmin(EDGE_REACH * point_grid_spacing(b), b->cell)};
-}
-
-/* Puts the next one into *k; false: there is none. */
-static bool next_about(struct about *a, size_t *k)
-{
-    const struct point_grid *b = a->grid;
-    const struct vec3 from = b->point[a->i];
-
-    for (;;) {
-        for (; a->k < a->end; a->k++) {
-            struct vec3 p = b->point[a->k];
-            if (a->k == a->i || hypot_compare(p.x - from.x, p.y - from.y, a->reach) >= 0)
-                continue;
-            *k = a->k++;
-            return true;
-        }
-        if (a->row == a->rows)
-            return false;
-        a->k = b->first[a->row * b->columns + a->first];
-        a->end = b->first[a->row * b->columns + a->last + 1];
-        a->row++;
-    }
-}
-
 static bool may_be_off(const struct edge_work *work, size_t i)
 {
-    struct about about = points_about(work, i);
+    struct edge_about about = edge_about(work, i);
 
-    for (size_t k; next_about(&about, &k);)
+    for (size_t k; edge_about_next(&about, &k);)
         if (!quadric_surely_within(&work->flank[i].q, about.grid->point[k], least_off(work, i, k)))
             return true;
     return false;
@@ -166,14 +114,14 @@ static bool may_be_off(const struct edge_work *work, size_t i)
 /* Nothing where all points about are on the flank. */
 static struct cliff find_cliff(const struct edge_work *work, size_t i)
 {
-    struct about about = points_about(work, i);
+    struct edge_about about = edge_about(work, i);
     struct cliff cliff = {.from = about.grid->point[i],
                           .reach = about.reach,
                           .corner = CORNER * point_grid_spacing(about.grid),
                           .q = &work->flank[i].q};
 
     if (may_be_off(work, i))
-        for (size_t k; next_about(&about, &k);)
+        for (size_t k; edge_about_next(&about, &k);)
             sort_by_height(work, i, k, &cliff);
     return cliff;
 }
@@ -263,23 +211,12 @@ static bool is_corner_tip(const struct cliff *cliff, struct vec3 at)
     return false;
 }
 
-/* From a place straight down as far as a point below. */
-static void add_wall(const struct edge_work *work, struct vec3 at, struct vec3 foot,
-                     struct vec3s *to)
-{
-    enum { MOST = 60 };
-    double parts = fmin(ceil((at.z - foot.z) / work->options->along), MOST);
-
-    for (double part = 1; part < parts; part++)
-        *array_push(to) = vec(at.x, at.y, at.z + part / parts * (foot.z - at.z));
-}
-
 static struct vec3 nearest_below(const struct cliff *cliff, struct vec3 at)
 {
     struct vec3 foot = cliff->below.item[0];
 
     for (size_t k = 1; k < cliff->below.n; k++)
-        if (plan_distance(cliff->below.item[k], at) < plan_distance(foot, at))
+        if (edge_plan_distance(cliff->below.item[k], at) < edge_plan_distance(foot, at))
             foot = cliff->below.item[k];
     return foot;
 }
@@ -312,7 +249,7 @@ static bool add_tip(const struct edge_work *work, const struct cliff *cliff, dou
     if (!is_corner_tip(cliff, at))
         return false;
     *array_push(to) = at;
-    add_wall(work, at, nearest_below(cliff, at), to);
+    edge_wall_add(work, at, nearest_below(cliff, at), to);
     return true;
 }
 
@@ -351,11 +288,11 @@ static void fill_wall(const struct edge_work *work, const struct cliff *cliff, b
         if (!is_before_wall(cliff, u, v))
             continue;
         struct vec3 at = place_above(cliff, cliff->from.x + u, cliff->from.y + v);
-        double way = hypot(u, v), top = steep ? fmax(at.z, cliff->from.z - STEEP * way) : at.z;
+        double way = hypot(u, v), top = steep ? fmax(at.z, cliff->from.z - EDGE_STEEP * way) : at.z;
         at = vec(cliff->from.x + u, cliff->from.y + v,
                  fmin(top, cliff->from.z + (certain ? way : 0)));
         if (is_before_edges(work, cliff, at))
-            add_wall(work, at, foot, to);
+            edge_wall_add(work, at, foot, to);
     }
 }
 
@@ -422,126 +359,6 @@ double edge_cliff_add(const struct edge_work *work, size_t i, struct vec3s *edge
     array_free(&cliff.below);
     array_free(&cliff.beyond);
     return width;
-}
-
-/* ---- feet of walls, whatever is known of the surfaces: as simulate/unseen_wall.h, by its own
- * formulas, takes a wall for one that a scan has no points on */
-
-static int by_height(const void *pa, const void *pb)
-{
-    const struct vec3 *a = pa, *b = pb;
-
-    return (a->z > b->z) - (a->z < b->z);
-}
-
-/* The points about point i that are no farther, seen from above, than a wall may be; lowest
- * first. */
-static struct vec3s places_about(const struct edge_work *work, size_t i, double reach)
-{
-    struct about about = points_about(work, i);
-    struct vec3 from = about.grid->point[i];
-    struct vec3s near = {0};
-
-    for (size_t k; next_about(&about, &k);)
-        if (plan_distance(about.grid->point[k], from) < reach)
-            *array_push(&near) = about.grid->point[k];
-    if (near.n > 0)
-        qsort(near.item, near.n, sizeof *near.item, by_height);
-    return near;
-}
-
-/* Of near[from] on, the nearest to p seen from above. */
-static size_t nearest_of(const struct vec3s *near, size_t from, struct vec3 p)
-{
-    size_t nearest = from;
-
-    for (size_t k = from + 1; k < near->n; k++)
-        if (plan_distance(near->item[k], p) < plan_distance(near->item[nearest], p))
-            nearest = k;
-    return nearest;
-}
-
-/* The high points, from near[high] on, are on one side of p, and no low one is before these. */
-static bool is_at_foot(const struct vec3s *near, size_t high, struct vec3 p, double reach)
-{
-    const double aside = 0.2, ahead = 0.9; /* of the reach; cosine of 25 degrees */
-    double x = 0, y = 0;
-
-    for (size_t k = high; k < near->n; k++) {
-        x += (near->item[k].x - p.x) / (double)(near->n - high);
-        y += (near->item[k].y - p.y) / (double)(near->n - high);
-    }
-    if (hypot(x, y) < aside * reach)
-        return false;
-    for (size_t k = 0; k < high; k++) {
-        double u = near->item[k].x - p.x, v = near->item[k].y - p.y;
-        if (x * u + y * v > ahead * hypot(x, y) * hypot(u, v))
-            return false;
-    }
-    return true;
-}
-
-/* From the rim over a point straight down to it. */
-static void hang_wall(const struct edge_work *work, const struct vec3s *near, size_t high,
-                      struct vec3 foot, struct vec3s *to)
-{
-    const double nearly = 0.9;
-    struct vec3 rim = near->item[nearest_of(near, high, foot)];
-    struct vec3 at = vec_mix(rim, foot, nearly);
-
-    add_wall(work, vec(at.x, at.y, rim.z), foot, to);
-}
-
-/* Something steep is over the point. */
-static bool may_be_foot(const struct edge_work *work, size_t i)
-{
-    struct about about = points_about(work, i);
-    struct vec3 from = about.grid->point[i];
-
-    for (size_t k; next_about(&about, &k);) {
-        struct vec3 p = about.grid->point[k];
-        if (p.z - from.z > STEEP * plan_distance(p, from))
-            return true;
-    }
-    return false;
-}
-
-/* Mean distance of the points next to it, mm. */
-static double spacing_at(const struct edge_work *work, size_t i)
-{
-    enum { BESIDE = 6 };
-    const struct point_grid *b = work->options->point_grid;
-    uint32_t index[BESIDE + 1];
-    double distance2[BESIDE + 1];
-    size_t n = point_grid_nearest(b, b->point[i], BESIDE + 1, index, distance2);
-
-    return n > 1 ? sqrt(PI * distance2[n - 1] / (double)(n - 1)) : 0;
-}
-
-void edge_cliff_foot(const struct edge_work *work, size_t i, struct vec3s *to)
-{
-    struct vec3 p = work->options->point_grid->point[i];
-
-    if (!may_be_foot(work, i))
-        return;
-    double spacing = spacing_at(work, i), level = p.z;
-    struct vec3s near = places_about(work, i, EDGE_REACH * spacing);
-
-    for (size_t k = 0; k < near.n; k++) {
-        double step = near.item[k].z - level;
-        level = fmax(level, near.item[k].z);
-        if (!(step > spacing))
-            continue;
-        struct vec3 rim = near.item[nearest_of(&near, k, p)];
-        if (!(step > STEEP * plan_distance(rim, p) + spacing))
-            continue;
-        if (!(step > FOOT * spacing))
-            break;
-        if (is_at_foot(&near, k, p, EDGE_REACH * spacing))
-            hang_wall(work, &near, k, p, to);
-        break;
-    }
-    array_free(&near);
 }
 
 /* ---- corners */

@@ -61,3 +61,43 @@ void edge_hood_find(const struct edge_work *work, size_t i, struct edge_hood *ne
     near->spacing =
         near->n >= EDGE_NEAR ? sqrt(PI * near->distance2[EDGE_NEAR - 1] / EDGE_NEAR) : 0;
 }
+
+double edge_plan_distance(struct vec3 a, struct vec3 b)
+{
+    return hypot(b.x - a.x, b.y - a.y);
+}
+
+struct edge_about edge_about(const struct edge_work *work, size_t i)
+{
+    const struct point_grid *b = work->options->point_grid;
+    size_t column = point_grid_column(b, b->point[i].x), row = point_grid_row(b, b->point[i].y);
+
+    return (struct edge_about){.grid = b,
+                               .i = i,
+                               .first = column > 0 ? column - 1 : 0,
+                               .last = column + 1 < b->columns ? column + 1 : column,
+                               .row = row > 0 ? row - 1 : 0,
+                               .rows = row + 1 < b->rows ? row + 2 : b->rows,
+                               .reach = fmin(EDGE_REACH * point_grid_spacing(b), b->cell)};
+}
+
+bool edge_about_next(struct edge_about *a, size_t *k)
+{
+    const struct point_grid *b = a->grid;
+    const struct vec3 from = b->point[a->i];
+
+    for (;;) {
+        for (; a->k < a->end; a->k++) {
+            struct vec3 p = b->point[a->k];
+            if (a->k == a->i || hypot_compare(p.x - from.x, p.y - from.y, a->reach) >= 0)
+                continue;
+            *k = a->k++;
+            return true;
+        }
+        if (a->row == a->rows)
+            return false;
+        a->k = b->first[a->row * b->columns + a->first];
+        a->end = b->first[a->row * b->columns + a->last + 1];
+        a->row++;
+    }
+}

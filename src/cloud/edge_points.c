@@ -103,7 +103,7 @@ static void find_edges(void *context, size_t from, size_t to)
 
     for (size_t i = from; i < to; i++) {
         work->gap[i] = edge_cliff_add(work, i, &work->found[i], &work->between[i]);
-        edge_cliff_foot(work, i, &work->between[i]);
+        edge_foot_add(work, i, &work->between[i]);
         if (!work->flank[i].bent)
             continue;
         edge_hood_find(work, i, &near);

@@ -30,6 +30,8 @@ enum {
 #define EDGE_EVEN 0.012 /* spacings: a surface off its points by less is smooth */
 #define EDGE_SIGMAS 3.0
 #define EDGE_UPRIGHT 0.004 /* least z of the normal of a flank */
+#define EDGE_STEEP 2.5     /* 68 degrees: a wall hangs from a flank as from one so steep */
+#define EDGE_FOOT 8        /* spacings: so high a wall stands on a fair flank, or any */
 #define EDGE_SHARP 0.94    /* cosine of two flanks' normals: 20 degrees */
 
 /* The surface of a point's own side. */
@@ -65,6 +67,22 @@ struct edge_hood {
 };
 
 void edge_hood_find(const struct edge_work *work, size_t i, struct edge_hood *near);
+
+double edge_plan_distance(struct vec3 a, struct vec3 b);
+
+/* The points within EDGE_REACH of point i as seen from above, one after the other. */
+struct edge_about {
+    const struct point_grid *grid;
+    size_t i, first, last; /* columns of cells */
+    size_t row, rows;      /* the next one; end of them */
+    size_t k, end;         /* the next point, and where those of its row end */
+    double reach;
+};
+
+struct edge_about edge_about(const struct edge_work *work, size_t i);
+
+/* Puts the next one into *k; false: there is none. */
+bool edge_about_next(struct edge_about *about, size_t *k);
 
 /* ---- edge_flank: the surfaces of all points' own sides. */
 
@@ -107,13 +125,19 @@ void edge_meet_across(const struct edge_work *work, size_t i, const struct sizes
 
 double edge_cliff_add(const struct edge_work *work, size_t i, struct vec3s *edge, struct vec3s *to);
 
-/* Appends places on the wall that may stand over point i: a gap of heights over it, steeper than
- * any slope that was scanned, whatever is known of the surfaces of its rim and foot. */
-void edge_cliff_foot(const struct edge_work *work, size_t i, struct vec3s *to);
-
 /* How far the flank may go on before point i of such a wall, mm, where that is a sharp corner: a
  * tip of it passes between points below; 0: it is none. */
 double edge_cliff_corner(const struct edge_work *work, size_t i);
+
+/* ---- edge_foot: appends places on the wall that may stand over point i: a gap of heights over it,
+ * steeper than any slope that was scanned, whatever is known of the surfaces of its rim and
+ * foot. */
+
+void edge_foot_add(const struct edge_work *work, size_t i, struct vec3s *to);
+
+/* Appends places from one straight down as far as a point below. */
+void edge_wall_add(const struct edge_work *work, struct vec3 at, struct vec3 foot,
+                   struct vec3s *to);
 
 /* ---- edge_crest: appends the places of crests (crest_fit.h) about points whose own sides are not
  * certain to work->found, and of both their sides to work->between, as dense as those of edges are:

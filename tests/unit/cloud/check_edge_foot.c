@@ -1,0 +1,71 @@
+/* edge_foot: over the feet of a high wall that was not seen places hang between rim and floor, none
+ * over the floor elsewhere, and none over a slope or a low step. */
+#include <check.h>
+#include <stdlib.h>
+
+#include "edge_trial.h"
+
+static double high; /* mm */
+
+static double mesa(double x, double y)
+{
+    return edge_trial_side(x, y) > 0.07 ? high : 0;
+}
+
+static struct vec3s feet_of(double (*height)(double x, double y))
+{
+    struct edge_trial trial;
+    struct vec3s to = {0};
+
+    edge_trial_make(&trial, height, false, 0);
+    for (size_t i = 0; i < trial.grid.n; i++)
+        edge_foot_add(&trial.work, i, &to);
+    edge_trial_free(&trial);
+    return to;
+}
+
+START_TEST(wall_over_feet)
+{
+    high = 6; /* twelve spacings */
+    struct vec3s to = feet_of(mesa);
+
+    for (size_t k = 0; k < to.n; k++) {
+        double side = edge_trial_side(to.item[k].x, to.item[k].y);
+        ck_assert(to.item[k].z > 0 && to.item[k].z < high);
+        ck_assert(side < 0.07 && side > -EDGE_REACH * 0.5);
+    }
+    /* beside the rim, amid its height, some are no farther than the next points of the floor */
+    for (double x = -6; x <= 6; x += 0.2) {
+        struct vec3 amid = vec(x, x / 4 + 0.07, high / 2);
+        double least = HUGE_VAL;
+        for (size_t k = 0; k < to.n; k++)
+            least = fmin(least, vec_distance(amid, to.item[k]));
+        ck_assert_double_le(least, 0.5);
+    }
+    array_free(&to);
+}
+END_TEST
+
+START_TEST(none_over_others)
+{
+    high = 3; /* six spacings: below the least */
+    struct vec3s to = feet_of(_i ? mesa : edge_trial_roof);
+
+    ck_assert_uint_eq(to.n, 0);
+    array_free(&to);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("edge_foot");
+    TCase *tests = tcase_create("edge_foot");
+    SRunner *runner = srunner_create(suite);
+    tcase_add_test(tests, wall_over_feet);
+    tcase_add_loop_test(tests, none_over_others, 0, 2);
+    suite_add_tcase(suite, tests);
+    srunner_run_all(runner, CK_ENV);
+    int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed > 0;
+}
