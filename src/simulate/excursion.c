@@ -63,10 +63,10 @@ static double clearance(struct search *s, struct vec3 centre)
     return vec_length(from_part(s, centre)) - s->options->radius;
 }
 
-/* Where the ball's centre is at the end of a piece, and the axis. */
-static struct nc_motion_pose end_of(const struct search *s, size_t piece)
+/* Where the ball's centre is at a part of a piece, from 0 to 1, and the axis. */
+static struct nc_motion_pose pose_of(const struct search *s, size_t piece, double part)
 {
-    struct nc_motion_pose pose = nc_motion_at(s->motion, &s->motion->piece.item[piece], 1);
+    struct nc_motion_pose pose = nc_motion_at(s->motion, &s->motion->piece.item[piece], part);
     if (s->motion->track == NC_MOTION_TIP)
         pose.p = vec_along(pose.p, s->options->radius, pose.a);
     return pose;
@@ -104,8 +104,8 @@ static bool may_come_down(const struct search *s, const struct nc_piece *piece,
     return turns_back(s, piece, next);
 }
 
-/* A piece that ends off the part counts if it ends over the part and the next one comes down
- * again. */
+/* A piece that ends off the part counts if it rises to an end over the part and the next one comes
+ * down again; one that goes down where the part has no points may end anywhere. */
 static void look_at_end(struct search *s, size_t to)
 {
     size_t piece = s->path->item[to].piece, next = piece + 1;
@@ -115,11 +115,12 @@ static void look_at_end(struct search *s, size_t to)
         next++; /* the tool turns where it is */
     if (next == s->motion->piece.n || !may_come_down(s, &all[piece], &all[next]))
         return;
-    struct nc_motion_pose end = end_of(s, piece);
+    struct nc_motion_pose end = pose_of(s, piece, 1);
     struct vec3 up = from_part(s, end.p);
     double height = vec_length(up) - s->options->radius;
     if (fmax(vec_dot(up, end.a), up.z) >= OVER * vec_length(up) &&
-        clearance(s, end_of(s, next).p) < height - s->options->band)
+        clearance(s, pose_of(s, piece, 1 - NEAR_END).p) < height &&
+        clearance(s, pose_of(s, next, 1).p) < height - s->options->band)
         add_excursion(s, to, height);
 }
 

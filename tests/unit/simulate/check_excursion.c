@@ -144,6 +144,16 @@ START_TEST(a_curve_that_ends_high)
 }
 END_TEST
 
+/* A curve that comes down by itself where the part has no points, a wall, and a straight block that
+ * goes on as it did. */
+START_TEST(a_curve_that_ends_going_down)
+{
+    const unsigned char l = SHAPE_LINE, p = SHAPE_POLYNOMIAL, shape[PIECES] = {p, p, p, l, l, l};
+    const double down[PIECES + 1] = {0, 12, 20, 14, 8, 2, 0};
+    ck_assert_uint_eq(shaped(down, level, shape).count, 0);
+}
+END_TEST
+
 /* A straight block that ends high, and a curve that comes down from there at a sharp angle or not.
  */
 START_TEST(a_curve_that_begins_high)
@@ -229,6 +239,7 @@ int main(void)
     tcase_add_test(tcase, a_long_rise_is_a_link);
     tcase_add_test(tcase, a_curve_that_turns_the_tool_over);
     tcase_add_test(tcase, a_curve_that_ends_high);
+    tcase_add_test(tcase, a_curve_that_ends_going_down);
     tcase_add_test(tcase, a_curve_that_begins_high);
     tcase_add_test(tcase, less_than_the_band_is_none);
     tcase_add_test(tcase, a_spike_of_two_blocks);
