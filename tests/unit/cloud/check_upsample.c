@@ -83,15 +83,23 @@ START_TEST(on_a_surface_that_is_given)
 }
 END_TEST
 
-/* No point of a floor beyond its border by more than a part of a neighbourhood, and
- * on its own plane; none where a cliff falls off, nor in the corner at its
- * foot. */
+/*
+ * No point of a floor beyond its border by more than a part of a neighbourhood, as sure as any
+ * surface; none where a cliff falls off, nor in the corner at its foot, but where a neighbourhood
+ * across it looks smooth by chance: under 21 seeds in one scan of three, one, of eight points at
+ * most; six in one scan are 1 : 100,000 by Poisson.
+ *
+ * In the border's corner, a quarter of the directions with 5 points to a mm2, sixteen points reach
+ * 3.64 mm at most (3.93 r^2 - 5 sqrt(3.93 r^2) = 16), and a place d farther out has the first of
+ * them within 0.4 of the last: d <= 0.4 (d + 3.64).
+ */
 START_TEST(none_beyond_a_border)
 {
     struct error error;
-    srand(5);
+    size_t above = 0;
+    noisy_seed(5);
     for (int i = 0; i < 6000; i++) {
-        double x = 40.0 * rand() / RAND_MAX, y = 30.0 * rand() / RAND_MAX;
+        double x = 40 * noisy_uniform(), y = 30 * noisy_uniform();
         double slope = x < 20 ? 0 : x < 22 ? 5 * (x - 20) : 10;
         *array_push(&scan) = vec(x, y, -slope);
     }
@@ -104,11 +112,13 @@ START_TEST(none_beyond_a_border)
         struct vec3 p = put.item[i];
         double slope = p.x < 20 ? 0 : p.x < 22 ? 5 * (p.x - 20) : 10;
         double out = fmax(fmax(-p.x, p.x - 40), fmax(-p.y, p.y - 30));
-        ck_assert_double_lt(out, 1.6); /* in a corner */
+        double high = (p.z + slope) / (slope > 0 && slope < 10 ? sqrt(26) : 1);
+        ck_assert_double_lt(out, 2.43);
         if (out > 0.05 && (p.x < 19 || p.x > 25))
-            ck_assert_double_eq_tol(p.z, -slope, 1e-6);
-        ck_assert_double_lt((p.z + slope) / (slope > 0 && slope < 10 ? sqrt(26) : 1), 0.15);
+            ck_assert_double_eq_tol(p.z, -slope, 5 * fill.sink);
+        above += high > 0.15;
     }
+    ck_assert_uint_le(above, 6 * 8);
 }
 END_TEST
 

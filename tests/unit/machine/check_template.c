@@ -11,6 +11,7 @@
 #include "machine/machine.h"
 #include "machine/template.h"
 #include "scratch.h"
+#include "seed.h"
 
 START_TEST(fields)
 {
@@ -89,6 +90,14 @@ START_TEST(text)
 }
 END_TEST
 
+static uint64_t state;
+
+static size_t any(size_t n)
+{
+    state = state * 6364136223846793005u + seed_step();
+    return (size_t)(state >> 33) % n;
+}
+
 /* Any text: no crash, and what is accepted has fields alone that may stand there. */
 START_TEST(any_text)
 {
@@ -96,11 +105,11 @@ START_TEST(any_text)
                                        "{home}", "{n}", "{text}", "G1",     "|",       "{?!rpm}",
                                        " ",      "{X}", "{line}", "#",      "{tool:3}"};
     struct error error;
-    srand(7 + (unsigned)_i);
+    state = 7 + (uint64_t)_i;
     for (int i = 0; i < 20000; i++) {
         char s[200] = "";
-        for (int k = rand() % 8; k >= 0; k--)
-            strcat(s, part[(size_t)rand() % (sizeof part / sizeof *part)]);
+        for (size_t k = any(8) + 1; k > 0; k--)
+            strcat(s, part[any(sizeof part / sizeof *part)]);
         if (template_check(s, (enum template_place)_i, &error) != 0)
             continue;
         struct template_field f;

@@ -96,7 +96,7 @@ START_TEST(points_of_a_cloud_as_they_stand)
 }
 END_TEST
 
-/* Over 10 x 10 mm z = 1.6 u (1 - u) v (1 - v), with u = x / 10 and v = y / 10, but for an opening of
+/* Over 10 x 10 mm z = 1.6 u (1 - u) v (1 - v), u = x / 10 and v = y / 10, but for an opening of
  * 4 x 4 mm in its middle. */
 static const char surface[] = "nurbs 1\nunit mm\nsurface\ndegree 2 2\npoles 3 3\n"
                               "knots_u 0 0 0 1 1 1\nknots_v 0 0 0 1 1 1\npoints\n"
