@@ -121,8 +121,9 @@ static struct vec3 swell_normal(double x, double y)
 
 /*
  * How far a surface through points about a place may be off there.  Among them it is off the wave
- * by what a cubic leaves out, the fourth derivative, 4 (a^2 + b^2)^2 at most for 4 sin(a x) cos(b y),
- * times the fourth power of their distance by 4!; by noise as far as any of them, five deviations.
+ * by what a cubic leaves out, the fourth derivative, 4 (a^2 + b^2)^2 at most for
+ * 4 sin(a x) cos(b y), times the fourth power of their distance by 4!; by noise as far as any of
+ * them, five deviations.
  * A point is put where the surface is as sure as VAGUE.
  */
 static double surface_off(const struct point_grid *scan, struct vec3 place, double noise)
