@@ -608,19 +608,13 @@ static bool is_letter(char c)
     return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
 }
 
-/* The word is in the line, in capitals or not, with no letter or digit beside it. */
-static bool line_has(const char *line, size_t n, const char *word)
+/* The n letters and digits are this word, in capitals or not. */
+static bool is_word(const char *text, size_t n, const char *word)
 {
-    size_t m = strlen(word);
-    for (size_t i = 0; i + m <= n; i++) {
-        size_t k = 0;
-        while (k < m && toupper((unsigned char)line[i + k]) == word[k])
-            k++;
-        if (k == m && (i == 0 || !is_letter(line[i - 1])) &&
-            (i + m == n || !is_letter(line[i + m])))
-            return true;
-    }
-    return false;
+    size_t k = 0;
+    while (k < n && toupper((unsigned char)text[k]) == word[k])
+        k++;
+    return k == n && word[k] == '\0';
 }
 
 /* What the lines say of units; each is set where it is found. */
@@ -628,18 +622,32 @@ struct unit_signs {
     bool units, inch, mm;
 };
 
+static void look_at_line(const char *line, size_t n, struct unit_signs *found)
+{
+    bool feed = false, inch = false, mm = false;
+    for (size_t i = 0; i < n; i++) {
+        const char *word = line + i;
+        while (i < n && is_letter(line[i]))
+            i++;
+        size_t m = (size_t)(line + i - word);
+        if (m < 3 || m > 6)
+            continue;
+        feed = feed || is_word(word, m, "FEDRAT") || is_word(word, m, "CYCLE");
+        inch = inch || is_word(word, m, "IPM") || is_word(word, m, "IPR");
+        mm = mm || is_word(word, m, "MMPM") || is_word(word, m, "MMPR");
+        found->units = found->units || is_word(word, m, "UNITS") || is_word(word, m, "UNIT");
+    }
+    found->inch = found->inch || (feed && inch);
+    found->mm = found->mm || (feed && mm);
+}
+
 static void look_for_units(const char *text, size_t n, struct unit_signs *found)
 {
     const char *end = text + n;
     while (text < end && !found->units) {
         const char *stop = memchr(text, '\n', (size_t)(end - text));
         size_t length = (size_t)((stop ? stop : end) - text);
-        bool feed = line_has(text, length, "FEDRAT") || line_has(text, length, "CYCLE");
-        found->units = line_has(text, length, "UNITS") || line_has(text, length, "UNIT");
-        found->inch = found->inch ||
-                      (feed && (line_has(text, length, "IPM") || line_has(text, length, "IPR")));
-        found->mm = found->mm ||
-                    (feed && (line_has(text, length, "MMPM") || line_has(text, length, "MMPR")));
+        look_at_line(text, length, found);
         text += length + 1;
     }
 }
