@@ -1,6 +1,7 @@
 /* nc_motion: each shape against its own formula, written once more here. */
 #include <check.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/array.h"
 #include "simulate/nc_motion.h"
@@ -102,12 +103,46 @@ START_TEST(splines)
 }
 END_TEST
 
+/* Moves of 10 m are as many as there are; longer ones are 100 m together, and the line of the first
+ * one beyond that is told; an arc is as long as its chords. */
+START_TEST(no_farther_than_a_machine_goes)
+{
+    struct nc_motion far = {.name = "far.nc"};
+    struct error error = {.text = ""};
+    for (size_t i = 0; i < 50; i++) {
+        struct nc_piece p = line(vec(0, 0, 0), vec(0, 1e4, 0));
+        p.line = i + 1;
+        *array_push(&far.piece) = p;
+    }
+    ck_assert_int_eq(nc_motion_bounded(&far, &error), 0);
+    for (size_t i = 10; i < 15; i++) /* 100 m to the last digit */
+        far.piece.item[i].p[1].y = 2e4;
+    ck_assert_int_eq(nc_motion_bounded(&far, &error), 0);
+    far.piece.item[47].p[1].y = 10000.5;
+    ck_assert_int_eq(nc_motion_bounded(&far, &error), -1);
+    ck_assert_str_eq(error.text, "far.nc:48: found moves of more than 10 m, 110 m together, "
+                                 "expected at most 100 m: no machine goes so far");
+
+    /* half a turn of 40 m about z, in the place of all lines: 4 chords of 30.6 m */
+    far.piece.n = 0;
+    *array_push(&far.arc) = (struct nc_motion_arc){vec(0, 0, 0), vec(0, 0, 1), PI};
+    struct nc_piece half = line(vec(40000, 0, 0), vec(-40000, 0, 0));
+    half.shape = SHAPE_ARC;
+    half.line = 7;
+    *array_push(&far.piece) = half;
+    ck_assert_int_eq(nc_motion_bounded(&far, &error), -1);
+    ck_assert_ptr_nonnull(strstr(error.text, "far.nc:7: found moves of more than 10 m, 122 m"));
+    nc_motion_free(&far);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("nc_motion");
     TCase *tests = tcase_create("nc_motion");
     SRunner *runner = srunner_create(suite);
     tcase_add_test(tests, lines);
+    tcase_add_test(tests, no_farther_than_a_machine_goes);
     tcase_add_test(tests, arcs);
     tcase_add_test(tests, polynomials);
     tcase_add_test(tests, splines);
