@@ -47,7 +47,7 @@
 
 #include <stdbool.h>
 
-#include "math/point_grid.h"
+#include "math/near_lists.h"
 
 struct edge_points_options {
     const struct point_grid *point_grid; /* the scan, without outliers */
@@ -56,6 +56,7 @@ struct edge_points_options {
     double sink;                         /* how far off a flank that is certain may be, mm */
     bool fill;                           /* flanks, too, get points as dense, up to their edges */
     int threads;
+    const struct near_lists *near; /* of the scan's points, or NULL */
 };
 
 /* True if point i lies on such a flank of its neighbours, which make one without it, and is not

@@ -7,7 +7,7 @@
 
 #include <stdbool.h>
 
-#include "math/point_grid.h"
+#include "math/near_lists.h"
 #include "math/quadric.h"
 
 struct upsample {
@@ -16,6 +16,7 @@ struct upsample {
     double sink;                         /* how deep it may sink between points, mm */
     double noise;                        /* standard deviation of the points, mm; 0: none */
     bool lines; /* the scan is on lines (scan_lines.h): the surfaces of neighbours must agree */
+    const struct near_lists *near; /* of its points, or NULL */
 };
 
 /* The ball sinks deeper in more than a tenth of the places. */

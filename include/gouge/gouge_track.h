@@ -7,7 +7,7 @@
  *   ball    the guard points next to a straight piece of the way, and a little beyond: places that
  *           go along with it ask these few alone
  *   holder  how far it is from the guard in one pose: poses that are not farther from that one have
- *           no need to be asked about
+ *           no need to be asked about; and what the last few poses were answered
  *
  * The answers are those of gouge.h, digit by digit.  One track is for one thread.
  */
@@ -23,6 +23,14 @@ struct gouge_beside {
     size_t first, n; /* of the track's points */
 };
 
+/* A pose of the holder, and what was answered. */
+struct gouge_pose {
+    struct vec3 ball, axis;
+    double below, clear;
+};
+
+enum { GOUGE_POSES = 4 };
+
 struct gouge_track {
     struct gouge_besides {
         size_t n, cap;
@@ -34,6 +42,9 @@ struct gouge_track {
     /* A pose of the holder, and what it is clear by at least; 0: none is known. */
     struct vec3 ball, axis;
     double clear;
+    struct gouge_pose pose[GOUGE_POSES];
+    size_t poses;              /* asked so far: the last ones are kept */
+    struct kdtree_touch touch; /* the guard point that it was nearest to, last */
 };
 
 void gouge_track_free(struct gouge_track *track);
@@ -42,6 +53,11 @@ void gouge_track_free(struct gouge_track *track);
  * short. */
 double gouge_track_depth(struct gouge_track *track, const struct gouge_check *guard, struct vec3 a,
                          struct vec3 b, double radius);
+
+/* gouge_holder of the track's guard and always the same holder. */
+double gouge_track_holder(struct gouge_track *track, const struct gouge_check *guard,
+                          const struct holder *holder, struct vec3 ball, struct vec3 axis,
+                          double below);
 
 /* True if the holder's every place is `least` mm, more than 0, or more from the guard in this pose
  * (gouge_holder_clear). */

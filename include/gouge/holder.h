@@ -67,4 +67,9 @@ double holder_distance_below(const struct holder *holder, struct vec3 centre, st
 double holder_bound(const struct holder *holder, struct vec3 centre, struct vec3 axis,
                     struct vec3 middle, struct vec3 half);
 
+/* The same where it is not above `below`; else maybe a lower bound that is had more quickly, and
+ * is above `below` but for rounding. */
+double holder_bound_below(const struct holder *holder, struct vec3 centre, struct vec3 axis,
+                          struct vec3 middle, struct vec3 half, double below);
+
 #endif

@@ -56,17 +56,27 @@ void kdtree_beside(const struct kdtree *tree, struct vec3 a, struct vec3 b, doub
 /* True if a point is nearer than `within` to the segment from a to b.  Ends at the first. */
 bool kdtree_any_beside(const struct kdtree *tree, struct vec3 a, struct vec3 b, double within);
 
+/* Points of a tree that a body touched. */
+struct kdtree_touch {
+    size_t n;
+    struct vec3 p[2];
+};
+
 /* A value of each place. */
 struct kdtree_field {
     /* At p, where it is lower than `below`; else anything that is not. */
     double (*value)(const void *context, struct vec3 p, double below);
-    /* It is no lower anywhere in the box about `middle` that reaches `half` along each axis. */
-    double (*bound)(const void *context, struct vec3 middle, struct vec3 half);
+    /* It is no lower anywhere in the box about `middle` that reaches `half` along each axis; what
+     * is above `below` may be any such value. */
+    double (*bound)(const void *context, struct vec3 middle, struct vec3 half, double below);
     const void *context;
 };
 
-/* The lowest value at a point, if that is below `below`; else `below`. */
-double kdtree_lowest(const struct kdtree *tree, const struct kdtree_field *field, double below);
+/* The lowest value at a point, if that is below `below`; else `below`.  `touch`: points of the tree
+ * that are likely the lowest, to be tried first (NULL: none); afterwards the one that is, if one
+ * is below. */
+double kdtree_lowest(const struct kdtree *tree, const struct kdtree_field *field, double below,
+                     struct kdtree_touch *touch);
 
 /* True if it is lower than `below` at any point.  Ends at the first. */
 bool kdtree_any_lower(const struct kdtree *tree, const struct kdtree_field *field, double below);
@@ -87,12 +97,6 @@ struct kdtree_visitor {
 
 void kdtree_visit(const struct kdtree *tree, struct vec3 from,
                   const struct kdtree_visitor *visitor);
-
-/* Points of a tree that a ball touched. */
-struct kdtree_touch {
-    size_t n;
-    struct vec3 p[2];
-};
 
 /*
  * The smallest h >= 0 that brings a ball of this radius with its centre at c + h * up (a unit

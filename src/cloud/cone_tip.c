@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "math/band.h"
+#include "math/pair.h"
 
 /* Of the spacing: the search begins on a raster so far apart, and with these steps; it ends below
  * the last. */
@@ -53,51 +54,51 @@ static double height_at(const struct cone_tip *tip, double u, double v)
     return height_of(tip, x);
 }
 
-/* The terms at each of n points, and the height there; to fours, for they are summed four at a
- * time. */
+/* The terms at each of n points, and the height there; to fours, for they are summed in blocks of
+ * two by four. */
 enum { CONE_ROW = CONE_TERMS + 1, CONE_FOURS = (CONE_ROW + 3) / 4 * 4 };
 typedef double cone_rows[CONE_POINTS][CONE_FOURS];
 
-/* The sums over n points of the products of term i with four from term j on, in registers. */
-static void sum_four(cone_rows x, size_t n, size_t i, size_t j, double sum[4])
+/* The sums over n points of the products of terms i and i + 1 with four from term j on, in
+ * registers: none of them has to wait for another. */
+static void sum_block(cone_rows x, size_t n, size_t i, size_t j, double sum[2][4])
 {
-    double a = 0, b = 0, c = 0, d = 0;
+    pair a = {0, 0}, b = a, c = a, d = a;
 
     for (size_t k = 0; k < n; k++) {
-        double by = x[k][i];
-        const double *row = &x[k][j];
-        a += by * row[0];
-        b += by * row[1];
-        c += by * row[2];
-        d += by * row[3];
+        pair first = pair_both(x[k][i]), second = pair_both(x[k][i + 1]);
+        pair left = pair_at(&x[k][j]), right = pair_at(&x[k][j + 2]);
+        a += first * left;
+        b += first * right;
+        c += second * left;
+        d += second * right;
     }
-    sum[0] = a;
-    sum[1] = b;
-    sum[2] = c;
-    sum[3] = d;
+    pair_put(&sum[0][0], a);
+    pair_put(&sum[0][2], b);
+    pair_put(&sum[1][0], c);
+    pair_put(&sum[1][2], d);
 }
 
 /* The sums of the products of the terms, and in c with the heights. */
 static struct band sum_terms(cone_rows x, size_t n, double c[CONE_TERMS])
 {
     struct band a = band_new(CONE_TERMS, CONE_TERMS - 1);
-    double sum[4];
+    double sum[2][4];
 
-    for (size_t i = 0; i < CONE_ROW; i++)
-        for (size_t j = 0; j <= i && j < CONE_TERMS; j += 4) {
-            sum_four(x, n, i, j, sum);
-            for (size_t k = j; k < j + 4 && k <= i && k < CONE_TERMS; k++)
-                *(i < CONE_TERMS ? band_at(&a, i, k) : &c[k]) = sum[k - j];
+    for (size_t i = 0; i < CONE_ROW; i += 2)
+        for (size_t j = 0; j < i + 2 && j < CONE_TERMS; j += 4) {
+            sum_block(x, n, i, j, sum);
+            for (size_t row = i; row < i + 2; row++)
+                for (size_t k = j; k < j + 4 && k <= row && k < CONE_TERMS; k++)
+                    *(row < CONE_TERMS ? band_at(&a, row, k) : &c[k]) = sum[row - i][k - j];
         }
     return a;
 }
 
-/* The cone with its tip over tip->u, v; false: the points determine none. */
-static bool fit_there(const struct vec3 *local, size_t n, struct cone_tip *tip)
+/* The cone's terms with its tip over tip->u, v, and their factors; false: the points determine
+ * none. */
+static bool solve_there(const struct vec3 *local, size_t n, cone_rows x, struct cone_tip *tip)
 {
-    cone_rows x;
-    double sum2 = 0;
-
     for (size_t k = 0; k < n; k++) {
         terms_at(local[k].x - tip->u, local[k].y - tip->v, x[k]);
         for (size_t i = CONE_TERMS; i < CONE_FOURS; i++)
@@ -108,15 +109,30 @@ static bool fit_there(const struct vec3 *local, size_t n, struct cone_tip *tip)
     if (solved)
         band_solve(&a, tip->c, 1);
     band_free(&a);
+    return solved;
+}
+
+/* The same, and how far the points are off; false also where that is more than `rms`. */
+static bool fit_there(const struct vec3 *local, size_t n, double rms, struct cone_tip *tip)
+{
+    const double rounding = 1e-9;
+    cone_rows x;
+    double sum2 = 0;
+
+    if (!solve_there(local, n, x, tip))
+        return false;
     tip->worst = 0;
     double across = hypot(1, tip->c[1]); /* across the lines */
-    for (size_t k = 0; solved && k < n; k++) {
+    double room = (1 + rounding) * rms * rms * (double)(n - CONE_TERMS - 2);
+    for (size_t k = 0; k < n; k++) {
         double off = (local[k].z - height_of(tip, x[k])) / across;
         tip->worst = fmax(tip->worst, fabs(off));
         sum2 += off * off;
+        if (sum2 > room)
+            return false;
     }
-    tip->rms = solved ? sqrt(sum2 / (double)(n - CONE_TERMS - 2)) : HUGE_VAL;
-    return solved;
+    tip->rms = sqrt(sum2 / (double)(n - CONE_TERMS - 2));
+    return true;
 }
 
 /* The best place of a raster about the origin. */
@@ -130,7 +146,7 @@ static void search_coarsely(const struct vec3 *local, size_t n, double spacing,
         for (int j = -RASTER; j <= RASTER; j++) {
             other.u = APART * spacing * i;
             other.v = APART * spacing * j;
-            if (fit_there(local, n, &other) && other.rms < tip->rms)
+            if (fit_there(local, n, tip->rms, &other) && other.rms < tip->rms)
                 *tip = other;
         }
 }
@@ -164,7 +180,7 @@ static bool search(const struct vec3 *local, size_t n, double spacing, double rm
                 other.u += step * way[k][0];
                 other.v += step * way[k][1];
                 if (hypot_compare(other.u, other.v, FAR * spacing) < 0 &&
-                    fit_there(local, n, &other) && other.rms < best.rms) {
+                    fit_there(local, n, best.rms, &other) && other.rms < best.rms) {
                     best = other;
                     last[0] = way[k][0];
                     last[1] = way[k][1];

@@ -55,7 +55,8 @@ void edge_hood_find(const struct edge_work *work, size_t i, struct edge_hood *ne
         thin_hood(b, i, work->wide, near);
         return;
     }
-    near->n = point_grid_nearest(b, b->point[i], EDGE_NEAR, near->index, near->distance2);
+    near->n =
+        near_lists_nearest(work->options->near, b, i, EDGE_NEAR, near->index, near->distance2);
     for (size_t k = 0; k < near->n; k++)
         near->point[k] = b->point[near->index[k]];
     near->spacing =

@@ -35,10 +35,12 @@ struct neighbourhood {
 };
 
 /* Of point i; of several in one place, this one first. */
-static void find_neighbourhood(const struct point_grid *b, size_t i, size_t k,
+static void find_neighbourhood(const struct upsample *fill, size_t i, size_t k,
                                struct neighbourhood *near)
 {
-    near->n = point_grid_nearest(b, b->point[i], k, near->index, near->distance2);
+    const struct point_grid *b = fill->point_grid;
+
+    near->n = near_lists_nearest(fill->near, b, i, k, near->index, near->distance2);
     for (size_t j = 0; j < near->n; j++)
         near->point[j] = b->point[near->index[j]];
     near->point[0] = b->point[i];
@@ -57,7 +59,7 @@ bool upsample_needed(const struct upsample *fill)
 
     for (size_t i = 0; i < sample; i++) {
         struct neighbourhood near;
-        find_neighbourhood(b, i * b->n / sample, 7, &near);
+        find_neighbourhood(fill, i * b->n / sample, 7, &near);
         if (near.n < 7)
             continue;
         seen++;
@@ -122,24 +124,38 @@ static void fan_add(struct fan *fan, double x, double y)
         fan_set(fan->right, x, y);
 }
 
-/* Point i of the neighbourhood is nearer to p, out of `from`, than that is. */
-static bool is_nearer(const struct neighbourhood *near, size_t i, struct vec3 from, struct vec3 out)
-{
-    struct vec3 to = vec_sub(near->point[i], from);
+/* The ways from a place to the points of a neighbourhood but its own, the first. */
+struct ways {
+    size_t n; /* the first is not set */
+    struct vec3 to[NEAR];
+    double length2[NEAR];
+    size_t last; /* the one that was nearer to the place asked for before */
+};
 
-    return 2 * vec_dot(out, to) > vec_dot(to, to);
+static void set_ways(const struct neighbourhood *near, struct vec3 from, struct ways *ways)
+{
+    ways->n = near->n < NEAR ? near->n : NEAR;
+    ways->last = 0;
+    for (size_t i = 1; i < ways->n; i++) {
+        ways->to[i] = vec_sub(near->point[i], from);
+        ways->length2[i] = vec_dot(ways->to[i], ways->to[i]);
+    }
 }
 
-/* None of them is.  *last: the one that was nearer to the place before, often nearer to this
- * one. */
-static bool is_nearest(const struct neighbourhood *near, struct vec3 from, struct vec3 out,
-                       size_t *last)
+/* Point i is nearer to the end of the way `out` than its beginning is. */
+static bool is_nearer(const struct ways *ways, size_t i, struct vec3 out)
 {
-    if (*last < near->n && is_nearer(near, *last, from, out))
+    return 2 * vec_dot(out, ways->to[i]) > ways->length2[i];
+}
+
+/* None of them is. */
+static bool is_nearest(struct ways *ways, struct vec3 out)
+{
+    if (ways->last > 0 && is_nearer(ways, ways->last, out))
         return false;
-    for (size_t i = 1; i < near->n && i < NEAR; i++)
-        if (is_nearer(near, i, from, out)) {
-            *last = i;
+    for (size_t i = 1; i < ways->n; i++)
+        if (is_nearer(ways, i, out)) {
+            ways->last = i;
             return false;
         }
     return true;
@@ -249,7 +265,7 @@ static double fit_about(const struct upsample *fill, size_t i, struct quadric *q
 {
     struct neighbourhood near;
 
-    find_neighbourhood(fill->point_grid, i, NEAR, &near);
+    find_neighbourhood(fill, i, NEAR, &near);
     return fit_surface(&near, q);
 }
 
@@ -391,17 +407,18 @@ static void add_between(const struct upsample *fill, const struct neighbourhood 
     struct vec3 off = vec_sub(p, q->origin);
     double u0 = vec_dot(off, q->u), v0 = vec_dot(off, q->v);
     int rings = (int)fmin(reach / pitch, RINGS);
-    size_t nearer = near->n;
+    struct ways ways;
 
     if (is_hollow(fill, q))
         return;
+    set_ways(near, p, &ways);
     for (int j = -rings; j <= rings; j++) {
         for (int i = -rings; i <= rings; i++) {
             double u = pitch * (i + j / 2.0), v = pitch * j * 0.8660254037844386, aside;
             if ((i == 0 && j == 0) || hypot_compare(u, v, reach) > 0)
                 continue;
             struct vec3 at = quadric_at(q, u0 + u, v0 + v);
-            if (!is_nearest(near, p, vec_sub(at, p), &nearer))
+            if (!is_nearest(&ways, vec_sub(at, p)))
                 continue;
             measure_off(near, &on);
             if (is_between(fill, near, &on, p, at, &aside) &&
@@ -418,7 +435,7 @@ void upsample_on(const struct upsample *fill, size_t i, struct vec3 p, const str
 {
     struct neighbourhood near;
 
-    find_neighbourhood(fill->point_grid, i, NEAR, &near);
+    find_neighbourhood(fill, i, NEAR, &near);
     if (would_sink(fill, &near, spread))
         add_between(fill, &near, p, q, spread, false, to);
 }
@@ -428,7 +445,7 @@ double upsample_about(const struct upsample *fill, size_t i, struct vec3s *to)
     struct neighbourhood near;
     struct quadric q;
 
-    find_neighbourhood(fill->point_grid, i, NEAR, &near);
+    find_neighbourhood(fill, i, NEAR, &near);
     if (!may_sink(fill, &near))
         return 0;
     double spread = fit_surface(&near, &q);

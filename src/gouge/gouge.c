@@ -186,20 +186,27 @@ static double from_holder(const void *context, struct vec3 p, double below)
     return holder_distance_below(pose->holder, pose->centre, pose->axis, p, below);
 }
 
-static double bound_from_holder(const void *context, struct vec3 middle, struct vec3 half)
+static double bound_from_holder(const void *context, struct vec3 middle, struct vec3 half,
+                                double below)
 {
     const struct holder_pose *pose = context;
 
-    return holder_bound(pose->holder, pose->centre, pose->axis, middle, half);
+    return holder_bound_below(pose->holder, pose->centre, pose->axis, middle, half, below);
 }
 
 double gouge_holder(const struct gouge_check *guard, const struct holder *holder, struct vec3 c,
                     struct vec3 axis, double below)
 {
+    return gouge_holder_near(guard, holder, c, axis, below, NULL);
+}
+
+double gouge_holder_near(const struct gouge_check *guard, const struct holder *holder,
+                         struct vec3 c, struct vec3 axis, double below, struct kdtree_touch *touch)
+{
     struct holder_pose pose = {holder, c, axis};
     struct kdtree_field field = {from_holder, bound_from_holder, &pose};
 
-    return holder->n > 0 ? kdtree_lowest(guard->tree, &field, below) : below;
+    return holder->n > 0 ? kdtree_lowest(guard->tree, &field, below, touch) : below;
 }
 
 bool gouge_holder_clear(const struct gouge_check *guard, const struct holder *holder, struct vec3 c,

@@ -109,9 +109,11 @@ static struct station station_at(const struct gouge_refit_options *options,
     return (struct station){s, vec_along(pose.p, up, pose.a), pose.a, 0};
 }
 
-static void measure(const struct gouge_refit_options *options, double below, struct station *at)
+static void measure(const struct gouge_refit_options *options, double below,
+                    struct gouge_track *track, struct station *at)
 {
-    at->clear = gouge_holder(options->guard, &options->holder, at->ball, at->axis, below);
+    at->clear =
+        gouge_track_holder(track, options->guard, &options->holder, at->ball, at->axis, below);
 }
 
 /* No place of the holder moves farther than this between two poses.  A curve is looked at between
@@ -155,7 +157,7 @@ static void add_station(const struct gouge_refit_options *options, const struct 
 
 static void check_between(const struct gouge_refit_options *options, const struct motion *motion,
                           const struct station *a, const struct station *b, int halvings,
-                          struct gouges *gouges)
+                          struct gouge_track *track, struct gouges *gouges)
 {
     double moved = most_moved(options, motion, a, b), may = GOUGE_SAFE * options->tolerance;
 
@@ -167,9 +169,9 @@ static void check_between(const struct gouge_refit_options *options, const struc
         return;
     }
     struct station m = station_at(options, motion, (a->s + b->s) / 2);
-    measure(options, moved, &m);
-    check_between(options, motion, a, &m, halvings - 1, gouges);
-    check_between(options, motion, &m, b, halvings - 1, gouges);
+    measure(options, moved, track, &m);
+    check_between(options, motion, a, &m, halvings - 1, track, gouges);
+    check_between(options, motion, &m, b, halvings - 1, track, gouges);
 }
 
 /* In its middle the holder is clear by more than any place of it moves to either end. */
@@ -197,11 +199,11 @@ static void check_holder(const struct gouge_refit_options *options, const struct
         if (is_far_off(options, motion, &a, &m, &b, track))
             continue;
         double below = most_moved(options, motion, &a, &m) + most_moved(options, motion, &m, &b);
-        measure(options, below, &a);
-        measure(options, below, &m);
-        measure(options, below, &b);
-        check_between(options, motion, &a, &m, SWEPT_HALVINGS, gouges);
-        check_between(options, motion, &m, &b, SWEPT_HALVINGS, gouges);
+        measure(options, below, track, &a);
+        measure(options, below, track, &m);
+        measure(options, below, track, &b);
+        check_between(options, motion, &a, &m, SWEPT_HALVINGS, track, gouges);
+        check_between(options, motion, &m, &b, SWEPT_HALVINGS, track, gouges);
     }
 }
 

@@ -91,6 +91,32 @@ static double most_moved(double lever, struct vec3 ball, struct vec3 axis, struc
     return vec_distance(ball, other_ball) + lever * vec_angle(axis, other_axis);
 }
 
+/* The same pose among the last, with an answer that is one to this question, too; NULL: none. */
+static const struct gouge_pose *find_pose(const struct gouge_track *track, struct vec3 ball,
+                                          struct vec3 axis, double below)
+{
+    for (size_t i = 0; i < GOUGE_POSES && i < track->poses; i++) {
+        const struct gouge_pose *pose = &track->pose[i];
+        if ((pose->clear < pose->below || below <= pose->below) &&
+            vec_compare(&pose->ball, &ball) == 0 && vec_compare(&pose->axis, &axis) == 0)
+            return pose;
+    }
+    return NULL;
+}
+
+double gouge_track_holder(struct gouge_track *track, const struct gouge_check *guard,
+                          const struct holder *holder, struct vec3 ball, struct vec3 axis,
+                          double below)
+{
+    const struct gouge_pose *known = find_pose(track, ball, axis, below);
+
+    if (known)
+        return fmin(known->clear, below);
+    double clear = gouge_holder_near(guard, holder, ball, axis, below, &track->touch);
+    track->pose[track->poses++ % GOUGE_POSES] = (struct gouge_pose){ball, axis, below, clear};
+    return clear;
+}
+
 bool gouge_track_clear(struct gouge_track *track, const struct gouge_check *guard,
                        const struct holder *holder, struct vec3 ball, struct vec3 axis,
                        double least)
@@ -100,7 +126,7 @@ bool gouge_track_clear(struct gouge_track *track, const struct gouge_check *guar
     if (track->clear > 0 &&
         most_moved(lever, track->ball, track->axis, ball, axis) + least <= track->clear)
         return true;
-    track->clear = gouge_holder(guard, holder, ball, axis, fmax(CLEAR, 2 * least));
+    track->clear = gouge_track_holder(track, guard, holder, ball, axis, fmax(CLEAR, 2 * least));
     track->ball = ball;
     track->axis = axis;
     return track->clear >= least;

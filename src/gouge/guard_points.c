@@ -42,6 +42,7 @@ struct guard_work {
     const struct point_grid *point_grid;
     struct surface_fit_options fit; /* sigma: noise to take out; 0: none */
     struct upsample fill;
+    struct near_lists lists; /* where the scan is not on lines: there others are asked for */
     bool filled;
     struct point_result *result;
 };
@@ -191,7 +192,10 @@ static bool choose_work(struct guard_work *work, bool *sparse, size_t *near)
 
     work->fit = (struct surface_fit_options){
         b, rule->noise, 0, effort_covers(EFFORT_ALONG, rule->effort, b->n), false};
-    work->fill = (struct upsample){b, rule->radius, rule->sink, rule->noise, scan_lines_found(b)};
+    work->fill = (struct upsample){b,           rule->radius,        rule->sink,
+                                   rule->noise, scan_lines_found(b), &work->lists};
+    if (!work->fill.lines)
+        work->lists = near_lists_of(b, rule->threads);
     *sparse = upsample_needed(&work->fill);
     work->filled = *sparse && effort_covers(EFFORT_GUARD_BETWEEN, rule->effort, b->n);
     if (rule->noise > 0)
@@ -244,7 +248,8 @@ static void add_edges(const struct guard_work *work, struct guard_points *surfac
                                         .sink = rule->sink,
                                         /* flanks of few points are as rough as these */
                                         .fill = work->filled && rule->noise == 0,
-                                        .threads = rule->threads};
+                                        .threads = rule->threads,
+                                        .near = &work->lists};
     size_t before = surface->point.n;
 
     surface->edges = edge_points(&edges, &surface->point, &surface->gaps);
@@ -261,6 +266,7 @@ struct guard_points guard_points_of_scan(const struct point_grid *point_grid,
 
     if (!choose_work(&work, &sparse, &near)) {
         add_edges(&work, &surface);
+        near_lists_free(&work.lists);
         surface.sparse = sparse;
         array_reserve(&surface.point, point_grid->n);
         for (size_t i = 0; i < point_grid->n; i++)
@@ -280,6 +286,7 @@ struct guard_points guard_points_of_scan(const struct point_grid *point_grid,
     add_edges(&work, &surface);
     surface.sparse = sparse;
     surface.near = near;
+    near_lists_free(&work.lists);
     free(work.result);
     return surface;
 }

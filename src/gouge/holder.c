@@ -102,13 +102,14 @@ static double reach_along(struct vec3 half, struct vec3 way)
 }
 
 static double cylinder_bound(const struct holder_part *part, struct vec3 axis, struct vec3 d,
-                             struct vec3 half)
+                             struct vec3 half, double below)
 {
     const double rounding = 1e-9; /* mm */
-    double h = vec_dot(d, axis);
+    double h = vec_dot(d, axis), from = fabs(h - part->length / 2) - reach_along(half, axis);
+    if (from - part->length / 2 > below) /* along it alone: that is quick to say */
+        return from - part->length / 2 - rounding;
     struct vec3 aside = vec_along(d, -h, axis);
     double r = vec_length(aside), near = r > 0 ? r - reach_along(half, aside) / r : 0;
-    double from = fabs(h - part->length / 2) - reach_along(half, axis);
 
     near = near > 0 ? near : 0;
     from = from > 0 ? from : 0;
@@ -131,8 +132,14 @@ static double to_corners2(struct place a, struct place b, struct place middle, s
 double holder_bound(const struct holder *holder, struct vec3 centre, struct vec3 axis,
                     struct vec3 middle, struct vec3 half)
 {
+    return holder_bound_below(holder, centre, axis, middle, half, HUGE_VAL);
+}
+
+double holder_bound_below(const struct holder *holder, struct vec3 centre, struct vec3 axis,
+                          struct vec3 middle, struct vec3 half, double below)
+{
     if (is_cylinder(holder))
-        return cylinder_bound(&holder->part[0], axis, vec_sub(middle, centre), half);
+        return cylinder_bound(&holder->part[0], axis, vec_sub(middle, centre), half, below);
     double spread = vec_length(half);
     double bound = holder_distance(holder, centre, axis, middle) - spread;
     if (bound >= 0)

@@ -204,11 +204,17 @@ struct lowest {
     const struct kdtree *tree;
     const struct kdtree_field *field;
     double best;
+    struct vec3 place; /* where it is, once it is below what was asked for */
 };
+
+static struct vec3 place_of(const struct kd_point *p)
+{
+    return vec(p->c[0], p->c[1], p->c[2]);
+}
 
 static double value_at(const struct lowest *s, const struct kd_point *p)
 {
-    return s->field->value(s->field->context, vec(p->c[0], p->c[1], p->c[2]), s->best);
+    return s->field->value(s->field->context, place_of(p), s->best);
 }
 
 /* No point in the box has a lower value. */
@@ -217,21 +223,24 @@ static double lower_bound(const struct lowest *s, const struct kd_box *box)
     struct vec3 low = vec(box->low[0], box->low[1], box->low[2]);
     struct vec3 half = vec_scale(0.5, vec_sub(vec(box->high[0], box->high[1], box->high[2]), low));
 
-    return s->field->bound(s->field->context, vec_add(low, half), half);
+    return s->field->bound(s->field->context, vec_add(low, half), half, s->best);
 }
 
-static void offer_lowest(struct lowest *s, const struct kd_point *p)
+static void offer_lowest(struct lowest *s, struct vec3 p)
 {
-    double value = value_at(s, p);
+    double value = s->field->value(s->field->context, p, s->best);
 
-    s->best = value < s->best ? value : s->best;
+    if (value < s->best) {
+        s->best = value;
+        s->place = p;
+    }
 }
 
 static void search_lowest(struct lowest *s, size_t from, size_t to, size_t number)
 {
     if (to - from <= KD_LEAF) {
         for (size_t i = from; i < to; i++)
-            offer_lowest(s, &s->tree->point[i]);
+            offer_lowest(s, place_of(&s->tree->point[i]));
         return;
     }
     size_t middle = from + (to - from) / 2;
@@ -239,7 +248,7 @@ static void search_lowest(struct lowest *s, size_t from, size_t to, size_t numbe
     double second = lower_bound(s, &s->tree->box[2 * number + 1]);
     bool left = first <= second;
 
-    offer_lowest(s, &s->tree->point[middle]);
+    offer_lowest(s, place_of(&s->tree->point[middle]));
     for (int turn = 0; turn < 2; turn++, left = !left) {
         if ((left ? first : second) > s->best)
             continue;
@@ -250,12 +259,17 @@ static void search_lowest(struct lowest *s, size_t from, size_t to, size_t numbe
     }
 }
 
-double kdtree_lowest(const struct kdtree *tree, const struct kdtree_field *field, double below)
+double kdtree_lowest(const struct kdtree *tree, const struct kdtree_field *field, double below,
+                     struct kdtree_touch *touch)
 {
-    struct lowest s = {tree, field, below};
+    struct lowest s = {.tree = tree, .field = field, .best = below};
 
+    for (size_t i = 0; touch && i < touch->n; i++)
+        offer_lowest(&s, touch->p[i]);
     if (tree->n > 0)
         search_lowest(&s, 0, tree->n, 1);
+    if (touch && s.best < below)
+        *touch = (struct kdtree_touch){1, {s.place}};
     return s.best;
 }
 
@@ -286,7 +300,7 @@ static bool any_lower(const struct lowest *s, size_t from, size_t to, size_t num
 
 bool kdtree_any_lower(const struct kdtree *tree, const struct kdtree_field *field, double below)
 {
-    struct lowest s = {tree, field, below};
+    struct lowest s = {.tree = tree, .field = field, .best = below};
 
     return tree->n > 0 && any_lower(&s, 0, tree->n, 1);
 }

@@ -178,8 +178,9 @@ static double value_of_point(const void *context, struct vec3 p, double below)
     return search_place(search->holder, p);
 }
 
-static double bound_of_box(const void *context, struct vec3 middle, struct vec3 half)
+static double bound_of_box(const void *context, struct vec3 middle, struct vec3 half, double below)
 {
+    (void)below;
     const struct holder_search *s = ((const struct body_search *)context)->holder;
     return tool_shape_bound(s->tool, s->centre, s->axis, middle, half);
 }
@@ -191,7 +192,7 @@ static void search_points(const struct collision_body *o, struct holder_search *
     struct body_search context = {o, holder};
     const struct kdtree_field field = {value_of_point, bound_of_box, &context};
     if (!(holder->enough > -HUGE_VAL) || !kdtree_any_lower(o->tree, &field, holder->enough))
-        kdtree_lowest(o->tree, &field, holder->distance);
+        kdtree_lowest(o->tree, &field, holder->distance, NULL);
 }
 
 void collision_body_free(struct collision_body *body)

@@ -242,8 +242,9 @@ static double stand_distance(const void *context, struct vec3 p, double below)
     return distance;
 }
 
-static double stand_bound(const void *context, struct vec3 middle, struct vec3 half)
+static double stand_bound(const void *context, struct vec3 middle, struct vec3 half, double below)
 {
+    (void)below;
     const struct stand *s = context;
     return tool_shape_bound(s->tool, s->centre, s->axis, middle, half);
 }

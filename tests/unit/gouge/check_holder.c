@@ -125,6 +125,9 @@ START_TEST(bound_beside_a_cylinder)
         }
         ck_assert_msg(bound <= least, "%d: %.9f, found %.9f", trial, bound, least);
         ck_assert_double_ge(bound, least - 3 * vec_length(half));
+        double some = random_in(&state, -6, 30);
+        double quick = holder_bound_below(&cylinder, c, axis, middle, half, some);
+        ck_assert(quick <= bound && (quick == bound || quick > some - 1e-8));
     }
     struct vec3 beside = vec_add(c, vec(9, 0, 20)), flat = vec(1, 8, 8), up = vec(0, 0, 1);
     ck_assert_double_eq_tol(holder_bound(&cylinder, c, up, beside, flat), 3, 1e-6);
