@@ -90,7 +90,11 @@ once := io/nurbs/% nurbs/trim_% nurbs/construct nurbs/uv_polygon machine/machine
   gouge/gouge_lift gouge/lift_smooth gouge/link gouge/link_retract gouge/link_sweep gouge/smooth_up gouge/smooth_aside
 $(once:%=$(BUILD)/src/%.o): CFLAGS := $(CFLAGS:-O3=-O2)
 # Of these, IGES and STEP files and where rest passes go, also without what makes -O2 longer.
-small := io/nurbs/iges% io/nurbs/step% cloud/edge_unknown cloud/edge_cliff cloud/edge_foot toolpath/rest_% stage/toolpath_shorten stage/toolpath_order
+small := io/nurbs/nurbs_text% machine/machine machine/machine_options machine/template base/cli \
+  stage/tool_% stage/nurbs_report stage/path_options stage/gouge_options stage/guard_read \
+  stage/toolpath_report stage/path_coverage stage/path_check io/nurbs/iges% io/nurbs/step% \
+  cloud/edge_unknown cloud/edge_cliff cloud/edge_foot toolpath/rest_% stage/toolpath_shorten \
+  stage/toolpath_order
 $(small:%=$(BUILD)/src/%.o): CFLAGS := $(CFLAGS:-O3=-Os)
 
 # The file VERSION is what `--version`, the tarball and the packages say.

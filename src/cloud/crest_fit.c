@@ -3,15 +3,18 @@
 
 #include "math/band.h"
 
-/* Terms: off, turn, bend, and those of the heights; those that the nearest points tell. */
+/* Terms: off, turn, bend, and those of the heights, of a sharp crest all but the last; those that
+ * the nearest points tell; points on the arc of a round one. */
 enum {
     SHAPE = 3,
     ALL = SHAPE + CREST_TERMS,
+    ROUND = ALL - 1,
     TURNS = 20,
     FEWEST = 8,
     BEGUN = 3,
     AT_FIRST = 10,
     NEAREST = 16,
+    ON_ARC = 4,
     MOST = 10
 };
 
@@ -22,6 +25,9 @@ static const double BEGIN = 2.3, FIRST = 2.6, STEP = 0.5, FARTHEST = 1.5;
 /* In spacings: points of a side are spread over so much of it at least, the crest is so long;
  * points as near to the first are explained. */
 static const double ACROSS = 0.6, CLOSE = 0.6, LONG = 2.2, NEXT = 2;
+
+/* In spacings: radius of a round crest, to begin with, and at most: a rounder one is smooth. */
+static const double ROUNDED = 1, ROUNDEST = 4;
 
 static const double MUCH = 3;     /* of the first points so many times as are on a first crest */
 static const double SHARP = 0.94; /* cosine of the sides' normals: 20 degrees */
@@ -37,11 +43,27 @@ bool crest_fit_local(const struct crest_fit *fit, double x, double y, double *s,
     return root > 0;
 }
 
-static double height(const struct crest_fit *fit, double s, double d)
+/* How far the sides, of these slopes, are below their sharp crest; *slope: of that. */
+static double fall(double left, double right, double radius, double d, double *slope)
 {
-    const double *c = fit->c, *side = d > 0 ? c + 5 : c + 3;
+    double cos_l = 1 / sqrt(1 + left * left), cos_r = 1 / sqrt(1 + right * right);
+    double touch = radius * (left * cos_l + right * cos_r) / (cos_l + cos_r);
 
-    return c[0] + s * (c[1] + s * c[2]) - (side[0] + side[1] * s) * fabs(d);
+    *slope = d > 0 ? right : -left;
+    if (!(touch > 0) || d <= -touch * cos_l || d >= touch * cos_r)
+        return *slope * d;
+    double off = d + touch * cos_l - radius * left * cos_l,
+           down = sqrt(radius * radius - off * off);
+    *slope = off / down;
+    return touch * left * cos_l + radius * cos_l - down;
+}
+
+/* *slope: downwards, with d. */
+static double height(const struct crest_fit *fit, double s, double d, double *slope)
+{
+    const double *c = fit->c;
+
+    return c[0] + s * (c[1] + s * c[2]) - fall(c[3] + c[4] * s, c[5] + c[6] * s, c[7], d, slope);
 }
 
 bool crest_fit_at(const struct crest_fit *fit, double s, double d, struct vec3 *place)
@@ -50,21 +72,21 @@ bool crest_fit_at(const struct crest_fit *fit, double s, double d, struct vec3 *
 
     if (r <= 0 || root2 < 0.1 * r * r)
         return false;
-    double root = sqrt(root2), u = (2 * d + k * d * d - k * s * s) / (1 + root) + fit->off;
+    double slope, root = sqrt(root2), u = (2 * d + k * d * d - k * s * s) / (1 + root) + fit->off;
     *place = vec(fit->origin.x + s * fit->way_x - u * fit->way_y,
-                 fit->origin.y + s * fit->way_y + u * fit->way_x, height(fit, s, d));
+                 fit->origin.y + s * fit->way_y + u * fit->way_x, height(fit, s, d, &slope));
     return true;
 }
 
 /* How far a point is off its side, across it; below it: negative. */
 static double distance(const struct crest_fit *fit, struct vec3 p, double *s, double *d)
 {
-    const double *c = fit->c;
+    double slope;
 
     if (!crest_fit_local(fit, p.x, p.y, s, d))
         return HUGE_VAL;
-    double slope = *d > 0 ? c[5] + c[6] * *s : c[3] + c[4] * *s;
-    return (p.z - height(fit, *s, *d)) / sqrt(1 + slope * slope);
+    double off = p.z - height(fit, *s, *d, &slope);
+    return off / sqrt(1 + slope * slope);
 }
 
 /* The crest with a step made in one of its terms. */
@@ -99,6 +121,25 @@ static void set_terms(struct equations *e, const int *term, int n)
         e->of[i] = term[i];
 }
 
+/* What the fall changes by with the slopes to the left and right, and with the radius; returns its
+ * slope. */
+static double slopes_of_fall(const double *c, double s, double d, double by[3])
+{
+    const double step = 1e-6;
+    double left = c[3] + c[4] * s, right = c[5] + c[6] * s, slope, other;
+    double down = fall(left, right, c[7], d, &slope);
+
+    by[0] = d > 0 ? 0 : -d;
+    by[1] = d > 0 ? d : 0;
+    by[2] = 0;
+    if (c[7] > 0) {
+        by[0] = (fall(left + step, right, c[7], d, &other) - down) / step;
+        by[1] = (fall(left, right + step, c[7], d, &other) - down) / step;
+        by[2] = (fall(left, right, c[7] + step, d, &other) - down) / step;
+    }
+    return slope;
+}
+
 /* What a point's distance changes by with each of all terms, its slope's own part left out. */
 static void slopes_at(const struct crest_fit *fit, struct vec3 p, double s, double d, double x[ALL])
 {
@@ -108,21 +149,21 @@ static void slopes_at(const struct crest_fit *fit, struct vec3 p, double s, doub
     double root = sqrt(fmax(1 + k * q, 1e-6)), one = 1 + root;
     double d_u = (1 + k * u) / root, d_s = k * s / root;
     double d_bend = g / one - q * (q + k * g) / (2 * root * one * one);
-    const double *side = d > 0 ? c + 5 : c + 3;
-    double slope = side[0] + side[1] * s, across = sqrt(1 + slope * slope);
-    double h_d = (d > 0 ? -slope : slope) / across;
-    double h_s = (c[1] + 2 * c[2] * s - side[1] * fabs(d)) / across;
+    double by[3], slope = slopes_of_fall(c, s, d, by), across = sqrt(1 + slope * slope);
+    double h_d = -slope / across;
+    double h_s = (c[1] + 2 * c[2] * s - by[0] * c[4] - by[1] * c[6]) / across;
 
-    for (int i = SHAPE; i < ALL; i++)
-        x[i] = 0;
     x[0] = h_d * d_u;
     x[1] = -h_s * beside - h_d * (d_s * beside - d_u * s);
     x[2] = -h_d * d_bend;
     x[3] = -1 / across;
     x[4] = -s / across;
     x[5] = -s * s / across;
-    x[d > 0 ? 8 : 6] = fabs(d) / across;
-    x[d > 0 ? 9 : 7] = s * fabs(d) / across;
+    x[6] = by[0] / across;
+    x[7] = s * x[6];
+    x[8] = by[1] / across;
+    x[9] = s * x[8];
+    x[ROUND] = by[2] / across;
 }
 
 static void add_point(const struct crest_fit *fit, struct vec3 p, double off, double s, double d,
@@ -286,12 +327,28 @@ void crest_fit_roles(const struct crest_fit *fit, const struct vec3 *point, size
     }
 }
 
-/* How far it goes by its points; false: it has too few, or they are not near it, or there are too
- * many others. */
+/* The terms that it has. */
+static int terms_of(const struct crest_fit *fit)
+{
+    return fit->c[7] > 0 ? ALL : ROUND;
+}
+
+/* A place is on the arc between the sides. */
+static bool is_on_arc(const struct crest_fit *fit, double s, double d)
+{
+    const double *c = fit->c;
+    double left = c[3] + c[4] * s, right = c[5] + c[6] * s, slope;
+
+    fall(left, right, c[7], d, &slope);
+    return slope < right && slope > -left;
+}
+
+/* How far it goes by its points; false: it has too few, or they are not near it or none on its arc,
+ * or there are too many others. */
 static bool measure(struct crest_fit *fit, const struct vec3 *point, size_t n, double spacing,
                     const enum crest_role *role)
 {
-    size_t count[2] = {0, 0}, other = 0;
+    size_t count[2] = {0, 0}, other = 0, arc = 0;
     double near[2] = {HUGE_VAL, HUGE_VAL}, sum2 = 0, s, d;
 
     fit->far[0] = fit->far[1] = fit->from = fit->to = 0;
@@ -303,6 +360,7 @@ static bool measure(struct crest_fit *fit, const struct vec3 *point, size_t n, d
             continue;
         sum2 += off * off;
         count[side]++;
+        arc += is_on_arc(fit, s, d);
         near[side] = fmin(near[side], fabs(d));
         fit->far[side] = fmax(fit->far[side], fabs(d));
         fit->from = fmin(fit->from, s);
@@ -312,8 +370,9 @@ static bool measure(struct crest_fit *fit, const struct vec3 *point, size_t n, d
         if (count[side] < FEWEST || fit->far[side] - near[side] < ACROSS * spacing ||
             near[side] > CLOSE * spacing)
             return false;
-    fit->rms = sqrt(sum2 / ((double)(count[0] + count[1]) - ALL + 1));
-    return MOST * other <= n && fit->to - fit->from > LONG * spacing;
+    fit->rms = sqrt(sum2 / ((double)(count[0] + count[1]) - terms_of(fit) + 1));
+    return (fit->c[7] == 0 || arc >= ON_ARC) && MOST * other <= n &&
+           fit->to - fit->from > LONG * spacing;
 }
 
 /* A crest that is begun, of the points next to it alone, bent to all of them; false: it explains
@@ -321,18 +380,18 @@ static bool measure(struct crest_fit *fit, const struct vec3 *point, size_t n, d
 static bool finish(struct crest_fit *fit, bool follows, const struct vec3 *point, size_t n,
                    double spacing, double within, double even, enum crest_role *role)
 {
-    static const int all[] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9};
+    static const int all[] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, ROUND};
     static const double then[] = {0.2, 0.1, 0.05};
     size_t next = count_near(point, n, NEXT * spacing, 1);
     struct equations e;
 
-    set_terms(&e, all, ALL);
+    set_terms(&e, all, terms_of(fit));
     for (int k = 0; k < 3 && !follows; k++)
         settle(fit, point, n, then[k] * spacing, &e);
     settle(fit, point, n, within, &e);
     crest_fit_roles(fit, point, n, spacing, within, role);
-    if (!is_sharp(fit) || fabs(fit->off) > FARTHEST * spacing ||
-        !measure(fit, point, n, spacing, role) || fit->rms > even)
+    if (!is_sharp(fit) || fabs(fit->off) > FARTHEST * spacing || !(fit->c[7] >= 0) ||
+        fit->c[7] > ROUNDEST * spacing || !measure(fit, point, n, spacing, role) || fit->rms > even)
         return false;
     for (size_t k = 0; k < next; k++)
         if (role[k] == CREST_OTHER)
@@ -340,6 +399,7 @@ static bool finish(struct crest_fit *fit, bool follows, const struct vec3 *point
     return true;
 }
 
+/* The same, of as many points as it explains. */
 static bool finish_any(const struct crest_fit *begun, bool follows, const struct vec3 *point,
                        size_t n, double spacing, double within, double even, struct crest_fit *fit,
                        enum crest_role *role)
@@ -391,27 +451,49 @@ int crest_fit_follow(const struct vec3 *point, size_t n, double spacing, double 
                : -1;
 }
 
-int crest_fit_find(const struct vec3 *point, size_t n, double spacing, double within, double even,
-                   struct crest_fit *fit, enum crest_role *role)
+/* The first crests settled by the points about; returns how many are left, best first. */
+static int begin_straight(const struct vec3 *point, size_t n, double spacing,
+                          struct crest_fit *begun)
 {
     static const int straight[] = {0, 1, 3, 4, 6, 8};
     static const double first[] = {0.5, 0.25, 0.12};
     size_t nearest = count_near(point, n, BEGIN * spacing, NEAREST);
     size_t some = count_near(point, n, FIRST * spacing, NEAREST + NEAREST / 4);
-    struct crest_fit begun[BEGUN];
     struct equations e;
+    int left = 0;
 
     if (nearest < AT_FIRST)
-        return -1;
+        return 0;
     begin(point, nearest, spacing, begun);
     set_terms(&e, straight, 6);
     for (int k = 0; k < BEGUN && begun[k].rms < HUGE_VAL; k++) {
+        struct crest_fit fit = begun[k];
         for (int i = 0; i < 3; i++)
-            settle(&begun[k], point, some, first[i] * spacing, &e);
-        if (e.count < AT_FIRST || MUCH * e.count < (double)some || !is_sharp(&begun[k]))
-            continue;
-        if (finish_any(&begun[k], false, point, n, spacing, within, even, fit, role))
-            return 0;
+            settle(&fit, point, some, first[i] * spacing, &e);
+        if (e.count >= AT_FIRST && MUCH * e.count >= (double)some && is_sharp(&fit))
+            begun[left++] = fit;
     }
-    return -1;
+    return left;
+}
+
+/* A sharp one, or the best of these rounded if that is fitted much better. */
+int crest_fit_find(const struct vec3 *point, size_t n, double spacing, double within, double even,
+                   struct crest_fit *fit, enum crest_role *role)
+{
+    const double better = 0.3;
+    struct crest_fit begun[BEGUN], round;
+    int left = begin_straight(point, n, spacing, begun);
+    bool found = false;
+
+    for (int k = 0; k < left && !found; k++)
+        found = finish_any(&begun[k], false, point, n, spacing, within, even, fit, role);
+    double rms = found ? better * fit->rms : even;
+    begun[0].c[7] = ROUNDED * spacing;
+    if (left > 0 && finish_any(&begun[0], false, point, n, spacing, within, rms, &round, role)) {
+        *fit = round;
+        return 0;
+    }
+    if (found)
+        crest_fit_roles(fit, point, n, spacing, within, role);
+    return found ? 0 : -1;
 }

@@ -1,12 +1,14 @@
 /*
- * crest_fit - a sharp crest, both of its sides fitted together: where flanks are so narrow or bent
- * that neither carries a surface of its own, the two and what they have in common do.
+ * crest_fit - a crest, both of its sides fitted together: where flanks are so narrow or bent that
+ * neither carries a surface of its own, the two and what they have in common do.
  *
  * Seen from above the crest is an arc of a circle, with s along its tangent and d (signed) the
  * distance from it:
  *   z = t0 + t1 s + t2 s^2 - (m + n s) |d|
  * with m and n for each side, by least squares of the distances across the sides (Gauss-Newton, as
  * Levenberg and Marquardt damp it).  Points that are on neither side are left out step by step.
+ * Where no sharp crest explains the points, one that an arc of a circle rounds may: in the plane
+ * across it, it touches both sides.
  * Lengths in mm.
  */
 #ifndef CLOUDMILL_CREST_FIT_H
@@ -17,20 +19,21 @@
 
 #include "math/vec.h"
 
-enum { CREST_POINTS = 128, CREST_TERMS = 7 };
+enum { CREST_POINTS = 128, CREST_TERMS = 8 };
 
 /* What a point is to a crest: on a side; on what begins at the foot of a side; or on something
  * else, which the crest does not explain. */
 enum crest_role { CREST_SIDE, CREST_FOOT, CREST_OTHER };
 
 struct crest_fit {
-    struct vec3 origin;    /* s and d begin at this point, as seen from above */
-    double way_x, way_y;   /* unit: the tangent */
-    double off, bend;      /* of the crest from the origin; curvature, 1/mm */
-    double c[CREST_TERMS]; /* t0, t1, t2, m and n where d < 0, m and n where d > 0 */
-    double far[2];         /* the points of both sides reach so far from the crest, */
-    double from, to;       /* and from there to there along it */
-    double rms;            /* of their distances, for those that the fit leaves free */
+    struct vec3 origin;  /* s and d begin at this point, as seen from above */
+    double way_x, way_y; /* unit: the tangent */
+    double off, bend;    /* of the crest from the origin; curvature, 1/mm */
+    double
+        c[CREST_TERMS]; /* t0, t1, t2, m and n where d < 0, m and n where d > 0, radius; 0: sharp */
+    double far[2];      /* the points of both sides reach so far from the crest, */
+    double from, to;    /* and from there to there along it */
+    double rms;         /* of their distances, for those that the fit leaves free */
 };
 
 /*

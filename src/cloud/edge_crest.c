@@ -8,6 +8,9 @@
 /* In spacings: points about that a crest is fitted to; places of a crest so far along it. */
 static const double ABOUT = 4, BESIDE = 4, REPLACED = 2;
 
+/* In spacings: a point beside a crest stands out from its nearest by more. */
+static const double OUT = 0.03;
+
 /* Of a spacing: so far a side goes on below its last point, where something begins at its foot. */
 static const double BEYOND = 0.7;
 
@@ -47,13 +50,44 @@ static size_t find_about(const struct point_grid *b, size_t i, double reach, str
 /* The crests about all points, NULL: none; and those found since. */
 struct crests {
     const struct edge_work *work;
+    bool *may; /* there may be one */
     struct crest_fit **of, **next;
 };
 
+/* The point stands out from the nearest, as one beside a crest does. */
+static bool stands_out(const struct edge_work *work, size_t i)
+{
+    struct edge_hood near;
+    struct vec3 mean = vec(0, 0, 0);
+
+    edge_hood_find(work, i, &near);
+    if (near.n < EDGE_NEAR)
+        return false;
+    for (size_t k = 0; k < EDGE_SMOOTH; k++)
+        mean = vec_along(mean, 1. / EDGE_SMOOTH, near.point[k]);
+    struct vec3 up = plane_normal(near.point, EDGE_SMOOTH);
+    double out = vec_dot(up, vec_sub(near.point[0], mean));
+    return (up.z < 0 ? -out : out) > OUT * near.spacing;
+}
+
+/* Nothing is certain of its own side, but of a third of the points about; or these are smooth, and
+ * it stands out. */
 static bool may_have(const struct edge_work *work, size_t i)
 {
-    return work->flank[i].rough && !edge_flank_certain(work, &work->flank[i]) &&
-           edge_on_known(work, i);
+    enum { MANY = 4 * EDGE_NEAR };
+    const struct point_grid *b = work->options->point_grid;
+    uint32_t index[MANY];
+    double distance2[MANY];
+    size_t smooth = 0;
+
+    if (!work->flank[i].rough || edge_flank_certain(work, &work->flank[i]))
+        return false;
+    if (edge_on_known(work, i))
+        return true;
+    size_t n = point_grid_nearest(b, b->point[i], MANY, index, distance2);
+    for (size_t k = 0; k < n; k++)
+        smooth += !work->flank[index[k]].rough || edge_flank_certain(work, &work->flank[index[k]]);
+    return 3 * smooth > n && stands_out(work, i);
 }
 
 static struct crest_fit *copy_of(const struct crest_fit *fit)
@@ -64,8 +98,9 @@ static struct crest_fit *copy_of(const struct crest_fit *fit)
     return copy;
 }
 
-static struct crest_fit *find_crest(const struct edge_work *work, size_t i)
+static struct crest_fit *find_crest(const struct crests *crests, size_t i)
 {
+    const struct edge_work *work = crests->work;
     const struct point_grid *b = work->options->point_grid;
     double spacing = point_grid_spacing(b);
     struct vec3 point[CREST_POINTS];
@@ -73,7 +108,7 @@ static struct crest_fit *find_crest(const struct edge_work *work, size_t i)
     enum crest_role role[CREST_POINTS];
     struct crest_fit fit;
 
-    if (!may_have(work, i))
+    if (!crests->may[i])
         return NULL;
     size_t n = find_about(b, i, ABOUT * spacing, point, index);
     if (crest_fit_find(point, n, spacing, edge_within(work, spacing), edge_even(work, spacing),
@@ -95,7 +130,7 @@ static struct crest_fit *follow_crest(const struct crests *crests, size_t i)
     enum crest_role role[CREST_POINTS];
     struct crest_fit fit;
 
-    if (!may_have(work, i))
+    if (!crests->may[i])
         return NULL;
     double rms = better * (crests->of[i] ? crests->of[i]->rms : edge_even(work, spacing) / better);
     size_t n = find_about(b, i, ABOUT * spacing, point, index);
@@ -215,8 +250,10 @@ static void find_crests(void *context, size_t from, size_t to)
 {
     const struct crests *crests = context;
 
-    for (size_t i = from; i < to; i++)
-        crests->next[i] = find_crest(crests->work, i);
+    for (size_t i = from; i < to; i++) {
+        crests->may[i] = may_have(crests->work, i);
+        crests->next[i] = find_crest(crests, i);
+    }
 }
 
 static void follow_crests(void *context, size_t from, size_t to)
@@ -271,7 +308,7 @@ void edge_crests_add(const struct edge_work *work)
     enum { TURNS = 8 };
     size_t n = work->options->point_grid->n;
     int threads = work->options->threads;
-    struct crests crests = {work, mem_alloc(n, sizeof *crests.of),
+    struct crests crests = {work, mem_alloc(n, sizeof *crests.may), mem_alloc(n, sizeof *crests.of),
                             mem_alloc(n, sizeof *crests.next)};
 
     for (size_t i = 0; i < n; i++)
@@ -287,6 +324,7 @@ void edge_crests_add(const struct edge_work *work)
     parallel_for(threads, n, add_crests, &crests);
     for (size_t i = 0; i < n; i++)
         free(crests.of[i]);
+    free(crests.may);
     free(crests.of);
     free(crests.next);
 }

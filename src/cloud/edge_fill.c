@@ -52,6 +52,13 @@ static struct flank_patch find_patch(const struct edge_work *work, const struct 
     return patch;
 }
 
+/* A cubic through all about a point of a certain flank bends away from it round an edge: it tells
+ * of no place that is nearer to another point of the flank. */
+static bool bends_away(const struct flank_patch *patch, const struct edge_flank *other)
+{
+    return patch->certain && other->bent && !other->rough && !other->valid;
+}
+
 /* No point that knows the flank is nearer to the place than point i, all points about have
  * surfaces, and the place is above none of these, but for hollows. */
 static bool is_on_patch(const struct edge_work *work, const struct edge_hood *near,
@@ -67,7 +74,8 @@ static bool is_on_patch(const struct edge_work *work, const struct edge_hood *ne
         double far = vec_distance(at, near->point[k]);
         if (patch->on[k] && other->valid && far < out)
             return false;
-        if (far >= reach || patch->hollow[k])
+        if (far >= reach || patch->hollow[k] ||
+            (patch->on[k] && far > out && bends_away(patch, other)))
             continue;
         if (!edge_flank_known(other)
                 ? far < about * out && !(patch->on[k] && patch->certain)

@@ -10,7 +10,9 @@
 #define NEAR_END 0.1 /* of a piece, from its end: how it goes there */
 #define MOST 0.5     /* of its height: so far a spike amid a link rises over both its feet */
 
-enum { REACH = 8 }; /* spans of a curve: no pole or coefficient reaches over more than six */
+/* Spans of a curve: no pole or coefficient reaches over more than six; the last pole, which is the
+ * curve's end, reaches over the last alone. */
+enum { REACH = 8, END_REACH = 3 };
 
 struct search {
     const struct nc_motion *motion;
@@ -206,11 +208,13 @@ static void look_at_stretch(struct search *s, size_t from, size_t to)
     }
     if (fmax(most, vec_distance(a, b)) <= band || clearance(s, a) > band)
         return;
+    size_t spans = segment[to].piece - segment[from].piece;
     if (clearance(s, b) > band) {
-        look_at_end(s, to);
+        if (spans < END_REACH)
+            look_at_end(s, to);
         return;
     }
-    if (segment[to].piece - segment[from].piece >= REACH)
+    if (spans >= REACH)
         return; /* a link */
     double height = clearance(s, segment[top].b);
     if (most > band && height > band &&

@@ -1,5 +1,5 @@
 /* crest_fit: the crest of a ring found again, of a leaning roof, from points on both sides
- * and from a neighbour's crest; none on a sphere or a rounded ridge. */
+ * and from a neighbour's crest; of one that is rounded, with its radius; none on a sphere. */
 #include <check.h>
 #include <stdlib.h>
 
@@ -51,10 +51,20 @@ static double sphere(double x, double y)
     return sqrt(100 - x * x - y * y);
 }
 
+/* The leaning roof's sides, an arc of this radius between them in the plane across. */
+static double radius;
+
 static double rounded(double x, double y)
 {
-    (void)y;
-    return fabs(x) < 0.8 ? 5 - x * x / 1.6 : 5.4 - fabs(x);
+    const double left = 0.1, right = 2;
+    double across = hypot(1, 0.3), d = (x - 0.3 * y) / across, a = atan(left), b = atan(right);
+    double touch = radius * tan((a + b) / 2), middle = radius * sin(a) - touch * cos(a);
+    double z = 5 + 0.2 * (y + 0.3 * x) / across;
+
+    if (d <= -touch * cos(a) || d >= touch * cos(b))
+        return z - (d > 0 ? right * d : -left * d);
+    return z - touch * sin(a) - radius * cos(a) +
+           sqrt(radius * radius - (d - middle) * (d - middle));
 }
 
 /* Roles begin as what no point has here. */
@@ -65,11 +75,13 @@ static int find(struct crest_fit *fit)
     return crest_fit_find(point, N, SPACING, WITHIN, EVEN, fit, role);
 }
 
+static double below; /* so far what off_by looked at was below the surface, at most */
+
 /* How far it is off the surface, across its sides, at most. */
 static double off_by(const struct crest_fit *fit, double (*height)(double x, double y),
                      double across)
 {
-    double worst = 0;
+    double worst = below = 0;
     for (double s = -0.8; s <= 0.8; s += 0.1)
         for (double d = -across; d <= across; d += 0.05) {
             struct vec3 at;
@@ -81,7 +93,9 @@ static double off_by(const struct crest_fit *fit, double (*height)(double x, dou
             ck_assert_double_eq_tol(along, s, 1e-9);
             ck_assert_double_eq_tol(beside, d, 1e-9);
             double slope = fit->c[d > 0 ? 5 : 3] + s * fit->c[d > 0 ? 6 : 4];
-            worst = fmax(worst, fabs(at.z - height(at.x, at.y)) / sqrt(1 + slope * slope));
+            double off = (at.z - height(at.x, at.y)) / sqrt(1 + slope * slope);
+            worst = fmax(worst, fabs(off));
+            below = fmax(below, -off);
         }
     return worst;
 }
@@ -155,7 +169,7 @@ START_TEST(of_a_leaning_roof)
         if (find(&fit) != 0)
             continue;
         found++;
-        ck_assert_double_le(off_by(&fit, leaning, 1), 1e-6);
+        ck_assert_double_le(off_by(&fit, leaning, 1), fit.c[7] > 0 ? WITHIN : 1e-6);
         for (size_t i = 0; i < N; i++)
             ck_assert_int_eq(role[i], CREST_SIDE);
     }
@@ -171,9 +185,30 @@ START_TEST(of_nothing_else)
     for (int k = 0; k < 20; k++) {
         make(sphere, 1, 2);
         ck_assert_int_eq(find(&fit), -1);
-        make(rounded, 0.1, 0);
-        ck_assert_int_eq(find(&fit), -1);
     }
+}
+END_TEST
+
+/* Nothing is beside the sides and their arc here, either: what is found is it, or sharp where no
+ * point is far enough under a sharp crest, and then nowhere below the surface. */
+START_TEST(of_a_round_ridge)
+{
+    enum { PLACES = 40 };
+    struct crest_fit fit;
+    int found = 0;
+
+    radius = 0.4 + 0.4 * _i;
+    noisy_seed(5 + (unsigned)_i);
+    for (int k = 0; k < PLACES; k++) {
+        make(rounded, 0.1, 0);
+        if (find(&fit) != 0)
+            continue;
+        found++;
+        double off = off_by(&fit, rounded, 1);
+        ck_assert_double_le(fit.c[7] > 0 ? off : below, 2 * WITHIN);
+        ck_assert(_i == 0 || fit.c[7] > 0); /* wider than points are apart */
+    }
+    ck_assert_int_ge(found, fewest(PLACES, 0.99));
 }
 END_TEST
 
@@ -185,6 +220,7 @@ int main(void)
     tcase_add_test(tests, of_a_ring);
     tcase_add_test(tests, of_a_leaning_roof);
     tcase_add_test(tests, of_nothing_else);
+    tcase_add_loop_test(tests, of_a_round_ridge, 0, 3);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);
     int failed = srunner_ntests_failed(runner);

@@ -284,6 +284,57 @@ START_TEST(rounded_edges)
 }
 END_TEST
 
+/* A crest that is an arc of one or two spacings' radius between sides of 45 or 63 degrees, straight
+ * or all round a boss with drafted sides: few points are on the arc, but its sides tell of it. */
+static double arc, slope;
+static bool is_boss;
+
+static double across_crest(double d)
+{
+    double c = 1 / hypot(1, slope), touch = arc * slope * c;
+
+    d = fabs(d);
+    return d < touch ? 8 - arc + sqrt(arc * arc - d * d) : 8 - arc + arc * c - slope * (d - touch);
+}
+
+static double round_crest(double x, double y)
+{
+    turned(&x, &y);
+    return is_boss ? across_crest(hypot(x, y) - 6) : across_crest(x);
+}
+
+/* A ball that touches it or its sides goes in no deeper, but at one place in 25, where points
+ * leave a hole. */
+START_TEST(round_crests)
+{
+    enum { POINTS = 12000, PLACES = 400 };
+    struct guarded g = {0};
+    int deeper = 0;
+
+    arc = _i / 2 % 2 ? 0.5 : 1;
+    slope = _i / 4 % 2 ? 2 : 1;
+    is_boss = _i / 8;
+    turn = 0.2 + 0.17 * _i;
+    noisy_seed(170 + (unsigned)_i);
+    noisy_scan(&g.scan, round_crest, POINTS, _i % 2 ? NOISY_GRID : NOISY_RANDOM, 0);
+    crop(&g.scan, 11, 11);
+    guarded_make(&g, 0.57, 0);
+    struct gouge_check *guard = guarded_gouge(&g);
+    for (int i = 0; i < PLACES; i++) {
+        double t = atan(slope) * fmin(1, 1.3 * noisy_uniform()) * (i % 2 ? 1 : -1);
+        double v = 2 * PI * noisy_uniform(), far = arc + RADIUS - 1.5 * TOLERANCE;
+        double d = far * sin(t), x = is_boss ? (6 + d) * cos(v) : d,
+               y = is_boss ? (6 + d) * sin(v) : 14 * (v / (2 * PI) - 0.5);
+        struct vec3 c = vec(x * cos(turn) - y * sin(turn), x * sin(turn) + y * cos(turn),
+                            8 - arc + far * cos(t));
+        deeper += gouge_depth(guard, c, RADIUS) <= 0;
+    }
+    ck_assert_int_le(25 * deeper, PLACES);
+    gouge_free(guard);
+    guarded_free(&g);
+}
+END_TEST
+
 /* A frustum with flanks so steep that a scan from above has few points on them, far apart up and
  * down; with no top it is a pyramid with its tip between the points. */
 static double top, steep;
@@ -652,6 +703,7 @@ int main(void)
     SRunner *runner = srunner_create(suite);
     tcase_add_loop_test(tests, no_gouge, 0, 4 * SHAPES);
     tcase_add_loop_test(tests, rounded_edges, 0, 8);
+    tcase_add_loop_test(tests, round_crests, 0, 16);
     tcase_add_loop_test(tests, steep_flanks, 0, 4);
     tcase_add_loop_test(tests, points_on_a_ridge, 0, 3);
     tcase_add_loop_test(tests, on_scan_lines, 0, 3);

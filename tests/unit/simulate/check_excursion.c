@@ -140,6 +140,8 @@ START_TEST(a_curve_that_ends_high)
     ck_assert_double_eq_tol(leap.height, 8, 1e-6);
     ck_assert_uint_eq(leap.piece, 2);
     ck_assert_uint_eq(shaped(up, level, shape).count, 0);
+    /* the last pole reaches over one span */
+    ck_assert_uint_eq(in_spans(down, level, level, shape, 2).count, 0);
     ck_assert_uint_eq(shaped(out, side, shape).count, 0);
 }
 END_TEST
