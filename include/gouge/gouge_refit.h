@@ -40,6 +40,7 @@ struct gouge_refit_options {
     double radius;                   /* of the ball, mm */
     double tolerance;                /* how deep it may go, mm */
     bool centre;          /* the motions are those of the ball's centre, not of the tip */
+    bool any;             /* no more is asked for than whether there is a place too deep */
     struct holder holder; /* what of the tool is above the ball; without parts: the ball alone */
 };
 
@@ -70,7 +71,7 @@ struct gouges {
  * closer where that decides, down to GOUGE_FINEST.  What is above it: the motion is halved until
  * what it is clear by at both ends is more than any place of it can move between them, or that is
  * less than GOUGE_SWEPT.  `track`: of the motions before and of earlier fits, which this one adds
- * to.
+ * to.  With `any` one such place, and nothing after the first.
  */
 void gouge_refit_motion(const struct gouge_refit_options *options, const struct motion *motion,
                         struct gouge_track *track, struct gouges *gouges);

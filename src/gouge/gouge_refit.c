@@ -24,6 +24,12 @@ struct walk {
     struct gouges *gouges;
 };
 
+/* All that was asked for is known. */
+static bool is_found(const struct gouge_refit_options *options, const struct gouges *gouges)
+{
+    return options->any && gouges->n > 0;
+}
+
 static struct vec3 ball_at(const struct walk *w, double s)
 {
     struct pose pose = motion_on(w->motion, &w->turn, s);
@@ -56,6 +62,8 @@ static void check_piece(const struct walk *w, double s0, struct vec3 a, double s
 static void check_halves(const struct walk *w, double s0, struct vec3 a, double s1, struct vec3 b,
                          int halvings)
 {
+    if (is_found(w->options, w->gouges))
+        return;
     double s = (s0 + s1) / 2;
     struct vec3 m = ball_at(w, s);
     bool straight = vec_distance(a, b) <= PIECE && vec_line_distance(a, b, m) <= w->chord_error &&
@@ -159,12 +167,14 @@ static void check_between(const struct gouge_refit_options *options, const struc
                           const struct station *a, const struct station *b, int halvings,
                           struct gouge_track *track, struct gouges *gouges)
 {
+    if (is_found(options, gouges))
+        return;
     double moved = most_moved(options, motion, a, b), may = GOUGE_SAFE * options->tolerance;
-
     if (fmin(a->clear, moved) + fmin(b->clear, moved) + 2 * may >= moved)
         return;
     double deep = -fmin(a->clear, b->clear), enough = GOUGE_SWEPT * options->tolerance;
-    if (moved <= fmax(enough, deep > may ? ROUGHLY * deep : 0) || halvings == 0) {
+    bool certain = options->any && deep > 2 * may; /* no halving lets it by */
+    if (certain || moved <= fmax(enough, deep > may ? ROUGHLY * deep : 0) || halvings == 0) {
         add_station(options, a->clear < b->clear ? a : b, gouges);
         return;
     }
@@ -190,7 +200,7 @@ static void check_holder(const struct gouge_refit_options *options, const struct
 {
     double s0 = 0;
 
-    while (s0 < 1) {
+    while (s0 < 1 && !is_found(options, gouges)) {
         double s1 = motion_next_knot(motion, s0);
         struct station a = station_at(options, motion, s0),
                        m = station_at(options, motion, (s0 + s1) / 2),

@@ -155,6 +155,7 @@ static bool is_link_free(const struct link_options *options, const struct run_po
     struct run_point before = *from;
     bool is_free = true;
 
+    sweep.tool.any = true;
     for (size_t i = first; i <= link->n && is_free; i++) {
         struct run_point ends[2] = {before, i < link->n ? link->item[i] : *to};
         struct run both = {.n = 2, .item = ends, .radius = options->radius};

@@ -11,7 +11,7 @@ static const double OFF = 0.4;
 
 /* What is looked at with each try. */
 struct link_check {
-    const struct gouge_refit_options *gouge;
+    struct gouge_refit_options gouge;
     struct gouge_track track;
 };
 
@@ -33,7 +33,7 @@ static bool is_clear(void *context, const struct pieces *pieces)
         const struct arc_piece *piece = &pieces->item[i];
         struct printed printed = arcprint_piece(piece, vec_round(piece->arc.from, PATH_COORDINATE));
         struct motion motion = motion_of(&printed);
-        gouge_refit_motion(c->gouge, &motion, &c->track, &gouges);
+        gouge_refit_motion(&c->gouge, &motion, &c->track, &gouges);
     }
     bool clear = gouges.n == 0;
     array_free(&gouges);
@@ -48,7 +48,7 @@ bool arcrun_fit_link(const struct run *run, const struct arcrun_link *link,
 
     run_densify(run, ARC_DENSE * options->tolerance, &dense);
     struct reference reference = reference_of(&dense, 0, dense.n, options->centre, false);
-    struct link_check check = {.gouge = link->gouge};
+    struct link_check check = {.gouge = *link->gouge};
     struct arc_link_options search = {.leave = link->leave,
                                       .arrive = link->arrive,
                                       .out = {link->out[0], link->out[1]},
@@ -60,6 +60,8 @@ bool arcrun_fit_link(const struct run *run, const struct arcrun_link *link,
                                       .context = &check};
     struct pieces pieces = {0};
     struct printeds printed = {0};
+
+    check.gouge.any = true;
     bool good = run->radius > 0 && arcfit_link(&reference, &search, &pieces);
 
     if (good) {

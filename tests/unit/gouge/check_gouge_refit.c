@@ -162,6 +162,36 @@ START_TEST(a_shaft_that_leans_into_a_wall_is_found)
 }
 END_TEST
 
+/* Asked only whether there is a place too deep: one if there are any, of shaft and ball, whatever
+ * the ways, clear of the wall, along it, or through. */
+START_TEST(one_place_is_enough)
+{
+    struct gouge_check *guard = make_wall();
+    struct gouge_refit_options all = tool_at_wall(guard, true), any = all;
+    size_t deep = 0, clear = 0;
+
+    any.any = true;
+    for (int k = 0; k < 120; k++) {
+        double lean = RADIANS(0.25 * (k % 20)), aside = BALL + 0.05 * (k % 13) - 0.1;
+        struct vec3 axis = vec(-sin(lean), 0, cos(lean)), end = vec(sin(lean), 0.1, cos(lean));
+        struct motion line =
+            motion_line((struct pose){vec(aside, -15, 5), axis},
+                        (struct pose){vec(aside + 0.2 * (k % 5), 15, 5 + k % 9), vec_unit(end)});
+        struct gouges every = {0}, one = {0};
+        check_motion(&all, &line, &every);
+        check_motion(&any, &line, &one);
+        ck_assert_uint_eq(one.n, every.n > 0);
+        deep += every.n > 1;
+        clear += every.n == 0;
+        array_free(&every);
+        array_free(&one);
+    }
+    ck_assert_uint_gt(deep, 20);
+    ck_assert_uint_gt(clear, 10);
+    gouge_free(guard);
+}
+END_TEST
+
 /* The axis swings over the wall's upright edge between two poses that are both clear. */
 START_TEST(a_holder_that_swings_through_is_found_between_its_ends)
 {
@@ -333,6 +363,7 @@ int main(void)
     tcase_add_test(tcase, a_chord_is_as_deep_as_its_sagitta);
     tcase_add_test(tcase, what_was_found_is_not_looked_for_again);
     tcase_add_test(tcase, a_shaft_that_leans_into_a_wall_is_found);
+    tcase_add_test(tcase, one_place_is_enough);
     tcase_add_test(tcase, a_holder_that_swings_through_is_found_between_its_ends);
     tcase_add_test(tcase, an_arc_is_followed_round);
     tcase_add_test(tcase, points_are_lifted_out);
