@@ -170,13 +170,14 @@ START_TEST(one_place_is_enough)
     struct gouge_refit_options all = tool_at_wall(guard, true), any = all;
     size_t deep = 0, clear = 0;
 
+    all.holder.n = any.holder.n = 1;
     any.any = true;
     for (int k = 0; k < 120; k++) {
         double lean = RADIANS(0.25 * (k % 20)), aside = BALL + 0.05 * (k % 13) - 0.1;
         struct vec3 axis = vec(-sin(lean), 0, cos(lean)), end = vec(sin(lean), 0.1, cos(lean));
         struct motion line =
-            motion_line((struct pose){vec(aside, -15, 5), axis},
-                        (struct pose){vec(aside + 0.2 * (k % 5), 15, 5 + k % 9), vec_unit(end)});
+            motion_line((struct pose){vec(aside, -2, 5), axis},
+                        (struct pose){vec(aside + 0.2 * (k % 5), 2, 5 + k % 9), vec_unit(end)});
         struct gouges every = {0}, one = {0};
         check_motion(&all, &line, &every);
         check_motion(&any, &line, &one);
