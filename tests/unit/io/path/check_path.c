@@ -134,6 +134,51 @@ START_TEST(units_labels_and_continuations)
 }
 END_TEST
 
+/* Without UNITS a path is in inches where its feeds are, whatever the words are written like and
+ * wherever its first feed is; in both: refused. */
+START_TEST(a_unit_that_is_not_said)
+{
+    static const struct {
+        const char *feed;
+        double x; /* of GOTO/1,0,0, mm; 0: refused */
+    } cases[] = {{"FEDRAT/10,IPM", 25.4},
+                 {"fedrat/ipm,10", 25.4},
+                 {"FEDRAT/.1,IPR", 25.4},
+                 {"CYCLE/DRILL,.5,IPM,10,.1", 25.4},
+                 {"FEDRAT/10,MMPM", 1},
+                 {"FEDRAT/10", 1},
+                 {"PPRINT IPM", 1},
+                 {"PPRINT FEDRATE IPM", 1},
+                 {"PPRINT FEDRAT XIPM IPM2", 1},
+                 {"$$ UNITS/MM\nFEDRAT/10,IPM", 1},
+                 {"$$ UNIT=MM\nFEDRAT/10,IPM", 1},
+                 {"$$ UNITSX UNI\nFEDRAT/10,IPM", 25.4},
+                 {"PPRINT FEDRA IPM", 1},
+                 {"FEDRAT/10,IPM\nFEDRAT/10,MMPM", 0}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        for (int far = 0; far < 2; far++) { /* at once, and 20 kB behind the start */
+            struct path path;
+            struct error error = {.text = ""};
+            static char text[30000];
+            size_t n = 0;
+            for (int k = 0; k < 800 * far; k++)
+                n += (size_t)sprintf(text + n, "$$ a remark, number %d\n", k);
+            sprintf(text + n, "SPINDL/1000,RPM\n%s\nGOTO/1,0,0\nFINI\n", cases[i].feed);
+            int result = read_text(text, &path, &error);
+            ck_assert_msg((result < 0) == (cases[i].x == 0), "%zu: %s", i, error.text);
+            if (result < 0) {
+                ck_assert_ptr_nonnull(strstr(error.text, "feeds in inches and in mm"));
+                continue;
+            }
+            double x = path.item.item[path.item.n - 1].to.p.x;
+            ck_assert_msg(fabs(x - cases[i].x) < 1e-9, "%s: %g", cases[i].feed, x);
+            ck_assert_int_eq(path.inches_taken, cases[i].x > 1);
+            path_free(&path);
+        }
+    }
+}
+END_TEST
+
 START_TEST(from_is_carried_in_millimetres)
 {
     struct path path;
@@ -241,6 +286,7 @@ int main(void)
     tcase_add_test(tests, what_is_read_is_written_back);
     tcase_add_test(tests, the_tool_above_its_ball);
     tcase_add_test(tests, units_labels_and_continuations);
+    tcase_add_test(tests, a_unit_that_is_not_said);
     tcase_add_test(tests, from_is_carried_in_millimetres);
     tcase_add_loop_test(tests, what_is_refused, 0, (int)(sizeof refused / sizeof *refused));
     tcase_add_test(tests, unknown_words_are_counted_and_carried);
