@@ -66,11 +66,31 @@ static bool says_the_same(const struct nc_planner *planner, const struct block_p
     return at->q[0] == to->q[0] && at->q[1] == to->q[1];
 }
 
+/* The path stays where it is, and one place is rounded in two ways: half a last digit goes up or
+ * down as what comes after it is, which differs where a curve ends and its end is named again. */
+static bool is_rounded_apart(const struct nc_planner *planner, const struct block_pose *to,
+                             const struct pose *goal)
+{
+    const double same = 1e-9, along = 1e-7; /* mm; of a direction: a path's last digits are more */
+    const struct machine_digits *digits = &planner->plan->ability.digits;
+    const struct block_pose *at = &planner->state.at;
+    double last = 1.5 / num_ten[digits->linear], turn = RADIANS(1.5 / num_ten[digits->angle]);
+
+    if (vec_distance(planner->state.pose.p, goal->p) > same ||
+        vec_distance(planner->state.pose.a, goal->a) > along ||
+        fmax(fabs(at->p.x - to->p.x), fabs(at->p.y - to->p.y)) > last ||
+        fabs(at->p.z - to->p.z) > last)
+        return false;
+    if (planner->follow.mode == INTERPOLATE_VECTOR)
+        return vec_distance(at->a, to->a) < 2 / num_ten[digits->vector];
+    return fabs(at->q[0] - to->q[0]) < turn && fabs(at->q[1] - to->q[1]) < turn;
+}
+
 void post_block_straight(struct nc_planner *planner, enum nc_kind kind,
                          const struct machine_pose *to, const struct pose *goal)
 {
     struct nc_state *state = &planner->state;
-    if (!says_the_same(planner, &to->at))
+    if (!says_the_same(planner, &to->at) && !is_rounded_apart(planner, &to->at, goal))
         post_block_add(planner, kind, to, vec_distance(state->pose.p, goal->p), 0, NULL);
     state->off.point = state->off.axis = NAN;
     state->pose = *goal;

@@ -379,6 +379,43 @@ START_TEST(rapids_within_travel)
 }
 END_TEST
 
+/* Half a last digit goes up or down as what comes after it is: a place that is named again, as the
+ * end of a curve is, makes no block for that; one a digit of the path aside does. */
+START_TEST(named_again)
+{
+    int kind = _i / MODES, otherwise = 0, aside = 0;
+    seed = 460 + (uint64_t)_i;
+    struct bench b;
+    begin(&b, kind, mode_of[_i % MODES]);
+    const int digits = b.plan.ability.digits.linear;
+    const double digit = pow(10, -digits);
+    for (int i = 0; i < 200; i++) {
+        struct vec3 c = vec_scale(100 * chance(), random_unit());
+        struct pose to = {vec((floor(c.x / digit) + 0.5) * digit,
+                              (floor(c.y / digit) + 0.5) * digit,
+                              (floor(c.z / digit) + 0.5) * digit),
+                          b.planner.state.pose.a};
+        struct motion there = motion_line(b.planner.state.pose, to);
+        ck_assert_int_eq(post_motion_along(&b.planner, &there, 0, 1), 0);
+        size_t moves = b.plan.move.n;
+        for (double by = 1e-12; by > -2e-12; by -= 2e-12) {
+            struct pose again = {vec_add(to.p, vec(by, by, by)), to.a};
+            ck_assert_int_eq(post_straight_one(&b.planner, &again), 0);
+            ck_assert_uint_eq(b.plan.move.n, moves);
+            otherwise += vec_distance(vec_round(again.p, digits), b.planner.state.at.p) > digit / 2;
+        }
+        struct pose other = {vec_add(to.p, vec(1e-6, -1e-6, 1e-6)), to.a};
+        ck_assert_int_eq(post_straight_one(&b.planner, &other), 0);
+        aside += b.plan.move.n > moves;
+    }
+    if (mode_of[_i % MODES] != INTERPOLATE_JOINT) { /* there the axes' places are other digits */
+        ck_assert_int_gt(otherwise, 100);
+        ck_assert_int_gt(aside, 100);
+    }
+    bench_free(&b);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("post_motion");
@@ -388,6 +425,7 @@ int main(void)
     tcase_add_test(tests, slow_beside_pole);
     tcase_add_loop_test(tests, divided, 0, KINDS * MODES);
     tcase_add_loop_test(tests, one_block, 0, KINDS * MODES);
+    tcase_add_loop_test(tests, named_again, 0, KINDS * MODES);
     tcase_add_loop_test(tests, turned_in_place, 0, KINDS);
     tcase_add_test(tests, arc_or_chords);
     tcase_add_test(tests, fewest_chords);
