@@ -1,0 +1,75 @@
+#!/bin/sh
+# ncverify-options.t - what the options of ncverify say beside the head of a program, and what is told
+# where they contradict each other, it, or what is there.
+. "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
+cd "$TMP" || exit 1
+
+awk 'BEGIN { for (i = 0; i <= 16; i++) for (k = 0; k <= 12; k++) {
+	x = 2.5 * i - 20; y = 2.5 * k - 15; print x, y, 10 - (x * x + y * y) / 120 } }' >scan.xyz
+cloud2mesh -q -t 4 scan.xyz -o scan.ply
+meshnorm -q -r 4 --rows mesh --fixed 0,0,1 --avoid scan.ply -o path.cl
+ncpost -q -c fanuc path.cl -o good.nc
+status 0 "a program and its scan" ncverify -q -g scan.xyz good.nc
+
+# wrong usage: nothing is read, one line, status 2
+refused() { # DESC WHAT OPTION...
+	desc=$1 what=$2
+	shift 2
+	status 2 "$desc" ncverify -q "$@"
+	has "... is told" "$what" err
+}
+refused "no part" 'expected -g, the scan or mesh' good.nc
+refused "two programs" 'found 2 programs, expected one' -g scan.xyz good.nc good.nc
+refused "--left and --scallop" 'found --left and --scallop' -g scan.xyz --left 1 --scallop 1 good.nc
+refused "--ball-only with a holder" 'found --ball-only with --flute, --holder or --tool-file' \
+	-g scan.xyz --ball-only --holder 9:9 good.nc
+refused "... with a flute" 'found --ball-only with' -g scan.xyz --ball-only --flute 9 good.nc
+refused "a stock of no kind" 'option --stock: found .cylinder' -g scan.xyz --stock cylinder good.nc
+refused "a band below the tolerance" 'option --band: found 0.01, expected more than the tolerance 0.1' \
+	-g scan.xyz -e 0.1 --band 0.01 good.nc
+refused "a holder that is none" 'option --holder' -g scan.xyz --holder 9 good.nc
+refused "no control for standard input" 'give its control by -c' -r 4 -g scan.xyz -
+sed '/TOOL: /d;/ball nose/d' good.nc >bare.nc
+refused "no ball" 'expected -r, the radius of the ball' -g scan.xyz bare.nc
+
+# what is not there, or nothing
+status 1 "no such program" ncverify -q -g scan.xyz none.nc
+has "... is told" 'none.nc' err
+status 1 "no such part" ncverify -q -g none.xyz good.nc
+has "... is told" 'none.xyz' err
+status 1 "no such machine" ncverify -q -m none-such -g scan.xyz good.nc
+has "... is told" 'none-such' err
+printf 'hello\nworld\n' >text.nc
+status 1 "a text that is no program" ncverify -q -r 4 -g scan.xyz text.nc
+printf '# nothing\n' >empty.xyz
+status 1 "a part without points" ncverify -q -r 4 -g empty.xyz good.nc
+has "... is told" 'empty.xyz' err
+awk 'cut && !done && sub(/ X-?[0-9.]+/, " X400000.") { done = 1 } / G1 / { cut = 1 } { print }' good.nc >far.nc
+status 1 "a move of 400 m" ncverify -q -g scan.xyz far.nc
+has "... is told with its line" '^ncverify: far.nc:[0-9]+: found moves of more than 10 m' err
+
+# the head and the options
+status 0 "another name for the control" ncverify -c haas -g scan.xyz good.nc
+has "... is told" "the program's head says the control FANUC, it is read as one for haas" err
+ncpost -q -c fanuc --set number.step=5 path.cl -o set.nc
+status 0 "a program made with --set" ncverify -g scan.xyz set.nc
+has "... is told" 'the program was made with --set NUMBER.STEP=5' err
+sed 's/TABLE-AC/TABLE-OF-NOBODY/' good.nc >unknown.nc
+run ncverify -v -g scan.xyz unknown.nc
+has "a machine that is not there is told" 'the program.s head says table-of-nobody, and there is no such file here' err
+
+# the tool of files: its ball, flute and holder, as options say them
+printf 'name = short ball\nradius = 4\nflute = 9\nshank = 4\nlength = 60\nstickout = 30\n' >ball.txt
+printf 'name = holder\nholder = 12:20\n' >holder.txt
+status 0 "a tool of files" ncverify -v -g scan.xyz --tool-file ball.txt --tool-file holder.txt -o by-file good.nc
+status 0 "the same by options" ncverify -q -g scan.xyz --flute 9 --holder 4:17+12:20 -o by-option good.nc
+same "... judged alike" by-file by-option
+printf 'name = long\nradius = 4\nflute = 2\nshank = 60\nlength = 60\nstickout = 3\n' >thick.txt
+status 3 "a tool that meets the part is refused" ncverify -q -g scan.xyz --tool-file thick.txt good.nc
+has "... with its depth" '^fault .* (shaft|holder|shank|tool|flute)' out
+status 1 "a file without a tool" ncverify -q -g scan.xyz --tool-file scan.xyz good.nc
+
+# the map
+status 0 "--map" ncverify -q -g scan.xyz --map map.ply good.nc
+has "has all points" "^element vertex $(wc -l <scan.xyz)\$" map.ply
+done_testing
