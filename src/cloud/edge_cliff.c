@@ -6,6 +6,7 @@
 /* A point so far below a flank, by its distance, is down a wall; where the other side is known,
  * too, and lies as far below: down a step. */
 static const double WALL = 0.9, STEP = 0.1;
+static const double THROWN = 8;    /* noises: a point of many is off by less */
 static const double CORNER = 1.5;  /* spacings */
 static const double TIP = 2;       /* the same of a square corner's tip */
 static const double LEVEL = 0.35;  /* least z of a flank that has corners */
@@ -111,6 +112,13 @@ static bool may_be_off(const struct edge_work *work, size_t i)
     return false;
 }
 
+/* One point alone is down a wall, and no further than noise throws one of many. */
+static bool is_stray(const struct edge_work *work, size_t i, const struct cliff *cliff)
+{
+    return cliff->below.n == 1 && -above_roof(&work->flank[i], cliff->from, cliff->below.item[0]) <
+                                      THROWN * work->options->noise;
+}
+
 /* Nothing where all points about are on the flank. */
 static struct cliff find_cliff(const struct edge_work *work, size_t i)
 {
@@ -123,6 +131,8 @@ static struct cliff find_cliff(const struct edge_work *work, size_t i)
     if (may_be_off(work, i))
         for (size_t k; edge_about_next(&about, &k);)
             sort_by_height(work, i, k, &cliff);
+    if (is_stray(work, i, &cliff))
+        cliff.below.n = 0;
     return cliff;
 }
 

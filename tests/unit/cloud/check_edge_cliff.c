@@ -1,5 +1,5 @@
 /* edge_cliff: the floor of a mesa goes on to the points below its wall, and the wall down to them;
- * a roof has no cliff. */
+ * a roof has no cliff, nor has noise. */
 #include <check.h>
 #include <stdlib.h>
 
@@ -65,6 +65,38 @@ START_TEST(roof_has_none)
 }
 END_TEST
 
+static double level(double x, double y)
+{
+    return 0.1 * x - 0.05 * y;
+}
+
+/* Two points of a noisy scan all but one over the other, so many sigmas apart: by noise alone, or
+ * down a hole. */
+START_TEST(noise_is_none)
+{
+    const double sigma = 0.02, beside = 0.04, apart = _i ? 9 : 6;
+    struct edge_trial trial;
+    struct vec3s to = {0}, edge = {0};
+    size_t high = 0, low, found = 0;
+
+    edge_trial_make(&trial, level, false, sigma);
+    while (hypot(trial.grid.point[high].x, trial.grid.point[high].y) > 0.6)
+        high++;
+    low = high + 1; /* of the same cell */
+    struct vec3 p = trial.grid.point[high];
+    p.z = level(p.x, p.y);
+    trial.grid.point[high] = p;
+    trial.grid.point[low] = vec(p.x + beside, p.y, level(p.x + beside, p.y) - apart * sigma);
+    edge_flanks_find(&trial.work);
+    for (size_t i = 0; i < trial.grid.n; i++)
+        found += edge_cliff_add(&trial.work, i, &edge, &to) > 0;
+    ck_assert((found > 0) == (_i == 1));
+    array_free(&to);
+    array_free(&edge);
+    edge_trial_free(&trial);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("edge_cliff");
@@ -72,6 +104,7 @@ int main(void)
     SRunner *runner = srunner_create(suite);
     tcase_add_test(tests, mesa_goes_on);
     tcase_add_loop_test(tests, roof_has_none, 0, 2);
+    tcase_add_loop_test(tests, noise_is_none, 0, 2);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);
     int failed = srunner_ntests_failed(runner);
