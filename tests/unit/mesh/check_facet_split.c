@@ -116,12 +116,29 @@ START_TEST(curvatures)
 }
 END_TEST
 
+/* A point beyond the border is over none of the facets: it stays with one of them, the last. */
+START_TEST(a_point_over_none_is_kept)
+{
+    struct vec3 p[] = {{1.8, 2.2, 1}, {-1, 1, 0}};
+    double within[] = {0.1, 2};
+    struct mesh m = square(0, 0);
+    struct facet_split w = begin(&m, p, within, 2);
+    facet_split_at(&w, 1, 0);
+    ck_assert_uint_eq(m.face.n, 4);
+    for (int f = 0; f < 4; f++)
+        ck_assert_int_eq(w.first.item[f], f == 3 ? 1 : FACET_SPLIT_NONE);
+    ck_assert_int_eq(w.next[1], FACET_SPLIT_NONE);
+    end(&w);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("facet_split");
     TCase *tests = tcase_create("facet_split");
     SRunner *runner = srunner_create(suite);
     tcase_add_test(tests, edges_turn_or_stay);
+    tcase_add_test(tests, a_point_over_none_is_kept);
     tcase_add_test(tests, curvatures);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);
