@@ -437,6 +437,7 @@ int main(int argc, char **argv)
     array_free(&points);
     verify_surface_free(&surface);
     array_free(&s.part);
+    array_free(&s.files.files);
     machine_options_free(&s.machine);
     nc_motion_free(&motion);
     nc_motion_free(&path);
