@@ -24,8 +24,9 @@
  *    - post_rewind: retract, turn, return, where a rotary axis comes to the end of its travel.
  *    - post_item: an item of the path, as a hole or another tool; the approach before a cut and the
  *      retract after it, where the path has none.
- *    - post_lookahead: the path group by group; the rotary axes of a group with the fewest turns
- *      back and then the least travel, as the shortest path through a graph (machine/ik_plan.h).
+ *    - post_lookahead: the rotary axes of a group with the fewest turns back and then the least
+ *      travel, as the shortest path through a graph (machine/ik_plan.h).
+ *    - post_group: the path group by group, the nearest way or along what the look ahead found.
  *
  *    What all of it takes with the axes' accelerations is in post_time.h: the time in the head, and
  *    inverse-time feeds.

@@ -9,7 +9,7 @@
 #include "base/num.h"
 #include "post_head.h"
 #include "post_hole.h"
-#include "post_lookahead.h"
+#include "post_group.h"
 #include "post_output.h"
 #include "post_statement.h"
 #include "post_time.h"

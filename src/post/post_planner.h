@@ -4,7 +4,7 @@
  * Its modules, each using those before it: post_ik (a pose as words), post_feed (how fast a block
  * may be), post_block (one more block), post_straight (a motion as straight blocks), post_motion
  * (as arcs and curves, too), post_rewind (retract, turn, return), post_item (an item of the path),
- * post_lookahead (the whole path, group by group).
+ * post_lookahead (the rotary axes of a group), post_group (the whole path, group by group).
  */
 #ifndef CLOUDMILL_POST_PLANNER_H
 #define CLOUDMILL_POST_PLANNER_H
