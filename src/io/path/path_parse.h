@@ -3,7 +3,8 @@
  *
  * 1. apt.h joins lines to statements: a major word and its arguments.
  * 2. path_read.c looks up the word's row, in this order: the motions, the words of the CAM system
- *    that wrote the stream (cl_dialect.h), the head; or, of a `$$->` comment, its own table.
+ *    that wrote the stream (cl_dialect.h), the head (path_head.c); or, of a `$$->` comment, its own
+ *    table there.
  * 3. The row's function reads the arguments and changes `struct path_parse`, what the statements so
  *    far leave to those that follow, or adds items to its path: path_motion.c points and arcs,
  *    path_spline.h B-splines, path_cycle.c holes, path_tool.c tools, spindle and feeds.
@@ -123,10 +124,6 @@ struct path_row {
 
 /* ---- path_read.c */
 
-/* Rows: adds the statement to the path as text; ignores it. */
-int path_keep_text(struct path_parse *p);
-int path_ignore(struct path_parse *p);
-
 /* Counts an unknown word, for one warning each. */
 void path_count_unknown(struct path_parse *p, const char *word);
 
@@ -139,6 +136,24 @@ struct vec3 path_vector_of(const struct path_parse *p, const double *v);
 
 /* A direction: as it is where its length is 1 but for its printed digits, else normalized. */
 int path_direction(struct path_parse *p, const double *v, const char *what, struct vec3 *unit);
+
+/* ---- path_head.c */
+
+/* The row of a word in a table; among those of the head; of a comment that carries data; NULL: it
+ * has none. */
+const struct path_row *path_row_of_word(const struct path_row *rows, size_t n, const char *word);
+const struct path_row *path_head_row(const char *word);
+const struct path_row *path_comment_row(const char *word);
+
+/* Rows: adds the statement to the path as text; ignores it. */
+int path_keep_text(struct path_parse *p);
+int path_ignore(struct path_parse *p);
+
+/* ---- path_unit.c */
+
+/* Before the first statement: inches, where nothing says the unit and feeds are in them; -1: some
+ * are in mm, too. */
+int path_guess_unit(struct path_parse *p);
 
 /* ---- path_motion.c */
 

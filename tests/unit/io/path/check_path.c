@@ -85,38 +85,6 @@ START_TEST(what_is_read_is_written_back)
 }
 END_TEST
 
-START_TEST(the_tool_above_its_ball)
-{
-    static const struct {
-        const char *word;
-        int parts;
-        const char *wrong;
-    } cases[] = {{"", 1, NULL},
-                 {"$$-> TOOL/BALL-ONLY\n", 0, NULL},
-                 {"$$-> TOOL/FLUTE,0\n", 0, NULL},
-                 {"$$-> tool / flute,0,holder,3:40 + 9:9\n", 0, "found `3:40 + 9:9`"},
-                 {"$$-> TOOL/FLUTE,5,HOLDER,3:40\n", 2, NULL},
-                 {"$$-> TOOL/FLUTE,-5\n", 0, "found a flute of -5"},
-                 {"$$-> TOOL/FLUTE\n", 0, "found `$$-> TOOL/FLUTE`"},
-                 {"$$-> TOOL/BALL-ONLY,5\n", 0, "expected TOOL/BALL-ONLY or"},
-                 {"$$-> TOOL/FLUTE,5,HOLDER\n", 0, "expected TOOL/BALL-ONLY or"}};
-    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        struct path path;
-        struct error error = {.text = ""};
-        char text[400];
-        snprintf(text, sizeof text, "CUTTER/16,8\n%sGOTO/1,2,3\nFINI\n", cases[i].word);
-        int result = read_text(text, &path, &error);
-        ck_assert_msg((result < 0) == (cases[i].wrong != NULL), "%zu: %s", i, error.text);
-        if (cases[i].wrong) {
-            ck_assert_msg(strstr(error.text, cases[i].wrong), "%zu: %s", i, error.text);
-            continue;
-        }
-        ck_assert_int_eq(path_holder(&path).n, cases[i].parts);
-        path_free(&path);
-    }
-}
-END_TEST
-
 START_TEST(units_labels_and_continuations)
 {
     struct path path;
@@ -131,51 +99,6 @@ START_TEST(units_labels_and_continuations)
     ck_assert_double_eq_tol(path.item.item[1].feed, 254, 1e-12);
     ck_assert_double_eq_tol(path.item.item[2].to.p.z, 0, 1e-12);
     path_free(&path);
-}
-END_TEST
-
-/* Without UNITS a path is in inches where its feeds are, whatever the words are written like and
- * wherever its first feed is; in both: refused. */
-START_TEST(a_unit_that_is_not_said)
-{
-    static const struct {
-        const char *feed;
-        double x; /* of GOTO/1,0,0, mm; 0: refused */
-    } cases[] = {{"FEDRAT/10,IPM", 25.4},
-                 {"fedrat/ipm,10", 25.4},
-                 {"FEDRAT/.1,IPR", 25.4},
-                 {"CYCLE/DRILL,.5,IPM,10,.1", 25.4},
-                 {"FEDRAT/10,MMPM", 1},
-                 {"FEDRAT/10", 1},
-                 {"PPRINT IPM", 1},
-                 {"PPRINT FEDRATE IPM", 1},
-                 {"PPRINT FEDRAT XIPM IPM2", 1},
-                 {"$$ UNITS/MM\nFEDRAT/10,IPM", 1},
-                 {"$$ UNIT=MM\nFEDRAT/10,IPM", 1},
-                 {"$$ UNITSX UNI\nFEDRAT/10,IPM", 25.4},
-                 {"PPRINT FEDRA IPM", 1},
-                 {"FEDRAT/10,IPM\nFEDRAT/10,MMPM", 0}};
-    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        for (int far = 0; far < 2; far++) { /* at once, and 20 kB behind the start */
-            struct path path;
-            struct error error = {.text = ""};
-            static char text[30000];
-            size_t n = 0;
-            for (int k = 0; k < 800 * far; k++)
-                n += (size_t)sprintf(text + n, "$$ a remark, number %d\n", k);
-            sprintf(text + n, "SPINDL/1000,RPM\n%s\nGOTO/1,0,0\nFINI\n", cases[i].feed);
-            int result = read_text(text, &path, &error);
-            ck_assert_msg((result < 0) == (cases[i].x == 0), "%zu: %s", i, error.text);
-            if (result < 0) {
-                ck_assert_ptr_nonnull(strstr(error.text, "feeds in inches and in mm"));
-                continue;
-            }
-            double x = path.item.item[path.item.n - 1].to.p.x;
-            ck_assert_msg(fabs(x - cases[i].x) < 1e-9, "%s: %g", cases[i].feed, x);
-            ck_assert_int_eq(path.inches_taken, cases[i].x > 1);
-            path_free(&path);
-        }
-    }
 }
 END_TEST
 
@@ -284,9 +207,7 @@ int main(void)
     Suite *suite = suite_create("path");
     TCase *tests = tcase_create("path");
     tcase_add_test(tests, what_is_read_is_written_back);
-    tcase_add_test(tests, the_tool_above_its_ball);
     tcase_add_test(tests, units_labels_and_continuations);
-    tcase_add_test(tests, a_unit_that_is_not_said);
     tcase_add_test(tests, from_is_carried_in_millimetres);
     tcase_add_loop_test(tests, what_is_refused, 0, (int)(sizeof refused / sizeof *refused));
     tcase_add_test(tests, unknown_words_are_counted_and_carried);
