@@ -27,6 +27,10 @@ static const double SIGMAS = 1.5;
 static const double SURE = 0.5, SOME = 0.8;
 enum { STAGES = 2 };
 
+/* What a judge finds left by the program for each point that it finds by the path, at most: of
+ * fourteen scans it found 0.4 to 1. */
+static const double JUDGED = 1.05;
+
 /* Of the radius: strips in planes are no shorter. */
 static const double SHORT = 1;
 
@@ -175,8 +179,9 @@ void path_coverage_measure(struct path_coverage *c, const struct toolpath *t)
  * for left. */
 static size_t judged_left(const struct path_coverage *c, struct coverage_point *worst)
 {
+    double limit = c->allowed + STAGES * c->tolerance;
     const struct coverage_judge_options options = {.radius = c->options.radius,
-                                                   .limit = c->allowed + STAGES * c->tolerance,
+                                                   .limit = limit,
                                                    .holder = c->options.holder,
                                                    .chain = &c->rule->chain,
                                                    .scan = c->scan,
@@ -189,7 +194,7 @@ static size_t judged_left(const struct path_coverage *c, struct coverage_point *
     for (size_t i = 0; i < n; i++) {
         bool asked = point[i].state == COVERAGE_KEPT || point[i].state == COVERAGE_OUT;
         place[i] = point[i].p;
-        height[i] = asked && point[i].height > c->allowed ? point[i].height : 0;
+        height[i] = asked && point[i].height > limit ? point[i].height : 0;
     }
     size_t found = coverage_judge_left(place, height, n, &options, &at);
     if (found > 0)
@@ -254,7 +259,7 @@ int path_coverage_conclude(const struct path_coverage *c, struct unmets *unmet)
     struct coverage_report r = coverage_report(c->coverage);
     struct coverage_point worst;
     size_t judged = c->scallop > 0 ? judged_left(c, &worst) : 0;
-    double left = 100 * (double)(r.left.n + judged), points = (double)r.points;
+    double left = 100 * ((double)r.left.n + JUDGED * (double)judged), points = (double)r.points;
     bool unmet_left = c->scallop > 0 && left > path_options.left_share * points;
 
     unmet = unmet_left ? unmet : NULL;
