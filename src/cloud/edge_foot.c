@@ -2,6 +2,13 @@
  * one that a scan has no points on. */
 #include "edge_steps.h"
 
+/* In spacings about a foot, half of whose plane is empty: they are wider than those of the scan by
+ * the root of two.  Noise spreads heights: there a wall must be higher. */
+static double least_wall(const struct edge_work *work)
+{
+    return work->options->noise > 0 ? EDGE_FOOT : EDGE_FOOT / sqrt(2);
+}
+
 void edge_wall_add(const struct edge_work *work, struct vec3 at, struct vec3 foot, struct vec3s *to)
 {
     enum { MOST = 60 };
@@ -119,7 +126,7 @@ void edge_foot_add(const struct edge_work *work, size_t i, struct vec3s *to)
         struct vec3 rim = near.item[nearest_of(&near, k, p)];
         if (!(step > EDGE_STEEP * edge_plan_distance(rim, p) + spacing))
             continue;
-        if (!(step > EDGE_FOOT * spacing))
+        if (!(step > least_wall(work) * spacing))
             break;
         if (is_at_foot(&near, k, p, EDGE_REACH * spacing))
             hang_wall(work, &near, k, p, to);

@@ -11,8 +11,8 @@
 #define MOST 0.5     /* of its height: so far a spike amid a link rises over both its feet */
 
 /* Spans of a curve: no pole or coefficient reaches over more than six; the last pole, which is the
- * curve's end, reaches over the last alone. */
-enum { REACH = 8, END_REACH = 3 };
+ * curve's end, over the last alone, so that the ball leaves the part there or shortly before. */
+enum { REACH = 8, END_REACH = 2 };
 
 struct search {
     const struct nc_motion *motion;
