@@ -24,12 +24,13 @@
  *      kept off whatever may be there.  Only flanks are continued that are certain:
  *      their points are off them by no more than noise, or than a ball may sink.  Where a square
  *      corner that holds the upper points stands out between two points below, its wall hangs
- *      there, too; and over the foot of a wall of 8 spacings and more one hangs whatever is known
- *      of the surfaces, as over round teeth.
+ *      there, too; and over the foot of a wall of 8 spacings and more (of the foot's own, which are
+ *      wider, 5.7 where there is no noise) one hangs whatever is known of the surfaces, as over
+ *      round teeth.  A point that noise alone may have thrown down is below nothing.
  *   5. The tip of a cone is put where its straight lines, continued, meet (cone_tip.h), and places
  *      round it as far as all neighbours know.  Where sides are so narrow, or bend so much, that
- *      none is certain, both sides of a crest are fitted together (crest_fit.h), and places put on
- *      it and on them.
+ *      none is certain, both sides of a crest, sharp or rounded, are fitted together (crest_fit.h),
+ *      and places put on it and on them.
  *   6. Where a point is the foremost of its neighbours over 60 degrees of directions, as on an edge
  *      or a tip, and neither its surface nor a place of an edge is known, the part may go on in
  *      front of it; the same where a point stands out from those about it and no surface that bends
