@@ -78,7 +78,7 @@ struct pose post_rewind_above(const struct nc_planner *planner, struct pose pose
     return pose;
 }
 
-/* Retract, turn, return. */
+/* Retract, turn, return: by a way that takes no such turn itself, or there is none. */
 static int retract_turn_return(struct nc_planner *planner, const double q[])
 {
     struct pose here = planner->state.pose, up = post_rewind_retracted(planner), near = here;
@@ -95,7 +95,10 @@ static int retract_turn_return(struct nc_planner *planner, const double q[])
     post_block_turn(planner, q);
     struct motion back = motion_line(near, here);
     planner->plan->total.turns++;
+    int (*rewind)(struct nc_planner *, struct pose) = planner->rewind;
+    planner->rewind = NULL;
     int result = post_motion_rapid(planner, near) == 0 ? post_rewind_motion(planner, &back) : -1;
+    planner->rewind = rewind;
     planner->aim = aim;
     planner->state.why = why;
     planner->state.faster = faster;

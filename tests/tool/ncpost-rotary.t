@@ -242,4 +242,18 @@ for c in fanuc siemens heidenhain linuxcnc; do
 	done
 done
 
+# ---- Y comes to the end of its travel on the way down: a turn of the axes does not help, and the way
+# back from it would want one, too
+printf '%s\n' UNITS/MM MULTAX/ON CUTTER/4,2,0,2,0,0,60 LOADTL/1 SPINDL/8000,CLW RAPID \
+	'GOTO/352.497987,-131.088377,99.99994,0.166600835,-0.150171914,0.974521707' FEDRAT/MMPM,1500 \
+	'GOTO/349.729626,-128.593011,83.806579,0.166600835,-0.150171914,0.974521707' RAPID \
+	'GOTO/352.554092,-131.091769,99.99994,0.166600835,-0.150171914,0.974521707' RAPID \
+	'GOTO/330.64035,-131.806355,99.99994,0,-0.258819045,0.965925826' RAPID \
+	'GOTO/330.64035,-128.822559,88.86426,0,-0.258819045,0.965925826' FEDRAT/MMPM,750 \
+	'GOTO/330.64035,-127.528464,84.034631,0,-0.258819045,0.965925826' FINI >"$TMP/far.cl"
+for c in fanuc siemens heidenhain; do
+	status 1 "$c: a turn that needs a turn on its way back" ncpost -q -c $c -m haas-umc750 "$TMP/far.cl"
+	has "is the end of Y's travel" 'axis Y of Haas UMC-750: found a position of -?330.64.* expected its travel' "$TMP/err"
+done
+
 done_testing
