@@ -19,13 +19,13 @@
 #include "math/point_grid.h"
 
 /* Usual reaches of roof_find, in spacings: for who keeps a tool off, and for who judges another's
- * path, to whom some of that is roof, and nothing else. */
+ * path, to whom some of that is roof, and nothing else: the same points make a sheet for both. */
 #define ROOF_GUARD 1.5
 #define ROOF_JUDGE 2.5
 
 /* Marks (1) the points of the roof, by several threads (as of parallel_for): of all points nearer,
- * seen from above, than `reach` (at most 3) mean spacings none is steeply above or below.  Returns
- * how many. */
+ * seen from above, than `reach` (at most 3) mean spacings none is steeply above or below, and three
+ * that are not are nearer than ROOF_JUDGE.  Returns how many. */
 size_t roof_find(const struct point_grid *point_grid, double reach, int threads,
                  unsigned char *roof);
 

@@ -10,8 +10,8 @@
 
 /* Steep: 68 degrees. */
 static const double STEEP = 2.5;
-/* In mean spacings: neighbours so near tell whether the roof ends. */
-static const double RIM = 2.5;
+/* In mean spacings: neighbours so near tell whether the roof ends, and how many make one. */
+static const double RIM = ROOF_JUDGE;
 /* Of the width of the scan: points of the curtain of who asks are no nearer to one another. */
 static const double ASKED = 0.005;
 /* A sheet has so many points within reach, at least. */
@@ -27,7 +27,7 @@ struct roof_work {
 
 /* What is about a point. */
 struct about {
-    size_t level, off; /* points about as high, others, within reach */
+    size_t level, off; /* points about as high, nearer than RIM, and others, within reach */
     unsigned eighths;  /* of the turn, in which there is roof nearer than RIM */
 };
 
@@ -52,7 +52,7 @@ static void add_cell(const struct roof_work *w, size_t i, size_t cell, struct ab
         if (k == i || away2 > most * most)
             continue;
         bool level = fabs(d.z) <= STEEP * fmax(sqrt(away2), least);
-        about->level += level && away2 <= near * near;
+        about->level += level && away2 <= rim * rim;
         about->off += !level && away2 <= near * near;
         if (w->all && w->all[k] && level && away2 <= rim * rim)
             about->eighths |= 1u << eighth_of(d);

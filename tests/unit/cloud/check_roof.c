@@ -39,6 +39,41 @@ static void discard(struct found *f, struct vec3s *p)
     array_free(p);
 }
 
+/* Points anywhere on a level ground and a sheet over half of it, of any density: what a judge takes
+ * for roof is roof for who guards, and there is such. */
+START_TEST(what_is_judged_is_guarded)
+{
+    for (int density = 1; density <= 8; density++) {
+        struct vec3s p = {0};
+        uint32_t seed = (uint32_t)density;
+        for (int i = 0; i < 400 * density; i++) {
+            double at[2];
+            for (int k = 0; k < 2; k++) {
+                seed = seed * 1664525u + 1013904223u;
+                at[k] = 20 * ((seed >> 8) / 16777216.0);
+            }
+            bool over = at[0] < 10 && i % 3 == 0; /* thin: its points are farther apart */
+            if (at[0] < 10 && !over && i % 5 > 0)
+                continue;
+            *array_push(&p) = vec(at[0], at[1], over ? 9 : 0);
+        }
+        struct point_grid grid;
+        struct error error;
+        double spacing = sqrt(20 * 20 / (double)p.n);
+        ck_assert_int_eq(point_grid_make(p.item, p.n, spacing, 1, &grid, &error), 0);
+        unsigned char *guard = malloc(p.n), *judge = malloc(p.n);
+        roof_find(&grid, ROOF_GUARD, 1, guard);
+        ck_assert_uint_gt(roof_find(&grid, ROOF_JUDGE, 1, judge), 0);
+        for (size_t i = 0; i < p.n; i++)
+            ck_assert(!judge[i] || guard[i]);
+        free(guard);
+        free(judge);
+        point_grid_free(&grid);
+        array_free(&p);
+    }
+}
+END_TEST
+
 /* A hole of 4 x 4 mm, seen down to its floor: neither the floor beside its walls nor the plate
  * beside the hole is roof, all the rest is. */
 START_TEST(a_plate_with_a_hole)
@@ -166,6 +201,7 @@ int main(void)
 {
     Suite *suite = suite_create("roof");
     TCase *tcase = tcase_create("roof");
+    tcase_add_test(tcase, what_is_judged_is_guarded);
     tcase_add_test(tcase, a_plate_with_a_hole);
     tcase_add_test(tcase, overhangs_and_slopes);
     tcase_add_test(tcase, judged_by_less);
