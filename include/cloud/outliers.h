@@ -11,8 +11,8 @@
 #include "math/point_grid.h"
 
 /* Neighbours that a quadric goes through; points of the largest clump that may be an outlier;
- * points of the smallest feature that is none. */
-enum { OUTLIERS_NEAR = 24, OUTLIERS_CLUMP = 8, OUTLIERS_FEATURE = 2 };
+ * points of the smallest feature that is none; points in a row that are none. */
+enum { OUTLIERS_NEAR = 24, OUTLIERS_CLUMP = 8, OUTLIERS_FEATURE = 2, OUTLIERS_ROW = 4 };
 
 /* So many times as far from its neighbours as these are from theirs, a point is isolated; so many
  * mean spacings from them it is, too, as no facet reaches so far. */
@@ -41,12 +41,14 @@ size_t outliers_twice(const struct point_grid *point_grid, unsigned char *out);
  *     by more than OUTLIERS_SIGMAS, OUTLIERS_SPREADS and OUTLIERS_SPACINGS allow.
  * But no outlier is a point that lies on a surface that others make (edge_flank_holds: one side of
  * a thin edge), nor one of OUTLIERS_FEATURE that follow each other from the surface on, each within
- * one and a half spacings of the next (a needle), nor one of a step or a cliff: two points and more
- * within two and a half spacings, seen from above, are over it, two and more under it, and these go
- * up a cliff or are about as little on one smooth surface as it is; nor one below a rim: two points
- * and more within that are over it, and in three eighths of the turn there are none, so that the
- * surface ends and its wall, undercut by up to half a spacing, was seen at a few places only.  So a
- * clump of up to OUTLIERS_CLUMP points floating anywhere is found, an edge or a wall is none.
+ * one and a half spacings of the next (a needle), nor one of OUTLIERS_ROW and more in a straight
+ * row, 1.2 to 3 spacings apart, to 0.4 of that (a rib that each scan line saw once), nor one
+ * of a step or a cliff: two points and more within two and a half spacings, seen from above, are
+ * over it, two and more under it, and these go up a cliff or are about as little on one smooth
+ * surface as it is; nor one below a rim: two points and more within that are over it, and in three
+ * eighths of the turn there are none, so that the surface ends and its wall, undercut by up to half
+ * a spacing, was seen at a few places only.  So a clump of up to OUTLIERS_CLUMP points floating
+ * anywhere is found, an edge or a wall is none.
  * Only points that are off a quadric over a block of two by two cells and off a robust one over
  * their cell and the eight around it, or have no other point of their cell near them, are tested.
  */

@@ -7,27 +7,18 @@
 
 #include "base/array.h"
 #include "base/parallel.h"
-#include "cloud/edge_points.h"
 #include "cloud/noise.h"
 #include "math/quadric.h"
+#include "outliers_kept.h"
 
-/* Points that a cell's quadric is fitted to; how often it is fitted again. */
-enum { NEAR = OUTLIERS_NEAR, CLUMP = OUTLIERS_CLUMP, MOST_BLOCK = 512, REFITS = 3 };
+/* Points that a cell's quadric is fitted to; how often it is fitted again; so many off their own
+ * surface are of several. */
+enum { NEAR = OUTLIERS_NEAR, CLUMP = OUTLIERS_CLUMP, MOST_BLOCK = 512, REFITS = 3, FEW = 4 };
 
 /* Cells go two by two; the fewest points of such a block that tell of its surface. */
 enum { TWO = 2, FEWEST_BLOCK = 20 };
 
-/* Points that make a feature together; what out[] says while these are looked for. */
-enum { FEATURE = OUTLIERS_FEATURE, FEW = 4, MARKED = 1, GROUPED, DONE };
-
 static const double TUKEY = 4.685; /* in standard deviations */
-
-/* Seen from above, where a surface ends there is so wide an angle without points: 135 degrees. */
-static const double RIM = 0.75 * PI;
-
-/* In spacings: points so near seen from above are looked at; of that, so far from a place at a rim
- * their middle is (0.42 where the rim is straight), and half a spacing may the wall be undercut. */
-static const double SEEN = 2.5, LOPSIDED = 0.25, UNDERCUT = 0.5;
 
 struct search {
     const struct point_grid *point_grid;
@@ -304,189 +295,6 @@ static size_t count_marked(const unsigned char *out, size_t n)
     return found;
 }
 
-/* ---- what bears a point out */
-
-/* A feature that the marked points make: those within reach of each other. */
-struct group {
-    struct sizes member;
-    bool attached; /* to points that are not marked */
-};
-
-/* The points within reach of point i: those marked go to the group, and are unmarked. */
-static void spread_group(const struct point_grid *b, double reach, size_t i, unsigned char *out,
-                         struct group *group)
-{
-    uint32_t index[NEAR];
-    double distance2[NEAR];
-    size_t n = point_grid_nearest(b, b->point[i], NEAR, index, distance2);
-
-    for (size_t k = 0; k < n && distance2[k] <= reach * reach; k++) {
-        if (index[k] == i)
-            continue;
-        if (out[index[k]] == MARKED) {
-            out[index[k]] = GROUPED;
-            *array_push(&group->member) = index[k];
-        } else if (!out[index[k]]) {
-            group->attached = true;
-        }
-    }
-}
-
-/* The point goes on the way of its two nearest, which no point off a surface does: the second is
- * half as far again and more, in the same direction. */
-static bool is_on_needle(const struct point_grid *b, double reach, size_t i)
-{
-    enum { SOME = 8 };
-    const double further = 1.5, furthest = 3, straight = 0.9; /* cosine of 26 degrees */
-    uint32_t index[SOME];
-    double distance2[SOME];
-    size_t n = point_grid_nearest(b, b->point[i], SOME, index, distance2);
-
-    if (n < 3 || distance2[1] > reach * reach)
-        return false;
-    struct vec3 first = vec_sub(b->point[index[1]], b->point[i]);
-    for (size_t k = 2; k < n; k++) {
-        struct vec3 next = vec_sub(b->point[index[k]], b->point[i]);
-        double part = sqrt(distance2[k] / distance2[1]);
-        if (part > further && part < furthest &&
-            vec_dot(first, next) > straight * vec_length(first) * vec_length(next))
-            return true;
-        if (part <= further)
-            return false;
-    }
-    return false;
-}
-
-/* The points not marked that are near point i seen from above, of very many only some, and how many
- * of them are above and below it. */
-static size_t gather_seen_from_above(const struct point_grid *b, const unsigned char *out, size_t i,
-                                     struct vec3 *near, size_t *above, size_t *below)
-{
-    const double within = SEEN * point_grid_spacing(b);
-    const struct vec3 p = b->point[i];
-    size_t column = point_grid_column(b, p.x), row = point_grid_row(b, p.y), n = 0;
-    size_t r0 = row > 0 ? row - 1 : 0, r1 = row + 1 < b->rows ? row + 1 : row;
-    size_t c0 = column > 0 ? column - 1 : 0, c1 = column + 1 < b->columns ? column + 1 : column;
-    for (size_t r = r0; r <= r1; r++)
-        for (size_t k = b->first[r * b->columns + c0]; k < b->first[r * b->columns + c1 + 1]; k++) {
-            struct vec3 q = b->point[k];
-            if (k == i || out[k] || n == MOST_BLOCK || hypot(q.x - p.x, q.y - p.y) > within)
-                continue;
-            near[n++] = q;
-            *above += q.z > p.z;
-            *below += q.z < p.z;
-        }
-    return n;
-}
-
-/* Their heights differ by so much that they go up or down a cliff. */
-static bool is_cliff(const struct point_grid *b, const struct vec3 *near, size_t n)
-{
-    const double steep = 10 * point_grid_spacing(b); /* over five spacings at most: 63 degrees */
-    double low = INFINITY, high = -INFINITY;
-
-    for (size_t k = 0; k < n; k++) {
-        low = fmin(low, near[k].z);
-        high = fmax(high, near[k].z);
-    }
-    return high - low > steep;
-}
-
-/* Where the middle of the points about p is, seen from above. */
-static struct vec3 middle_of(const struct vec3 *near, size_t n, struct vec3 p)
-{
-    struct vec3 sum = vec(0, 0, 0);
-
-    for (size_t k = 0; k < n; k++)
-        sum = vec_add(sum, vec(near[k].x - p.x, near[k].y - p.y, 0));
-    return n > 0 ? vec_scale(1 / (double)n, sum) : sum;
-}
-
-/* The widest angle about p, seen from above, without a point; 2 pi where there is none. */
-static double widest_gap(const struct vec3 *near, size_t n, struct vec3 p)
-{
-    double angle[MOST_BLOCK];
-
-    for (size_t k = 0; k < n; k++)
-        angle[k] = atan2(near[k].y - p.y, near[k].x - p.x);
-    doubles_sort(angle, n);
-    double widest = n > 0 ? angle[0] + 2 * PI - angle[n - 1] : 2 * PI;
-    for (size_t k = 1; k < n; k++)
-        widest = fmax(widest, angle[k] - angle[k - 1]);
-    return widest;
-}
-
-/* The surface that is seen about point i ends there. */
-static bool is_at_rim(const struct point_grid *b, const struct vec3 *near, size_t n, size_t i)
-{
-    struct vec3 p = b->point[i], in = middle_of(near, n, p);
-    struct vec3 out = vec_along(p, -UNDERCUT * point_grid_spacing(b), vec_unit(in));
-
-    return vec_length(in) > LOPSIDED * SEEN * point_grid_spacing(b) &&
-           (widest_gap(near, n, p) > RIM || widest_gap(near, n, out) > RIM);
-}
-
-/* A point of a step or a cliff that was seen from above has few others on the wall near to it: but
- * the surface comes from below it and goes on above it, and those points go up a cliff, or are
- * about as little on one smooth surface as it is; or the surface ends above it, as at the outline
- * of a part, where the wall goes on down to where nothing was seen. */
-static bool is_on_step(const struct point_grid *b, const unsigned char *out, size_t i)
-{
-    enum { EACH_SIDE = 2 };
-    const double much = 6;
-    struct vec3 near[MOST_BLOCK];
-    struct quadric q;
-    size_t above = 0, below = 0, n = gather_seen_from_above(b, out, i, near, &above, &below);
-    double squares = 0;
-
-    if (above < EACH_SIDE)
-        return false;
-    if (is_at_rim(b, near, n, i))
-        return true;
-    if (below < EACH_SIDE)
-        return false;
-    if (is_cliff(b, near, n) || quadric_fit(near, n, b->point[i], vec(0, 0, 1), &q) < 0)
-        return true;
-    for (size_t k = 0; k < n; k++) {
-        double off = quadric_off(&q, near[k]);
-        squares += off * off;
-    }
-    return fabs(quadric_off(&q, b->point[i])) <= much * sqrt(squares / (double)n);
-}
-
-/* Unmarks points that others bear out: several in a row from the surface on, as on a needle;
- * points on the surface that others make, as on one side of a thin edge; and points of a step or
- * below a rim. */
-static void keep_borne_out(const struct point_grid *b, double sigma, unsigned char *out)
-{
-    const double reach = 1.5 * point_grid_spacing(b);
-    struct group group = {.attached = false};
-    bool *kept = mem_alloc(b->n + 1, sizeof *kept);
-
-    for (size_t i = 0; i < b->n; i++)
-        kept[i] = out[i] == MARKED && (edge_flank_holds(b, sigma, i) || is_on_step(b, out, i));
-    for (size_t i = 0; i < b->n; i++)
-        if (kept[i])
-            out[i] = 0;
-    for (size_t i = 0; i < b->n; i++) {
-        if (out[i] != MARKED)
-            continue;
-        group.member.n = 0;
-        group.attached = false;
-        out[i] = GROUPED;
-        *array_push(&group.member) = i;
-        for (size_t k = 0; k < group.member.n; k++)
-            spread_group(b, reach, group.member.item[k], out, &group);
-        bool feature = group.member.n >= FEATURE || is_on_needle(b, reach, i);
-        for (size_t k = 0; k < group.member.n; k++)
-            out[group.member.item[k]] = group.attached && feature ? 0 : DONE;
-    }
-    for (size_t i = 0; i < b->n; i++)
-        out[i] = out[i] != 0;
-    array_free(&group.member);
-    free(kept);
-}
-
 static size_t mark_and_keep(const struct point_grid *b, double sigma, int threads, bool floating,
                             unsigned char *out)
 {
@@ -496,7 +304,7 @@ static size_t mark_and_keep(const struct point_grid *b, double sigma, int thread
     memset(own, 0, b->n);
     struct search s = {b, sigma, point_grid_spacing(b), own, floating, NULL};
     parallel_for(threads, blocks_across(b->columns) * blocks_across(b->rows), mark_isolated, &s);
-    keep_borne_out(b, sigma, own);
+    outliers_keep(b, sigma, own);
     for (size_t i = 0; i < b->n; i++) {
         found += own[i] && !out[i];
         out[i] |= own[i];

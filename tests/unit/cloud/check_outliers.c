@@ -7,6 +7,7 @@
 #include "noisy.h"
 #include "panel.h"
 #include "cloud/outliers.h"
+#include "cloud/outliers_kept.h"
 
 static struct vec3s scan;
 static struct point_grid point_grid;
@@ -270,6 +271,60 @@ START_TEST(needles)
 }
 END_TEST
 
+/* Marks of a row and of single points on a plane: the row is kept, whatever it is marked for. */
+START_TEST(marks_in_a_row)
+{
+    noisy_seed(2);
+    for (int i = 0; i < 40; i++)
+        for (int k = 0; k < 40; k++)
+            *array_push(&scan) = vec(0.5 * i, 0.5 * k, 0);
+    for (int k = 0; k < 6; k++)
+        *array_push(&scan) = vec(5.1 + 0.1 * (k % 2), 2 + k, 5);
+    for (int k = 0; k < 3; k++)
+        *array_push(&scan) = vec(15.1, 3 + 5 * k, 5 + k);
+    sort();
+    for (size_t i = 0; i < point_grid.n; i++)
+        out[i] = point_grid.point[i].z > 1;
+    outliers_keep(&point_grid, 0, out);
+    for (size_t i = 0; i < point_grid.n; i++)
+        ck_assert_int_eq(out[i], point_grid.point[i].z > 1 && point_grid.point[i].x > 10);
+}
+END_TEST
+
+/* A rib 0.5 mm thick that lines 1 mm apart, with points 0.4 mm apart, cross: each saw its top once
+ * or twice.  Points as high that stand alone are none of it. */
+START_TEST(rib_across_lines)
+{
+    const double high[] = {0.8, 2}, top = high[_i / 2], sigma = _i % 2 * 0.01;
+    size_t ribs = 0, strays = 0, kept = 0, found = 0;
+
+    noisy_seed(8);
+    for (int line = 0; line < 40; line++) {
+        double shift = 0.4 * noisy_uniform();
+        for (int k = 0; k < 100; k++) {
+            double x = 0.4 * k + shift, y = line;
+            bool rib = line < 20 && fabs(x - 15) < 0.25;
+            bool stray = line % 9 == 4 && k == 80;
+            double z = (rib || stray ? top : 0) + sigma * (2 * noisy_uniform() - 1);
+            *array_push(&scan) = vec(x, y, z);
+        }
+    }
+    sort();
+    outliers_isolated(&point_grid, sigma, 2, out);
+    for (size_t i = 0; i < point_grid.n; i++) {
+        struct vec3 p = point_grid.point[i];
+        bool rib = p.z > top / 2 && p.x<20, stray = p.z> top / 2 && p.x > 20;
+        ribs += rib;
+        strays += stray;
+        kept += rib && !out[i];
+        found += stray && out[i];
+    }
+    ck_assert_uint_ge(ribs, 20);
+    ck_assert_uint_ge(kept + 2, ribs); /* at its ends it is no longer a row */
+    ck_assert_uint_eq(found, strays);
+}
+END_TEST
+
 START_TEST(points_twice)
 {
     noisy_seed(4);
@@ -343,6 +398,8 @@ int main(void)
     tcase_add_loop_test(tests, edges, 0, 4);
     tcase_add_loop_test(tests, thin_blade, 0, 8);
     tcase_add_loop_test(tests, needles, 0, 2);
+    tcase_add_test(tests, marks_in_a_row);
+    tcase_add_loop_test(tests, rib_across_lines, 0, 4);
     tcase_add_test(tests, points_twice);
     tcase_add_test(tests, under_a_roof);
     tcase_add_test(tests, a_pocket);

@@ -1,0 +1,16 @@
+/*
+ * outliers_kept - which of the points that are off a surface, or isolated, are no outliers all the
+ * same: those that others bear out (cloud/outliers.h says which).
+ */
+#ifndef CLOUDMILL_OUTLIERS_KEPT_H
+#define CLOUDMILL_OUTLIERS_KEPT_H
+
+#include "math/point_grid.h"
+
+/* Takes the mark (1) off points in out[], as many as points, that others bear out: several in a row
+ * from the surface on, as on a needle, or beside each other, as on a thin rib; points on the
+ * surface that others make, as on one side of a thin edge; and points of a step or below a rim.
+ * All others keep it.  `sigma`: the noise of the scan, mm. */
+void outliers_keep(const struct point_grid *point_grid, double sigma, unsigned char *out);
+
+#endif
