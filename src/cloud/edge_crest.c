@@ -58,16 +58,9 @@ struct crests {
 static bool stands_out(const struct edge_work *work, size_t i)
 {
     struct edge_hood near;
-    struct vec3 mean = vec(0, 0, 0);
 
     edge_hood_find(work, i, &near);
-    if (near.n < EDGE_NEAR)
-        return false;
-    for (size_t k = 0; k < EDGE_SMOOTH; k++)
-        mean = vec_along(mean, 1. / EDGE_SMOOTH, near.point[k]);
-    struct vec3 up = plane_normal(near.point, EDGE_SMOOTH);
-    double out = vec_dot(up, vec_sub(near.point[0], mean));
-    return (up.z < 0 ? -out : out) > OUT * near.spacing;
+    return near.n >= EDGE_NEAR && edge_hood_out(&near, EDGE_SMOOTH) > OUT * near.spacing;
 }
 
 /* Nothing is certain of its own side, but of a third of the points about; or these are smooth, and

@@ -101,10 +101,10 @@ static bool may_be_foot(const struct edge_work *work, size_t i)
 static double spacing_at(const struct edge_work *work, size_t i)
 {
     enum { BESIDE = 6 };
-    const struct point_grid *b = work->options->point_grid;
+    const struct edge_points_options *o = work->options;
     uint32_t index[BESIDE + 1];
     double distance2[BESIDE + 1];
-    size_t n = point_grid_nearest(b, b->point[i], BESIDE + 1, index, distance2);
+    size_t n = near_lists_nearest(o->near, o->point_grid, i, BESIDE + 1, index, distance2);
 
     return n > 1 ? sqrt(PI * distance2[n - 1] / (double)(n - 1)) : 0;
 }

@@ -63,6 +63,16 @@ void edge_hood_find(const struct edge_work *work, size_t i, struct edge_hood *ne
         near->n >= EDGE_NEAR ? sqrt(PI * near->distance2[EDGE_NEAR - 1] / EDGE_NEAR) : 0;
 }
 
+double edge_hood_out(const struct edge_hood *near, size_t n)
+{
+    struct vec3 up = plane_normal(near->point, n), mean = vec(0, 0, 0);
+
+    for (size_t k = 0; k < n; k++)
+        mean = vec_along(mean, 1 / (double)n, near->point[k]);
+    double out = vec_dot(up, vec_sub(near->point[0], mean));
+    return up.z < 0 ? -out : out;
+}
+
 double edge_plan_distance(struct vec3 a, struct vec3 b)
 {
     return hypot(b.x - a.x, b.y - a.y);

@@ -68,6 +68,9 @@ struct edge_hood {
 
 void edge_hood_find(const struct edge_work *work, size_t i, struct edge_hood *near);
 
+/* How far the point is above the middle of the n nearest, mm. */
+double edge_hood_out(const struct edge_hood *near, size_t n);
+
 double edge_plan_distance(struct vec3 a, struct vec3 b);
 
 /* The points within EDGE_REACH of point i as seen from above, one after the other. */

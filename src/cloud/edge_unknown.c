@@ -142,17 +142,6 @@ bool edge_on_known(const struct edge_work *work, size_t i)
     return 3 * known > n;
 }
 
-/* How far the point is above the middle of the n nearest. */
-static double stands_out(const struct edge_hood *near, size_t n)
-{
-    struct vec3 up = plane_normal(near->point, n), mean = vec(0, 0, 0);
-
-    for (size_t k = 0; k < n; k++)
-        mean = vec_along(mean, 1 / (double)n, near->point[k]);
-    double out = vec_dot(up, vec_sub(near->point[0], mean));
-    return up.z < 0 ? -out : out;
-}
-
 static bool is_bare(const struct edge_work *work, const struct edge_hood *near)
 {
     for (size_t k = 0; k < near->n; k++) {
@@ -183,7 +172,7 @@ static bool is_rough(const struct edge_hood *near)
  * points do not tell its shape. */
 static double unresolved_depth(const struct edge_work *work, const struct edge_hood *near)
 {
-    double out = stands_out(near, EDGE_SMOOTH / 2), wide = stands_out(near, EDGE_SMOOTH);
+    double out = edge_hood_out(near, EDGE_SMOOTH / 2), wide = edge_hood_out(near, EDGE_SMOOTH);
 
     return fmin(out, wide) > OUT * near->spacing && is_rough(near) && is_bare(work, near)
                ? fmax(out, wide)
