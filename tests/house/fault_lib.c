@@ -8,6 +8,8 @@
  *	                                gives one byte only, which is no failure
  *	write, full, some               fails with EIO; with ENOSPC; writes one byte only, no failure
  *	open close fsync rename thread  fails with EIO (thread: pthread_create, with EAGAIN)
+ *	stat seek temp mode             fstat, lseek, mkstemp, fchmod fail with EIO
+ *	read-intr, write-intr           comes back with EINTR once, which is no failure
  *	kill, term                      SIGKILL or SIGTERM before the N-th call of open, read, write,
  *	                                close, fsync and rename together; kill-mem, term-mem: before
  *	                                the N-th of malloc, calloc, realloc
@@ -26,6 +28,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
@@ -46,32 +49,51 @@ enum call {
     FSYNC,
     RENAME,
     THREAD,
+    STAT,
+    SEEK,
+    TEMP,
+    MODE,
     CALLS
 };
 
-static const char *const call_name[CALLS] = {"malloc", "calloc", "realloc", "aligned",
-                                             "read",   "write",  "open",    "close",
-                                             "fsync",  "rename", "thread"};
+static const char *const call_name[CALLS] = {"malloc", "calloc", "realloc", "aligned", "read",
+                                             "write",  "open",   "close",   "fsync",   "rename",
+                                             "thread", "stat",   "seek",    "temp",    "mode"};
 
-enum effect { NONE, FAIL, END, ONE_BYTE, NO_SPACE, DIE_KILL, DIE_TERM };
+enum effect { NONE, FAIL, END, ONE_BYTE, NO_SPACE, DIE_KILL, DIE_TERM, INTERRUPTED };
 
 static const struct kind {
     const char *name;
     unsigned calls; /* bit 1 << call */
     enum effect effect;
 } kinds[] = {
-    {"malloc", 1u << MALLOC, FAIL},   {"calloc", 1u << CALLOC, FAIL},
-    {"realloc", 1u << REALLOC, FAIL}, {"aligned", 1u << ALIGNED, FAIL},
-    {"read", 1u << READ, FAIL},       {"end", 1u << READ, END},
-    {"bytes", 1u << READ, ONE_BYTE},  {"write", 1u << WRITE, FAIL},
-    {"full", 1u << WRITE, NO_SPACE},  {"some", 1u << WRITE, ONE_BYTE},
-    {"open", 1u << OPEN, FAIL},       {"close", 1u << CLOSE, FAIL},
-    {"fsync", 1u << FSYNC, FAIL},     {"rename", 1u << RENAME, FAIL},
+    {"malloc", 1u << MALLOC, FAIL},
+    {"calloc", 1u << CALLOC, FAIL},
+    {"realloc", 1u << REALLOC, FAIL},
+    {"aligned", 1u << ALIGNED, FAIL},
+    {"read", 1u << READ, FAIL},
+    {"end", 1u << READ, END},
+    {"bytes", 1u << READ, ONE_BYTE},
+    {"write", 1u << WRITE, FAIL},
+    {"full", 1u << WRITE, NO_SPACE},
+    {"some", 1u << WRITE, ONE_BYTE},
+    {"open", 1u << OPEN, FAIL},
+    {"close", 1u << CLOSE, FAIL},
+    {"fsync", 1u << FSYNC, FAIL},
+    {"rename", 1u << RENAME, FAIL},
     {"thread", 1u << THREAD, FAIL},
+    {"stat", 1u << STAT, FAIL},
+    {"seek", 1u << SEEK, FAIL},
+    {"temp", 1u << TEMP, FAIL},
+    {"mode", 1u << MODE, FAIL},
+    {"read-intr", 1u << READ, INTERRUPTED},
+    {"write-intr", 1u << WRITE, INTERRUPTED},
 #define FILES (1u << OPEN | 1u << READ | 1u << WRITE | 1u << CLOSE | 1u << FSYNC | 1u << RENAME)
 #define MEMORY (1u << MALLOC | 1u << CALLOC | 1u << REALLOC)
-    {"kill", FILES, DIE_KILL},        {"term", FILES, DIE_TERM},
-    {"kill-mem", MEMORY, DIE_KILL},   {"term-mem", MEMORY, DIE_TERM},
+    {"kill", FILES, DIE_KILL},
+    {"term", FILES, DIE_TERM},
+    {"kill-mem", MEMORY, DIE_KILL},
+    {"term-mem", MEMORY, DIE_TERM},
 };
 
 static const struct kind *asked;
@@ -153,8 +175,8 @@ ssize_t read(int fd, void *p, size_t n)
         ended_fd = fd;
     if (fd == ended_fd)
         return 0;
-    if (effect == FAIL) {
-        errno = EIO;
+    if (effect == FAIL || effect == INTERRUPTED) {
+        errno = effect == FAIL ? EIO : EINTR;
         return -1;
     }
     return syscall(SYS_read, fd, p, effect == ONE_BYTE && n > 0 ? 1 : n);
@@ -163,8 +185,8 @@ ssize_t read(int fd, void *p, size_t n)
 ssize_t write(int fd, const void *p, size_t n)
 {
     enum effect effect = effect_of(WRITE);
-    if (effect == FAIL || effect == NO_SPACE) {
-        errno = effect == FAIL ? EIO : ENOSPC;
+    if (effect == FAIL || effect == NO_SPACE || effect == INTERRUPTED) {
+        errno = effect == FAIL ? EIO : effect == NO_SPACE ? ENOSPC : EINTR;
         return -1;
     }
     return syscall(SYS_write, fd, p, effect == ONE_BYTE && n > 0 ? 1 : n);
@@ -200,6 +222,29 @@ int fsync(int fd)
 int rename(const char *from, const char *to)
 {
     return fails(RENAME, EIO) ? -1 : (int)syscall(SYS_renameat2, AT_FDCWD, from, AT_FDCWD, to, 0);
+}
+
+int fstat(int fd, struct stat *st)
+{
+    return fails(STAT, EIO) ? -1 : (int)syscall(SYS_fstat, fd, st);
+}
+
+off_t lseek(int fd, off_t by, int from)
+{
+    return fails(SEEK, EIO) ? -1 : syscall(SYS_lseek, fd, by, from);
+}
+
+int fchmod(int fd, mode_t mode)
+{
+    return fails(MODE, EIO) ? -1 : (int)syscall(SYS_fchmod, fd, mode);
+}
+
+int mkstemp(char *name)
+{
+    static int (*real)(char *);
+    if (!real)
+        *(void **)&real = dlsym(RTLD_NEXT, "mkstemp");
+    return fails(TEMP, EIO) ? -1 : real(name);
 }
 
 int pthread_create(pthread_t *thread, const pthread_attr_t *how, void *(*work)(void *),

@@ -7,6 +7,7 @@
 cd "$TMP" || exit 1
 MOST=${FAULTS:-2}
 kinds=malloc,calloc,realloc,aligned,read,end,bytes,write,full,some,open,close,fsync,rename,kill,term
+file_kinds=read,end,bytes,write,full,some,open,close,fsync,rename,kill,term
 
 house=$SRC/tests/house
 # shellcheck disable=SC2086 # CC may have options
@@ -124,6 +125,27 @@ faults "cloud2mesh, threads" thread,kill-mem,term-mem "cloud.xyz" cloud2mesh -j 
 faults "planecut, threads" thread,kill-mem,term-mem "mesh.ply" \
 	planecut -j 3 -r 4 -s 4 --no-guard -o out mesh.ply
 faults "biarcfit, threads" thread,kill-mem,term-mem "$path" biarcfit -j 3 -o out path.cl
+
+# calls that seldom fail, and standard input by a pipe
+seldom=stat,seek,temp,mode,read-intr,write-intr
+faults "cloud2mesh, seldom" $seldom "cloud.xyz" cloud2mesh -j 1 -t 4 --clean other -o out cloud.xyz
+faults "ncpost, in parts, seldom" $seldom "arcs.cl" ncpost -j 1 -c fanuc --split 120 -o out arcs.cl
+export FED
+for FED in cloud.xyz mesh-binary.stl path.cl program.fanuc; do
+	faults "ncplot, $FED by a pipe" $kinds,$seldom $FED ncplot -o out
+done
+FED=cloud.ptx
+faults "cloud2mesh, by a pipe" $file_kinds,$seldom cloud.ptx cloud2mesh -j 1 -t 3 -o out
+FED=surface.igs
+faults "nurbs2mesh, by a pipe" $file_kinds,$seldom surface.igs nurbs2mesh -j 1 -n 4
+FED=mesh.off
+faults "planecut, by a pipe" $file_kinds,$seldom mesh.off planecut -j 1 -r 4 -s 8 --no-guard
+FED=nx.cls
+faults "ncpost, by a pipe" $file_kinds,$seldom nx.cls ncpost -c siemens --accept -o out
+FED=program.fanuc
+faults "ncverify, by a pipe" $file_kinds,$seldom "cloud.xyz program.fanuc arcs.cl" \
+	ncverify -j 1 -c fanuc -r 4 -g cloud.xyz -p arcs.cl --map other --report page.html -o out
+FED=
 
 # at any moment: -o FILE old or new, whole, and what is left is in nobody's way
 MOST=${MOMENTS:-30}
