@@ -247,13 +247,17 @@ static struct gouge_check *guard_of_mesh(const struct mesh *mesh, const struct m
     return gouge_new(points, threads);
 }
 
-/* A part that is no longer than a ball can be guarded on: places along lines in it are counted. */
+/* A part that is no longer than a ball can be guarded on: places along lines in it are counted; and
+ * where a path may be. */
 static int check_extent(const struct mesh *mesh, double radius, struct error *error)
 {
-    const double most = 1e4;
+    const double most = 1e4, reach = 1e8; /* as path_expect_reach */
     struct box box = box_around(mesh->vertex.item, mesh->vertex.n);
-    double size = box_diagonal(&box);
+    double size = box_diagonal(&box), off = fmax(vec_length(box.low), vec_length(box.high));
 
+    if (off >= reach)
+        return error_set(error, "the part is %.6g mm from the origin, expected less than %g mm",
+                         off, reach);
     if (size <= most * radius)
         return 0;
     return error_set(

@@ -58,6 +58,25 @@ moved=$(awk -F'[/,]' 'FNR == 1 { file++ }
 	}' near.cl far.cl)
 below "it is the same one, within 0.0025 mm" "${moved% *}" 0.0025
 below "nine places of ten to the last digit written" "${moved#* }" 0.1
+status 1 "no path beyond 100 km" meshnorm -q -r 2 -g metres.xyz metres.ply
+has "... is told" 'the part is 5.4[0-9]*e.09 mm from the origin, expected less than 1e.08 mm' err
+
+# ... and so are its programs, to the judge: on a machine as large
+printf 'include = %s\n' "$SRC/machines/table-ac.txt" >vast.txt
+for axis in x y z; do printf '%s.min = -9000000\n%s.max = 9000000\n' $axis $axis; done >>vast.txt
+deepest() { # FAR CONTROL: of the program of its path, as ncverify says
+	ncpost -q -m vast.txt -c "$2" -o "$1.nc" "$1.arcs" &&
+		ncverify -q -m vast.txt -c "$2" -r 2 -g "$1.xyz" -p "$1.arcs" "$1.nc" >said &&
+		sed -n 's/^gouge  *worst \([0-9.]*\) mm.*/\1/p' said
+}
+biarcfit -q -o near.arcs near.cl
+biarcfit -q -o far.arcs far.cl
+for control in fanuc siemens heidenhain linuxcnc; do
+	a=$(deepest near $control)
+	b=$(deepest far $control)
+	below "$control: a program at UTM coordinates is as deep: $a, $b" \
+		"$(awk -v a="${a:-9}" -v b="${b:-99}" 'BEGIN { print a < b ? b - a : a - b }')" 0.0005
+done
 
 # the longest line: any; a comment of 5 MB, a number of 200,000 digits
 {
