@@ -37,7 +37,9 @@
  *      comes near to all of these, as on a rib as thin as points are apart; and at corners of less
  *      than 75 degrees of flanks that end above a wall.  It is counted, if there are two such
  *      points near each other, the scan goes on round them, and the surface of a third of the
- *      points about is certain (elsewhere all of it is rough).
+ *      points about is certain (elsewhere all of it is rough).  Points are put so far in front of
+ *      it, from there to its neighbours, and between two of them that may be on one feature; what
+ *      is farther between and beyond these stays unknown.
  * On scan lines (scan_lines.h) flanks are those of neighbours on several lines, for through three
  * lines a smooth surface goes whatever is between; where these do not tell, of neighbours on few.
  * No edge is put where points near to it lie off both flanks, and on no flank of their own: there

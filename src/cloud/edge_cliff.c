@@ -415,7 +415,7 @@ static double room_ahead(const struct cliff *cliff, double turn)
     return least < HUGE_VAL ? least : 0;
 }
 
-double edge_cliff_corner(const struct edge_work *work, size_t i)
+double edge_cliff_corner(const struct edge_work *work, size_t i, struct vec3 *ahead)
 {
     const struct edge_flank *flank = &work->flank[i];
 
@@ -424,7 +424,12 @@ double edge_cliff_corner(const struct edge_work *work, size_t i)
     struct cliff cliff = find_cliff(work, i);
     double amid = 0, open = open_angle(&cliff, &amid);
     double depth = cliff.on.n >= CORNER_FEWEST && open > CORNER_OPEN ? room_ahead(&cliff, amid) : 0;
+    double x = cos(amid), y = sin(amid), up = 0;
 
+    if (depth > 0)
+        up = place_above(&cliff, cliff.from.x + depth * x, cliff.from.y + depth * y).z -
+             cliff.from.z;
+    *ahead = vec(x, y, depth > 0 ? up / depth : 0);
     array_free(&cliff.on);
     array_free(&cliff.below);
     array_free(&cliff.beyond);

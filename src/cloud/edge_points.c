@@ -119,7 +119,15 @@ static void find_unknown(void *context, size_t from, size_t to)
     const struct edge_work *work = context;
 
     for (size_t i = from; i < to; i++)
-        work->unknown[i] = edge_unknown_depth(work, i);
+        work->unknown[i] = edge_unknown_depth(work, i, &work->ahead[i]);
+}
+
+static void add_unknown(void *context, size_t from, size_t to)
+{
+    const struct edge_work *work = context;
+
+    for (size_t i = from; i < to; i++)
+        edge_unknown_add(work, i, &work->between[i]);
 }
 
 static void fill_flanks(void *context, size_t from, size_t to)
@@ -180,7 +188,8 @@ size_t edge_points(const struct edge_points_options *options, struct vec3s *to,
                              .found = mem_alloc(n, sizeof *work.found),
                              .between = mem_alloc(n, sizeof *work.between),
                              .gap = mem_alloc(n, sizeof *work.gap),
-                             .unknown = mem_alloc(n, sizeof *work.unknown)};
+                             .unknown = mem_alloc(n, sizeof *work.unknown),
+                             .ahead = mem_alloc(n, sizeof *work.ahead)};
 
     for (size_t i = 0; i < n; i++) {
         work.flank[i] = (struct edge_flank){.valid = false};
@@ -192,6 +201,7 @@ size_t edge_points(const struct edge_points_options *options, struct vec3s *to,
     if (options->fill)
         edge_crests_add(&work);
     parallel_for(options->threads, n, find_unknown, &work);
+    parallel_for(options->threads, n, add_unknown, &work);
     work.wide = work.lines;
     if (options->fill)
         parallel_for(options->threads, n, fill_flanks, &work);
@@ -199,6 +209,7 @@ size_t edge_points(const struct edge_points_options *options, struct vec3s *to,
     *gaps = sum_gaps(&work);
     free(work.gap);
     free(work.unknown);
+    free(work.ahead);
     free(work.flank);
     return append_all(work.found, n, to);
 }

@@ -54,6 +54,7 @@ struct edge_work {
     struct vec3s *between; /* and of its flank */
     double *gap;           /* so far its flank goes on to points below; 0: it does not */
     double *unknown;       /* so far in front of it the part may go on */
+    struct vec3 *ahead;    /* that way */
 };
 
 /* ---- edge_hood: the neighbours of a point, itself the first; n < EDGE_NEAR: too few. */
@@ -128,9 +129,10 @@ void edge_meet_across(const struct edge_work *work, size_t i, const struct sizes
 
 double edge_cliff_add(const struct edge_work *work, size_t i, struct vec3s *edge, struct vec3s *to);
 
-/* How far the flank may go on before point i of such a wall, mm, where that is a sharp corner: a
- * tip of it passes between points below; 0: it is none. */
-double edge_cliff_corner(const struct edge_work *work, size_t i);
+/* How far the flank may go on before point i of such a wall, mm seen from above, where that is a
+ * sharp corner: a tip of it passes between points below; 0: it is none.  *ahead: that way, along
+ * the flank, one mm long seen from above. */
+double edge_cliff_corner(const struct edge_work *work, size_t i, struct vec3 *ahead);
 
 /* ---- edge_foot: appends places on the wall that may stand over point i: a gap of heights over it,
  * steeper than any slope that was scanned, whatever is known of the surfaces of its rim and
@@ -151,9 +153,13 @@ void edge_crests_add(const struct edge_work *work);
 /* ---- edge_unknown: how far the part may go on in front of point i, mm, where it is on a sharp
  * edge or tip and no guard was found there, or stands out on something that the points do not
  * resolve, though no surface is known of it, but of most about it, or is a corner above a wall;
- * else 0. */
+ * else 0.  *ahead: that way, of unit length (a corner's seen from above). */
 
-double edge_unknown_depth(const struct edge_work *work, size_t i);
+double edge_unknown_depth(const struct edge_work *work, size_t i, struct vec3 *ahead);
+
+/* Appends places from so far in front of point i down to its neighbours, and to those of which the
+ * same is told the ways between both, if that counts (edge_unknown_counts). */
+void edge_unknown_add(const struct edge_work *work, size_t i, struct vec3s *to);
 
 /* The surface of a third of the points about is known: the scan is even, but for an edge. */
 bool edge_on_known(const struct edge_work *work, size_t i);

@@ -21,6 +21,10 @@ static const double FRONT = 0.1;
  * bends is further off these, and no place of an edge is as near: a feature not resolved. */
 static const double OUT = 0.1, ROUGH = 0.08, BARE = 1;
 
+/* In spacings: two such points may be of one feature; a point so little beside the way between them
+ * tells that they are not. */
+static const double LINKED = 4, ASIDE = 0.3;
+
 /* Least z of the middle of these directions: no ball comes from below. */
 static const double UP = 0.05;
 
@@ -179,7 +183,7 @@ static double unresolved_depth(const struct edge_work *work, const struct edge_h
                : 0;
 }
 
-double edge_unknown_depth(const struct edge_work *work, size_t i)
+double edge_unknown_depth(const struct edge_work *work, size_t i, struct vec3 *ahead)
 {
     struct edge_hood near;
 
@@ -189,13 +193,71 @@ double edge_unknown_depth(const struct edge_work *work, size_t i)
     if (is_at_border(&near))
         return 0;
     if (work->gap[i] > 0)
-        return edge_cliff_corner(work, i);
+        return edge_cliff_corner(work, i, ahead);
     if (!edge_on_known(work, i))
         return 0;
     struct sharp_edge edge = find_sharp(&near);
-    if (edge.cosine > SHARPER || edge.front.z < UP || has_place(work, &near, edge.front))
+    if (edge.cosine > SHARPER || edge.front.z < UP || has_place(work, &near, edge.front)) {
+        struct vec3 normal = plane_normal(near.point, EDGE_SMOOTH);
+        *ahead = normal.z < 0 ? vec_scale(-1, normal) : normal;
         return unresolved_depth(work, &near);
+    }
+    *ahead = edge.front;
     return goes_on(&near, &edge);
+}
+
+/* From the tip down to a point, as dense as places of edges are. */
+static void add_side(const struct edge_work *work, struct vec3 tip, struct vec3 down,
+                     struct vec3s *to)
+{
+    enum { MOST = 20 };
+    double parts = fmin(ceil(vec_distance(tip, down) / work->options->along), MOST);
+
+    for (double part = 0; part < parts; part++)
+        *array_push(to) = vec_mix(tip, down, part / parts);
+}
+
+/* So far the part may go on before point i. */
+static struct vec3 tip_of(const struct edge_work *work, size_t i)
+{
+    return vec_along(work->options->point_grid->point[i], work->unknown[i], work->ahead[i]);
+}
+
+/* A point lies below the way to neighbour k, and seen from above hardly beside it. */
+static bool has_below(const struct edge_hood *near, size_t k)
+{
+    double least = ASIDE * near->spacing;
+    struct vec3 from = near->point[0], way = vec_sub(near->point[k], from);
+    double length2 = way.x * way.x + way.y * way.y;
+
+    for (size_t j = 1; j < near->n; j++) {
+        struct vec3 to = vec_sub(near->point[j], from);
+        double part = (to.x * way.x + to.y * way.y) / length2;
+        if (part > 0 && part < 1 && fabs(to.x * way.y - to.y * way.x) < least * sqrt(length2) &&
+            to.z - part * way.z < -least)
+            return true;
+    }
+    return false;
+}
+
+void edge_unknown_add(const struct edge_work *work, size_t i, struct vec3s *to)
+{
+    struct edge_hood near;
+
+    if (!(work->unknown[i] > 0) || !edge_unknown_counts(work, i))
+        return;
+    edge_hood_find(work, i, &near);
+    for (size_t k = 1; k < near.n; k++) {
+        size_t j = near.index[k];
+        double far = sqrt(near.distance2[k]);
+        if (!(work->unknown[j] > 0)) {
+            if (far < BESIDE * near.spacing)
+                add_side(work, tip_of(work, i), near.point[k], to);
+        } else if (j > i && far < LINKED * near.spacing && !has_below(&near, k)) {
+            add_side(work, tip_of(work, i), tip_of(work, j), to);
+            add_side(work, near.point[0], near.point[k], to);
+        }
+    }
 }
 
 bool edge_unknown_counts(const struct edge_work *work, size_t i)

@@ -215,7 +215,8 @@ static void say_edges(const struct edge_gaps *gaps, size_t points, struct unmets
         unmet_say(
             (double)gaps->unknown > few * (double)points ? unmet : NULL,
             "sharp edge not resolved at %.3f %.3f %.3f, one of %zu such points: by the points "
-            "beside it the part may go on up to %.3f mm in front of it, where nothing guards",
+            "beside it the part may go on up to %.3f mm in front of it, and further between such "
+            "points; only so far it is guarded",
             at.x, at.y, at.z, gaps->unknown, gaps->depth);
 }
 

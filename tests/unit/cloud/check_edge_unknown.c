@@ -1,7 +1,7 @@
 /* edge_unknown: the crest of a blade with one or two points across is told, and how far it may go
- * on; and so are the upright edges at the end of a fin, a rib as wide as the points are apart, and
+ * on; and so are the upright edges at the end of a fin, a rib narrower than the points are apart, and
  * the corners of a post; a roof, whose sides are known, an even scan, a mesa, whose wall is
- * guarded, and a single point that is astray are not. */
+ * guarded, and a single point that is astray are not.  What is told is guarded as far. */
 #include <check.h>
 #include <stdlib.h>
 
@@ -24,7 +24,7 @@ static double fin(double x, double y)
 
 static double rib(double x, double y)
 {
-    return fabs(0.97 * x + 0.24 * y - 0.31) < 0.25 ? 0.8 : 0;
+    return fabs(0.97 * x + 0.24 * y - 0.31) < 0.16 ? 0.8 : 0;
 }
 
 /* A post, three-cornered: 50 and 65 degrees. */
@@ -82,7 +82,7 @@ START_TEST(ends_and_corners)
     static const struct {
         double (*height)(double, double);
         double u, v; /* half of what it measures */
-    } of[] = {{fin, 0.5, 6.5}, {rib, 0.25, 12}, {post, 3, 2.8}};
+    } of[] = {{fin, 0.5, 6.5}, {rib, 0.16, 12}, {post, 3, 2.8}};
     struct edge_gaps gaps = told(of[_i / 2].height, _i % 2, 0);
     double x = gaps.unknown_at.x, y = gaps.unknown_at.y;
     double u = fabs(0.97 * x + 0.24 * y - 0.31), v = fabs(0.97 * y - 0.24 * x + 0.17);
@@ -91,6 +91,45 @@ START_TEST(ends_and_corners)
     ck_assert_double_gt(gaps.depth, 0);
     ck_assert_double_le(fabs(u - of[_i / 2].u), 1.5);
     ck_assert(v <= of[_i / 2].v + 1.5);
+}
+END_TEST
+
+/* Lowest place of a ball of 2.5 mm straight above (x, y) that is clear of all points. */
+static double rests(const struct vec3s *point, double x, double y)
+{
+    const double radius = 2.5;
+    double low = -HUGE_VAL;
+
+    for (size_t i = 0; i < point->n; i++) {
+        struct vec3 p = point->item[i];
+        double off2 = (p.x - x) * (p.x - x) + (p.y - y) * (p.y - y);
+        if (off2 < radius * radius)
+            low = fmax(low, p.z + sqrt(radius * radius - off2) - radius);
+    }
+    return low;
+}
+
+/* Along a rib narrower than the points are apart a ball stays on top of it, which by the points alone
+ * it would not. */
+START_TEST(rib_is_guarded)
+{
+    struct edge_trial trial;
+    struct edge_gaps gaps;
+    struct vec3s all = {0};
+    double deepest = 0, bare = 0;
+
+    edge_trial_make(&trial, rib, false, 0);
+    for (size_t i = 0; i < trial.grid.n; i++)
+        *array_push(&all) = trial.grid.point[i];
+    for (double v = -7; v <= 7; v += 0.1)
+        bare = fmax(bare, 0.8 - rests(&all, 0.97 * 0.31 - 0.24 * v, 0.24 * 0.31 + 0.97 * v));
+    edge_points(&trial.options, &all, &gaps);
+    for (double v = -7; v <= 7; v += 0.1)
+        deepest = fmax(deepest, 0.8 - rests(&all, 0.97 * 0.31 - 0.24 * v, 0.24 * 0.31 + 0.97 * v));
+    ck_assert_double_gt(bare, 0.03);
+    ck_assert_double_le(deepest, 0.2 * 0.2 / (8 * 2.5) + 1e-9); /* between places 0.2 mm apart */
+    array_free(&all);
+    edge_trial_free(&trial);
 }
 END_TEST
 
@@ -110,6 +149,7 @@ int main(void)
     SRunner *runner = srunner_create(suite);
     tcase_add_loop_test(tests, thin_ring, 0, 2);
     tcase_add_loop_test(tests, ends_and_corners, 0, 6);
+    tcase_add_test(tests, rib_is_guarded);
     tcase_add_loop_test(tests, nothing_told, 0, 8);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);
