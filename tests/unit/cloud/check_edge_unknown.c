@@ -1,6 +1,6 @@
 /* edge_unknown: the crest of a blade with one or two points across is told, and how far it may go
- * on; and so are the upright edges at the end of a fin, a rib narrower than the points are apart, and
- * the corners of a post; a roof, whose sides are known, an even scan, a mesa, whose wall is
+ * on; and so are the upright edges at the end of a fin, a rib narrower than the points are apart,
+ * and the corners of a post; a roof, whose sides are known, an even scan, a mesa, whose wall is
  * guarded, and a single point that is astray are not.  What is told is guarded as far. */
 #include <check.h>
 #include <stdlib.h>
@@ -109,8 +109,8 @@ static double rests(const struct vec3s *point, double x, double y)
     return low;
 }
 
-/* Along a rib narrower than the points are apart a ball stays on top of it, which by the points alone
- * it would not. */
+/* A ball along a rib narrower than the points are apart stays on top of it, which by the points
+ * alone it would not. */
 START_TEST(rib_is_guarded)
 {
     struct edge_trial trial;
