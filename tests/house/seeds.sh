@@ -5,9 +5,15 @@ cd "$(dirname "$0")/../.." || exit 1
 UNITS=${UNITS:-build/tests/unit}
 runs=0
 bad=0
-# those that include seed.h, or a header or helper of tests/lib that does
-with=$(grep -lE 'seed\.h|rough\.h|ribs\.h|noisy\.h|clouds\.h|chains\.h|trial\.h|seeded' \
-	tests/unit/*.c tests/unit/*/*.c tests/unit/*/*/*.c)
+# those that include seed.h, or a header of tests/lib that does or whose source does, by however many steps
+names=seed
+known=
+while [ "$known" != "$names" ]; do
+	known=$names
+	names=$({ echo seed && grep -lE "#include \"($known)\.h\"" tests/lib/*.[ch]; } |
+		sed 's|.*/||; s|\.[ch]$||' | sort -u | paste -sd '|' -)
+done
+with=$(grep -lE "#include \"($names)\.h\"" tests/unit/*.c tests/unit/*/*.c tests/unit/*/*/*.c)
 for source in $with; do
 	unit=$UNITS/${source#tests/unit/}
 	unit=${unit%.c}

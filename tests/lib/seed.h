@@ -8,6 +8,7 @@
 #ifndef CLOUDMILL_TEST_SEED_H
 #define CLOUDMILL_TEST_SEED_H
 
+#include <stdbool.h>
 #include <stdint.h>
 #include <stdlib.h>
 
@@ -23,6 +24,14 @@ static inline uint64_t seed_step(void)
 static inline uint32_t seed_step_32(void)
 {
     return seed_step() == 1442695040888963407u ? 1013904223u : (uint32_t)(seed_step() >> 31) | 1u;
+}
+
+/* What a sequence without such a step (xorshift, Lehmer's) begins with: as is, and with $SEED a
+ * number from 1 to 2^31 - 2, as those of 31 bits need it. */
+static inline uint64_t seed_begin(uint64_t as_is)
+{
+    bool other = seed_step() != 1442695040888963407u;
+    return other ? (seed_step() >> 20) % 2147483646u + 1 : as_is;
 }
 
 #endif

@@ -8,6 +8,7 @@
 
 #include "base/num.h"
 #include "decimals.h"
+#include "seed.h"
 
 static uint64_t state = 88172645463325252u;
 
@@ -175,6 +176,7 @@ END_TEST
 
 int main(void)
 {
+    state = seed_begin(state);
     Suite *suite = suite_create("num");
     TCase *tests = tcase_create("num");
     tcase_add_test(tests, reading_gives_the_nearest_double);

@@ -5,6 +5,7 @@
 #include "base/array.h"
 #include "cloud/roof.h"
 #include "math/elementary.h"
+#include "seed.h"
 
 #define STEP 0.5 /* mm between points */
 
@@ -49,7 +50,7 @@ START_TEST(what_is_judged_is_guarded)
         for (int i = 0; i < 400 * density; i++) {
             double at[2];
             for (int k = 0; k < 2; k++) {
-                seed = seed * 1664525u + 1013904223u;
+                seed = seed * 1664525u + seed_step_32();
                 at[k] = 20 * ((seed >> 8) / 16777216.0);
             }
             bool over = at[0] < 10 && i % 3 == 0; /* thin: its points are farther apart */

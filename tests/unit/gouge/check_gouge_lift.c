@@ -2,7 +2,10 @@
 #include "gouge/gouge_lift.h"
 
 #include <check.h>
+#include <stdint.h>
 #include <stdlib.h>
+
+#include "seed.h"
 
 static const double R = 5;
 
@@ -220,7 +223,8 @@ END_TEST
 
 static double uniform(double from, double to)
 {
-    static unsigned long long state = 88172645463325252ULL;
+    static uint64_t state = 0;
+    state = state ? state : seed_begin(88172645463325252u);
     state ^= state << 13;
     state ^= state >> 7;
     state ^= state << 17;

@@ -32,8 +32,8 @@ static double bound_travel(const struct kinematic_chain *chain, const struct vec
     return ik_bound_least(&bound);
 }
 
-/* Loops of random size about a random place beside the singular direction, past it again and
- * again, no nearer than a few steps. */
+/* Loops of random size about a random place beside the singular direction, past it or over it again
+ * and again. */
 static void random_pass(const struct kinematic_chain *chain, struct vec3 axis[])
 {
     struct vec3 pole = chain->rotary[0].axis, x = vec_perpendicular(pole), y = vec_cross(pole, x);
@@ -45,9 +45,23 @@ static void random_pass(const struct kinematic_chain *chain, struct vec3 axis[])
     }
 }
 
+/* No step turns the first axis by more than a quarter: to change the solution, which turns it by
+ * what is left of a half, is no shorter anywhere. */
+static bool is_calm(const struct kinematic_chain *chain, const struct vec3 axis[])
+{
+    struct vec3 pole = chain->rotary[0].axis, last = vec_cross(pole, axis[0]);
+    for (int i = 1; i < PLACES; i++) {
+        struct vec3 next = vec_cross(pole, axis[i]);
+        if (!(vec_dot(last, next) > 0))
+            return false;
+        last = next;
+    }
+    return true;
+}
+
 START_TEST(never_more)
 {
-    int same = 0, switched = 0;
+    int calm = 0, same = 0, switched = 0;
     seed = 171;
     for (int i = 0; i < 300; i++) {
         static const int kind[] = {KIND_TABLE_AC, KIND_TABLE_BC, KIND_HEAD_TABLE, KIND_HEAD_HEAD};
@@ -66,12 +80,17 @@ START_TEST(never_more)
             ck_assert_double_le(all, travel);
             ck_assert_double_le(few, all * (1 + 1e-9));
             ck_assert_double_gt(few, 0);
-            if (!ends)
+            bool alike = !ends && is_calm(&chain, axis);
+            calm += alike;
+            if (alike)
                 ck_assert_double_ge(all, travel * (1 - 1e-6));
             same += ends && all > travel * (1 - 1e-6);
             switched += ends && travel < HUGE_VAL && all < travel * (1 - 1e-6);
         }
     }
+    /* steps are 0.025 at most, 14 % of the loops have a side within half of that: 258 less 5 sigma
+     */
+    ck_assert_int_gt(calm, 228);
     ck_assert_int_gt(same, 20);
     ck_assert_int_gt(switched, 0);
 }

@@ -1,12 +1,14 @@
 /* machine: keys, defaults, includes, the chain that comes of them, and what is refused. */
 #include <check.h>
 #include <dirent.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
 #include "machine/machine.h"
+#include "seed.h"
 
 static char shipped[1000];
 static char folder[] = "/tmp/check_machine.XXXXXX";
@@ -185,8 +187,8 @@ static const char *machines(void)
 
 static double chance(void) /* -1..1, a plain generator of Lehmer's */
 {
-    static unsigned long long state = 1;
-    state = state * 48271 % 2147483647;
+    static uint64_t state = 0;
+    state = (state ? state : seed_begin(1)) * 48271 % 2147483647;
     return (double)state / 1073741823.5 - 1;
 }
 

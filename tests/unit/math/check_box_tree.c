@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "base/array.h"
+#include "seed.h"
 
 static unsigned long state = 7;
 
@@ -156,6 +157,7 @@ END_TEST
 
 int main(void)
 {
+    state = seed_begin(state);
     TCase *t = tcase_create("box_tree");
     tcase_add_test(t, the_nearest_point_of_a_facet);
     tcase_add_test(t, it_finds_what_looking_at_all_finds);

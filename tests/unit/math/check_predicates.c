@@ -8,6 +8,7 @@
 #include <stdlib.h>
 
 #include "math/predicates.h"
+#include "seed.h"
 
 typedef __int128 whole;
 
@@ -117,6 +118,7 @@ END_TEST
 
 int main(void)
 {
+    state = seed_begin(state);
     Suite *suite = suite_create("predicates");
     TCase *tests = tcase_create("signs");
     SRunner *runner = srunner_create(suite);

@@ -6,6 +6,7 @@
 
 #include "post/post_frame.h"
 #include "base/num.h"
+#include "seed.h"
 
 enum { TRIALS = 400 };
 
@@ -139,6 +140,7 @@ END_TEST
 
 int main(void)
 {
+    state = seed_begin(state);
     Suite *suite = suite_create("post_frame");
     TCase *tc = tcase_create("frames");
     tcase_add_loop_test(tc, points_come_back_by_the_printed_angles, 0, 8);

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "base/array.h"
+#include "seed.h"
 #include "trial.h"
 
 static const struct deviation WITHIN = {0.01, 0.01, 0.02};
@@ -183,6 +184,7 @@ END_TEST
 
 int main(void)
 {
+    seed = seed_begin(seed);
     TCase *t = tcase_create("footpoints");
     tcase_set_timeout(t, 60);
     tcase_add_test(t, same_as_de_boor);

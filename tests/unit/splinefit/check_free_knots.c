@@ -7,6 +7,7 @@
 
 #include "base/array.h"
 #include "splinefit/spline_lsq.h"
+#include "seed.h"
 #include "trial.h"
 
 /* Straight at first, then waves. */
@@ -210,7 +211,7 @@ END_TEST
 START_TEST(noise_above_the_tolerance)
 {
     struct run run = {.radius = 4};
-    unsigned long seed = 7;
+    unsigned long seed = seed_begin(7);
 
     for (int k = 0; k <= 400; k++) {
         seed = (seed * 1103515245 + 12345) % 2147483648UL;
@@ -240,7 +241,7 @@ END_TEST
 static struct run noisy_wave(double noise, double hump, double lean)
 {
     struct run run = {.radius = 4};
-    unsigned long seed = 11;
+    unsigned long seed = seed_begin(11);
 
     for (int k = 0; k <= 300; k++) {
         double x = 0.2 * k, a = lean * sin(x / 12), up = exp(-(x - 30) * (x - 30) / 25);
@@ -318,23 +319,49 @@ START_TEST(a_curve_moves_in_several_places)
 }
 END_TEST
 
-/* A pole for every few points of uneven data: from the count that is known to serve on down. */
+/* How often the noise goes from above the tolerance to below it, or back. */
+static size_t noise_changes(const struct reference *t)
+{
+    size_t changes = 0;
+    double last = 0;
+
+    for (size_t k = 0; k < t->n; k++) {
+        double z = t->point[k].z;
+        if (fabs(z) <= 0.01)
+            continue;
+        changes += last * z < 0;
+        last = z;
+    }
+    return changes;
+}
+
+/*
+ * A pole for every few points of uneven data: from the count that is known to serve on down.  Noise
+ * of 0.006 mm leaves least squares of 120 poles, the first count tried, 0.6 of it and 0.0017 by
+ * chance, so 0.01 is kept at once, and by far fewer.  Noise of 0.012 need not serve; where it does,
+ * z has no more changes of sign than poles, as every spline, and at least those of what is beyond
+ * the tolerance.
+ */
 START_TEST(uneven_data_takes_fewer_than_is_known)
 {
-    struct run run = noisy_wave(0.024, 0, 0.2);
-    struct reference t = reference_distinct(&run, true);
-    struct free_knots_options o = USUAL;
+    for (int beyond = 0; beyond < 2; beyond++) {
+        struct run run = noisy_wave(beyond ? 0.024 : 0.012, 0, 0.2);
+        struct reference t = reference_distinct(&run, true);
+        struct free_knots_options o = USUAL;
 
-    o.known = 200;
-    struct bspline curve = free_knots_search(&t, &o).curve;
-    ck_assert(curve.poles > 0);
-    ck_assert_uint_lt(curve.poles, 190);
-    ck_assert_uint_gt(curve.poles, 20);
-    ck_assert_double_le(trial_brute_force(&curve, &t, false), 0.01);
-    ck_assert_double_le(trial_brute_force(&curve, &t, true), 0.01);
-    bspline_free(&curve);
-    reference_free(&t);
-    array_free(&run);
+        o.known = 200;
+        struct bspline curve = free_knots_search(&t, &o).curve;
+        ck_assert(beyond || curve.poles > 0);
+        if (curve.poles > 0) {
+            ck_assert_uint_lt(curve.poles, beyond ? 200 : 120);
+            ck_assert_uint_gt(curve.poles, noise_changes(&t));
+            ck_assert_double_le(trial_brute_force(&curve, &t, false), 0.01);
+            ck_assert_double_le(trial_brute_force(&curve, &t, true), 0.01);
+        }
+        bspline_free(&curve);
+        reference_free(&t);
+        array_free(&run);
+    }
 }
 END_TEST
 
