@@ -12,11 +12,13 @@
 #include "post_group.h"
 #include "post_output.h"
 #include "post_statement.h"
+#include "post_tilted.h"
 #include "post_time.h"
 
 struct post {
     struct nc_program program;
     struct nc_plan plan;
+    struct machine untilted; /* the machine, in mm, where the program is in tilted planes */
 };
 
 int post_limit_read(const char *text, struct post_extract *extract, struct error *error)
@@ -49,9 +51,10 @@ int post_check(enum control_id control, const struct post_options *options, stru
  * Brings path and machine into the program's frame.  Holes stay drilling cycles where the tool
  * stands upright in that frame.  *still: the rotary axes stay at zero.  0 or the exit status.
  */
-static int set_frame(struct nc_program *p, struct path *path, struct machine *machine,
+static int set_frame(struct post *post, struct path *path, struct machine *machine,
                      const struct post_options *options, bool *still, struct error *error)
 {
+    struct nc_program *p = &post->program;
     const struct dialect *dialect = dialect_of(p->control);
     const char *tilt = machine->blocks.plane_on;
     bool tilts = dialect->plane && *tilt && strcmp(tilt, "none") != 0;
@@ -71,6 +74,7 @@ static int set_frame(struct nc_program *p, struct path *path, struct machine *ma
     }
     p->plane = options->plane || ((machine->plane || cycles) && tilts && planes && !upright);
     p->turned = machine->chain.n;
+    post->untilted = *machine;
     if (p->plane &&
         post_frame_tilt(path, machine, &p->planes, dialect->plane_angles, digits, error) != 0)
         return EXIT_UNMET;
@@ -106,7 +110,7 @@ static int plan_in_frame(struct post *post, struct path *path, struct machine *m
     struct nc_program *p = &post->program;
     double smoothing = machine->smooth ? p->options.chord : 0;
     bool still = false;
-    int status = set_frame(p, path, machine, options, &still, error);
+    int status = set_frame(post, path, machine, options, &still, error);
     if (status)
         return status;
     status = make_plan(post, machine, options->axis, still, smoothing, error);
@@ -118,6 +122,8 @@ static int plan_in_frame(struct post *post, struct path *path, struct machine *m
             status = 0;
         }
     }
+    if (status == 0 && p->plane && post_tilted_check(p, &post->untilted, error) != 0)
+        return EXIT_UNMET;
     return status;
 }
 

@@ -5,6 +5,7 @@
 #include "base/num.h"
 #include "math/elementary.h"
 #include "post_ik.h"
+#include "post_way.h"
 
 struct nc_move *post_block_append(struct nc_planner *planner, enum nc_kind kind,
                                   const struct machine_pose *target)
@@ -22,6 +23,8 @@ struct nc_move *post_block_append(struct nc_planner *planner, enum nc_kind kind,
         move->vector = (unsigned)plan->vector.n;
         *array_push(&plan->vector) = to->a;
     }
+    if (state->begun && !state->over.is && (kind == NC_RAPID || kind == NC_LINE))
+        state->over = post_way_over(planner, &state->at, to);
     state->at = *to;
     state->turned = target->turned;
     state->off.point = state->off.axis = NAN;

@@ -12,6 +12,7 @@
 #include "post_motion.h"
 #include "post_rewind.h"
 #include "post_travel.h"
+#include "post_way.h"
 
 /* ---- a group: planned with each block the nearest way, or along what the look ahead found */
 
@@ -164,6 +165,13 @@ static bool is_at_top(const struct nc_planner *planner)
     return planner->state.begun && planner->state.pose.p.z > planner->plan->top - 1e-6;
 }
 
+/* -1: a linear axis has left its travel on the way of a block. */
+static int check_way(struct nc_planner *planner)
+{
+    const struct nc_over *over = &planner->state.over;
+    return over->is ? post_way_tell(planner, over, "on the way a position of") : 0;
+}
+
 /* ahead: what was found by looking ahead over the group, NULL: nothing. */
 static int plan_items(struct nc_planner *planner, const struct lookahead *ahead, size_t from,
                       size_t to)
@@ -191,7 +199,7 @@ static int plan_items(struct nc_planner *planner, const struct lookahead *ahead,
             turn_at_part(planner, ahead);
         leaving = leaving && !path_moves(item);
     }
-    return 0;
+    return check_way(planner);
 }
 
 /* Once more along the way that was found: 0 when it is planned and no worse. */
@@ -310,5 +318,5 @@ int nc_plan_make(struct nc_plan *plan, const struct path *path, const struct mac
     array_free(&planner.rewinds);
     if (result == 0 && !planner.state.begun)
         return error_set(error, "%s: found no motion, expected at least one GOTO", path->name);
-    return result == 0 ? post_item_retract(&planner) : -1;
+    return result == 0 && post_item_retract(&planner) == 0 ? check_way(&planner) : -1;
 }

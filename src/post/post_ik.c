@@ -5,8 +5,8 @@
 
 #include "base/num.h"
 
-static int over_travel(struct nc_planner *planner, struct vec3 tip, int axis, const char *what,
-                       double value)
+int post_ik_tell_over(struct nc_planner *planner, struct vec3 tip, int axis, const char *what,
+                      double value)
 {
     const struct machine *m = planner->machine;
     planner->plan->unmet = true;
@@ -41,8 +41,7 @@ double post_ik_safe_radius(const struct machine *m)
     return fmax(far, 0);
 }
 
-/* Beyond by more than half of the last digit that is printed. */
-static int out_of_travel(const struct nc_planner *planner, const double at[3])
+int post_ik_out_of_travel(const struct nc_planner *planner, const double at[3])
 {
     const struct machine *m = planner->machine;
     double half = 0.5 / num_ten[planner->plan->ability.digits.linear];
@@ -57,7 +56,7 @@ int post_ik_linear_over(const struct nc_planner *planner, struct vec3 tip, const
     if (vec_dot(tip, tip) < planner->safe_radius * planner->safe_radius)
         return -1;
     struct vec3 p = chain_linear(&planner->machine->chain, tip, q);
-    return out_of_travel(planner, (const double[]){p.x, p.y, p.z});
+    return post_ik_out_of_travel(planner, (const double[]){p.x, p.y, p.z});
 }
 
 int post_ik_check_linear(struct nc_planner *planner, const struct machine_pose *to)
@@ -69,11 +68,11 @@ int post_ik_check_linear(struct nc_planner *planner, const struct machine_pose *
     if (planner->follow.mode != INTERPOLATE_JOINT)
         p = chain_linear_of(&planner->machine->chain, p, &to->turned);
     const double at[3] = {p.x, p.y, p.z};
-    int axis = out_of_travel(planner, at);
+    int axis = post_ik_out_of_travel(planner, at);
     if (axis < 0)
         return 0;
     struct vec3 tip = chain_tip_of(&planner->machine->chain, p, &to->turned);
-    return over_travel(planner, tip, axis, "a position of", at[axis]);
+    return post_ik_tell_over(planner, tip, axis, "a position of", at[axis]);
 }
 
 /* How far a tool axis as it is said is off, in each way in which the control may take it. */
@@ -207,7 +206,7 @@ static int not_reached(struct nc_planner *planner, struct pose to, int over)
                                 angle_over(&r[0], found.q[1][0]) + angle_over(&r[1], found.q[1][1]);
     for (int i = 0; i < m->chain.n && over >= 0; i++)
         if (angle_over(&r[i], found.q[k][i]))
-            return over_travel(planner, to.p, m->letter[i], "angle", DEGREES(found.q[k][i]));
+            return post_ik_tell_over(planner, to.p, m->letter[i], "angle", DEGREES(found.q[k][i]));
     planner->plan->unmet = true;
     return error_at(
         planner->error, planner->path->name, planner->state.line,
@@ -348,9 +347,8 @@ int post_ik_reach(struct nc_planner *planner, struct pose to, double s, struct m
 
 /* ---- vectors leave the rotary axes to the control */
 
-/* The angles of the axis nearest to `from`, whatever the travel. */
-static bool nearest_angles(const struct kinematic_chain *chain, struct vec3 axis,
-                           const double from[], double q[])
+bool post_ik_nearest(const struct kinematic_chain *chain, struct vec3 axis, const double from[],
+                     double q[])
 {
     struct chain_solutions found = chain_angles(chain, axis);
     double least = HUGE_VAL;
@@ -379,7 +377,7 @@ static bool follow_on(const struct follow_way *way, double s0, double s1, double
     enum { DEPTH = 16 };
     const double far = RADIANS(15);
     double next[ROTARY_MAX] = {0};
-    if (!nearest_angles(way->chain, motion_at(way->motion, s1).a, q, next))
+    if (!post_ik_nearest(way->chain, motion_at(way->motion, s1).a, q, next))
         return false;
     if (depth < DEPTH && (depth < 2 || ik_most_turn(way->chain, next, q) > far)) {
         double mid = (s0 + s1) / 2;
@@ -419,13 +417,13 @@ int post_ik_check_between(struct nc_planner *planner, const struct motion *motio
         for (int i = 1; i <= LOOKS; i++) {
             struct pose at = motion_at(motion, s + (next - s) * i / LOOKS);
             double turned[ROTARY_MAX] = {q[0], q[1]};
-            if (nearest_angles(chain, at.a, q, turned))
+            if (post_ik_nearest(chain, at.a, q, turned))
                 memcpy(q, turned, sizeof q);
             struct vec3 p = chain_linear(chain, at.p, q);
             const double place[3] = {p.x, p.y, p.z};
-            int axis = out_of_travel(planner, place);
+            int axis = post_ik_out_of_travel(planner, place);
             if (axis >= 0)
-                return over_travel(planner, at.p, axis, "a position of", place[axis]);
+                return post_ik_tell_over(planner, at.p, axis, "a position of", place[axis]);
         }
     }
     return 0;

@@ -42,6 +42,10 @@ bool post_ik_says_pole(const struct nc_planner *planner, struct vec3 axis);
 double post_ik_pole_between(const struct nc_planner *planner, const struct motion *motion,
                             double s0, double s1);
 
+/* The angles of the axis nearest to `from`, whatever the travel; false: there are none. */
+bool post_ik_nearest(const struct kinematic_chain *chain, struct vec3 axis, const double from[],
+                     double q[]);
+
 /* Degrees: an angle that is beyond the end of its travel by less is at the end. */
 #define POST_IK_AT_END 1e-4
 
@@ -58,8 +62,16 @@ bool post_ik_follow(const struct nc_planner *planner, const struct motion *motio
  * stand: a turn about c takes p no further from 0 than |p| + 2 |c|. */
 double post_ik_safe_radius(const struct machine *m);
 
-/* A linear axis that is out of its travel when the tip is there; -1: none. */
+/* A linear axis of X, Y, Z that is out of its travel there, by more than half of the last digit
+ * that is printed; -1: none. */
+int post_ik_out_of_travel(const struct nc_planner *planner, const double at[3]);
+
+/* The same when the tip is there. */
 int post_ik_linear_over(const struct nc_planner *planner, struct vec3 tip, const double q[]);
+
+/* -1, the error filled and the plan unmet: `what` names the value, as "a position of". */
+int post_ik_tell_over(struct nc_planner *planner, struct vec3 tip, int axis, const char *what,
+                      double value);
 
 /* -1: the linear axes, as they stand when the tip is there (seen from the work offset), would
  * leave their travel. */

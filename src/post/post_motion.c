@@ -7,6 +7,7 @@
 #include "post_block.h"
 #include "post_ik.h"
 #include "post_straight.h"
+#include "post_way.h"
 
 enum { ARC_DEPTH_MAX = 5, LEAST_CURVE = 10 /* last digits: the poles of less are no curve */ };
 static const double rapid_chord = 1; /* mm, where a rapid has to be split at all */
@@ -33,17 +34,28 @@ static int rapid_from_here(struct nc_planner *planner, struct pose to)
     return post_straight_blocks(planner, &motion, 0, 1, NC_RAPID, any);
 }
 
+/* The first motion of a tool: to where the rotary axes may turn, and on from there. */
+static int rapid_from_home(struct nc_planner *planner, struct pose to)
+{
+    struct machine_pose target, by;
+    if (post_ik_reach(planner, to, 1, &target) != 0)
+        return -1;
+    by = target;
+    struct nc_over over = post_way_from_home(planner, &target.at, to.a, &by.at);
+    if (over.is)
+        return post_way_tell(planner, &over, "on the way from home a position of");
+    post_block_add(planner, NC_RAPID, &by, 0, 0, NULL);
+    planner->state.begun = true;
+    planner->state.pose = (struct pose){by.at.p, to.a};
+    post_block_straight(planner, NC_RAPID, &target, &to);
+    return 0;
+}
+
 int post_motion_rapid(struct nc_planner *planner, struct pose to)
 {
     struct machine_pose target;
-    if (!planner->state.begun) {
-        if (post_ik_reach(planner, to, 1, &target) != 0)
-            return -1;
-        post_block_add(planner, NC_RAPID, &target, 0, 0, NULL);
-        planner->state.pose = to;
-        planner->state.begun = true;
-        return 0;
-    }
+    if (!planner->state.begun)
+        return rapid_from_home(planner, to);
     if (planner->follow.mode == INTERPOLATE_VECTOR &&
         !rotary_reaches_between(&planner->machine->chain, planner->state.pose.a, to.a)) {
         if (post_ik_reach(planner, to, 1, &target) != 0 ||

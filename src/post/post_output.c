@@ -11,6 +11,7 @@
 #include "post_program.h"
 #include "post_rewind.h"
 #include "post_template.h"
+#include "post_way.h"
 
 /* How long a program is, or may be at its ends. */
 struct length {
@@ -39,32 +40,39 @@ static struct machine machine_with_tool(const struct nc_program *whole, const st
     return own;
 }
 
+/* A planner that stands where a move ends, with the machine of its tool. */
+static struct nc_planner planner_at(const struct nc_program *whole, const struct nc_move *from,
+                                    struct nc_plan *plan, struct machine *own, struct error *error)
+{
+    struct nc_planner planner = {
+        .path = whole->path, .machine = own, .plan = plan, .clearance = NAN, .error = error};
+    *plan = *whole->plan;
+    *own = machine_with_tool(whole, from);
+    planner.follow = (struct interpolation){.mode = plan->ability.mode, .chain = &own->chain};
+    planner.near = ik_near_table(&own->chain);
+    planner.state.line = from->line;
+    planner.state.at = nc_plan_pose(plan, &own->chain, from);
+    planner.state.pose = (struct pose){planner.state.at.p, vec_unit(planner.state.at.a)};
+    if (plan->ability.mode == INTERPOLATE_JOINT)
+        planner.state.pose.p = chain_tip(&own->chain, planner.state.at.p, planner.state.at.q);
+    return planner;
+}
+
 /* Off the part along the tool axis from where a move ends, as far as the machine's `retract` and up
  * to the plan's top; `high`: up to there alone, and no further than it goes. */
 static int retract_from(struct nc_move *up, const struct nc_program *whole,
                         const struct nc_move *from, bool high, struct error *error)
 {
-    struct nc_plan plan = *whole->plan;
-    struct nc_planner planner = {
-        .path = whole->path, .machine = whole->machine, .plan = &plan, .error = error};
-    struct machine own = machine_with_tool(whole, from);
-    const struct kinematic_chain *chain = &own.chain;
-    planner.machine = &own;
-    planner.follow = (struct interpolation){.mode = plan.ability.mode, .chain = chain};
-    planner.near = ik_near_table(chain);
-    planner.state.line = from->line;
-    struct block_pose at = nc_plan_pose(&plan, chain, from);
-    struct pose pose = {at.p, vec_unit(at.a)};
-    if (plan.ability.mode == INTERPOLATE_JOINT)
-        pose.p = chain_tip(chain, at.p, at.q);
-    planner.state.pose = pose;
-    planner.clearance = NAN;
+    struct nc_plan plan;
+    struct machine own;
+    struct nc_planner planner = planner_at(whole, from, &plan, &own, error);
+    struct pose pose = planner.state.pose;
     if (pose.a.z < 0)
         planner.cut = post_rewind_extent(whole->path).cut;
     if (!high)
         pose = post_rewind_retracted(&planner);
     pose = post_rewind_above(&planner, pose);
-    struct machine_pose target = post_ik_pose(&planner, pose, at.q);
+    struct machine_pose target = post_ik_pose(&planner, pose, planner.state.at.q);
     *up = *from; /* the tool axis and the rotary axes as they are */
     up->kind = NC_RAPID;
     up->why = NC_WHY_PART;
@@ -85,6 +93,31 @@ static void begin_above(struct nc_plan *part, const struct nc_program *whole,
         at.p = chain_tip(&own.chain, at.p, at.q);
     if (at.p.z < whole->plan->top - 1e-6 && retract_from(&over, whole, first, true, &unheard) == 0)
         *array_push(&part->move) = over;
+}
+
+/* The part goes from home to its first motion, or to where the rotary axes may turn before it. */
+static int begin_within(struct nc_plan *part, const struct nc_program *whole, size_t first,
+                        struct error *error)
+{
+    struct nc_plan plan;
+    struct machine own;
+    struct nc_move *move = part->move.item;
+    struct nc_planner planner = planner_at(whole, &move[first], &plan, &own, error);
+    const struct block_pose at = planner.state.at;
+    struct block_pose by;
+    struct nc_over over = post_way_from_home(&planner, &at, planner.state.pose.a, &by);
+    if (over.is)
+        return post_way_tell(&planner, &over, "on the way from home a position of");
+    if (vec_distance(by.p, at.p) == 0)
+        return 0;
+    array_push(&part->move);
+    move = part->move.item;
+    memmove(move + first + 1, move + first, (part->move.n - 1 - first) * sizeof *move);
+    move[first].kind = NC_RAPID;
+    move[first].why = NC_WHY_PART;
+    move[first].p = by.p;
+    move[first].feed = 0;
+    return 0;
 }
 
 /* The feed with which the tool comes down again to where `to` starts. */
@@ -176,9 +209,12 @@ static int make_part(struct nc_plan *part, const struct nc_program *whole, size_
     for (size_t i = from; i < to; i++)
         *array_push(&part->move) = plan->move.item[i];
     const struct nc_move *last = last_motion(plan, to);
-    if (last && last->kind != NC_RAPID && last->kind != NC_HOLE)
-        return retract_from(array_push(&part->move), whole, last, false, error);
-    return 0;
+    if (last && last->kind != NC_RAPID && last->kind != NC_HOLE &&
+        retract_from(array_push(&part->move), whole, last, false, error) != 0)
+        return -1;
+    for (first = 0; first < part->move.n && !nc_moves(&part->move.item[first]);)
+        first++;
+    return before && first < part->move.n ? begin_within(part, whole, first, error) : 0;
 }
 
 static void free_part(struct nc_plan *part)
@@ -195,6 +231,16 @@ static size_t first_of_pass(const struct nc_plan *plan, size_t pass)
     return i;
 }
 
+/* So far from 0 that a part may need one move more (begin_within). */
+static bool goes_far(const struct nc_program *whole)
+{
+    double far = post_ik_safe_radius(whole->machine);
+    for (size_t i = 0; i < whole->plan->move.n; i++)
+        if (nc_moves(&whole->plan->move.item[i]) && vec_length(whole->plan->move.item[i].p) >= far)
+            return true;
+    return false;
+}
+
 /* The program written to nowhere: blocks and bytes up to each move, [0] the start's. */
 static struct length *lengths_up_to_moves(const struct nc_program *whole, struct length *ends)
 {
@@ -209,6 +255,8 @@ static struct length *lengths_up_to_moves(const struct nc_program *whole, struct
     }
     post_program_finish(&p);
     size_t more = MADE + (whole->plan->hole.n ? CYCLE : 0), n = whole->plan->move.n;
+    if (goes_far(whole))
+        more++;
     *ends = (struct length){at[0].blocks + p.w.blocks - at[n].blocks + more,
                             at[0].bytes + p.w.bytes - at[n].bytes + more * 100};
     return at;

@@ -1,10 +1,11 @@
 /*
  * post_planner - the planner between two blocks: where the program stands, what it may do next.
  *
- * Its modules, each using those before it: post_ik (a pose as words), post_feed (how fast a block
- * may be), post_block (one more block), post_straight (a motion as straight blocks), post_motion
- * (as arcs and curves, too), post_rewind (retract, turn, return), post_item (an item of the path),
- * post_lookahead (the rotary axes of a group), post_group (the whole path, group by group).
+ * Its modules, each using those before it: post_ik (a pose as words), post_way (the linear axes on
+ * the way), post_feed (how fast a block may be), post_block (one more block), post_straight (a
+ * motion as straight blocks), post_motion (as arcs and curves, too), post_rewind (retract, turn,
+ * return), post_item (an item of the path), post_lookahead (the rotary axes of a group),
+ * post_group (the whole path, group by group).
  */
 #ifndef CLOUDMILL_POST_PLANNER_H
 #define CLOUDMILL_POST_PLANNER_H
@@ -13,6 +14,14 @@
 #include "machine/ik_plan.h"
 #include "math/box.h"
 #include "post_plan.h"
+
+/* A linear axis that is out of its travel. */
+struct nc_over {
+    bool is; /* else the rest says nothing */
+    int axis;
+    double value;
+    struct vec3 tip; /* where the tip is there */
+};
 
 /* Where the program stands. */
 struct nc_state {
@@ -24,6 +33,7 @@ struct nc_state {
                                   known */
     double feed;               /* mm/min, 0: not given yet */
     double faster;             /* the tracked point is to go faster than that by this factor */
+    struct nc_over over;       /* the first on the way of a block so far */
     bool touches;              /* the contact at `pose` is known */
     struct contact contact;
     enum nc_why why; /* of the blocks that are made now */

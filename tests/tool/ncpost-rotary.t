@@ -256,4 +256,48 @@ for c in fanuc siemens heidenhain; do
 	has "is the end of Y's travel" 'axis Y of Haas UMC-750: found a position of -?330.64.* expected its travel' "$TMP/err"
 done
 
+# ---- from home: with A and C at zero X and Y would be beyond their travel above the first place, with
+# the axes turned they are not: they turn above a place nearer to the middle, as high
+cl() {
+	printf '%s\n' UNITS/MM MULTAX/ON CUTTER/8,4,0,4,0,0,60 LOADTL/1 SPINDL/8000,CLW "$@" FINI
+}
+awk 'BEGIN { for (i = 300; i <= 370; i += 5) for (j = -150; j <= -80; j += 5) print i, j, 70 }' >"$TMP/far.xyz"
+a=0.2,-0.3,0.932737905
+cl RAPID GOTO/340,-126,100,$a FEDRAT/MMPM,800 GOTO/334,-117,72,$a GOTO/336,-117,72,$a GOTO/336,-116,72,$a \
+	GOTO/334,-116,72,$a GOTO/332,-116,72,$a GOTO/332,-115,72,$a RAPID GOTO/340,-126,100,$a >"$TMP/home.cl"
+for c in fanuc siemens heidenhain 'fanuc --vectors' 'siemens --vectors'; do
+	# shellcheck disable=SC2086 # options
+	status 0 "$c: from home to a place that the axes reach turned" \
+		ncpost -q -c $c -m mazak-variaxis-i600 -o "$TMP/home.nc" "$TMP/home.cl"
+	# shellcheck disable=SC2086
+	status 0 "$c: and in parts" \
+		ncpost -q -c $c -m mazak-variaxis-i600 --split 45 -o "$TMP/home.nc" "$TMP/home.cl"
+	for nc in home home-1 home-2; do
+		ncverify -c "${c%% *}" -m mazak-variaxis-i600 -g "$TMP/far.xyz" --partial --left 1000 \
+			--ball-only "$TMP/$nc.nc" >"$TMP/out" 2>&1
+		hasnt "$nc: within the travel" 'beyond its travel' "$TMP/out"
+		has "and looked at" '^travel X' "$TMP/out"
+	done
+done
+sed 's/GOTO\/340,-126/GOTO\/500,-126/' "$TMP/home.cl" >"$TMP/out.cl"
+status 1 "no way from home" ncpost -q -c fanuc -m mazak-variaxis-i600 "$TMP/out.cl"
+has "is told with axis, value and travel" \
+	'axis X of Mazak .*: found .* position of .*, expected its travel -255 to 255' "$TMP/err"
+empty "and nothing written" "$TMP/out"
+status 1 "a tilted plane out of the travel" ncpost -q -c siemens -m mazak-variaxis-i600 --plane "$TMP/home.cl"
+has "is told" 'home.cl:[0-9]+: axis X of Mazak .*: found above a tilted plane a position of 3' "$TMP/err"
+empty "and nothing written" "$TMP/out"
+
+# ---- a rapid between two places within the travel, while C turns a quarter: half-way Y is beyond it
+cl RAPID GOTO/152,170,100,-0.17,0,0.985443 FEDRAT/MMPM,800 GOTO/152,170,72,-0.17,0,0.985443 RAPID \
+	GOTO/152,170,100,-0.17,0,0.985443 RAPID GOTO/152,170,100,0,-0.17,0.985443 FEDRAT/MMPM,800 \
+	GOTO/152,170,72,0,-0.17,0.985443 RAPID GOTO/152,170,100,0,-0.17,0.985443 >"$TMP/way.cl"
+for c in fanuc siemens heidenhain; do
+	status 1 "$c: Y beyond its travel on the way" \
+		ncpost -q -c $c -m table-ac --rotary --set y.min=-225 --set y.max=225 "$TMP/way.cl"
+	has "is told" 'axis Y of .*: found on the way a position of 230.* expected its travel' "$TMP/err"
+	status 0 "$c: not where it has more" \
+		ncpost -q -c $c -m table-ac --rotary --set y.min=-250 --set y.max=250 -o "$TMP/way.nc" "$TMP/way.cl"
+done
+
 done_testing
