@@ -323,6 +323,22 @@ size_t outliers_floating(const struct point_grid *b, double sigma, int threads, 
     return mark_and_keep(b, sigma, threads, true, out);
 }
 
+/* The last of the points up to `end` that are in one place seen from above, as sorted by x, y, z:
+ * the highest.  There may be very many. */
+static size_t top_of_place(const struct point_grid *b, size_t i, size_t end)
+{
+    struct vec3 at = b->point[i];
+    size_t step = 1;
+
+    for (; step > 0 && i + 1 < end; step = step / 2) {
+        while (i + step < end && !(b->point[i + step].x > at.x) && !(b->point[i + step].y > at.y)) {
+            i += step;
+            step *= 2;
+        }
+    }
+    return i;
+}
+
 /* Marks the eighths of the turn in which a point of the cell stands steeply above p.  All eight, so
  * that the bottom of a wall or in a corner of a pocket is not under anything. */
 static unsigned eighths_above(const struct point_grid *b, size_t cell, struct vec3 p,
@@ -330,7 +346,8 @@ static unsigned eighths_above(const struct point_grid *b, size_t cell, struct ve
 {
     const double steep = OUTLIERS_ROOF;
     unsigned above = 0;
-    for (size_t i = b->first[cell]; i < b->first[cell + 1]; i++) {
+    for (size_t i = b->first[cell], end = b->first[cell + 1]; i < end; i++) {
+        i = top_of_place(b, i, end);
         struct vec3 d = vec_sub(b->point[i], p);
         double away2 = d.x * d.x + d.y * d.y;
         if (d.z > 0 && away2 > nearest * nearest && d.z * d.z > steep * steep * away2)

@@ -15,6 +15,9 @@
  * not distinguished. */
 enum { AT_ONCE = 2048, WANTED = 1024, BINS = 128, CROWD = 48, RINGS = 9 };
 
+/* So many points of one cell are not gone through one by one. */
+enum { MANY = 256 };
+
 static const double ROUNDING = 1e-9; /* of a cell */
 
 /* Cells up to `ring` columns and rows about a place. */
@@ -190,11 +193,10 @@ static void sift_down(struct heap *h, size_t at, size_t n, uint32_t index, doubl
     h->distance2[at] = distance2;
 }
 
-static void offer_cells(const struct point_grid *b, struct vec3 q, size_t row, size_t from,
-                        size_t to, struct heap *h)
+static void offer_points(const struct point_grid *b, struct vec3 q, uint32_t from, uint32_t to,
+                         struct heap *h)
 {
-    const uint32_t *first = b->first + row * b->columns;
-    for (uint32_t i = first[from]; i < first[to + 1]; i++) {
+    for (uint32_t i = from; i < to; i++) {
         struct vec3 d = vec_sub(b->point[i], q);
         double d2 = vec_dot(d, d);
         if (h->n < h->k) {
@@ -207,6 +209,54 @@ static void offer_cells(const struct point_grid *b, struct vec3 q, size_t row, s
             sift_down(h, 0, h->k, i, d2);
         }
     }
+}
+
+static double outside(double x, double low, double high)
+{
+    return x < low ? low - x : x > high ? x - high : 0;
+}
+
+/* How near points of a cell can be, squared: sorted by x, y, z as they are, those from one to
+ * another lie between the two by x, those of one x by y, and those of one y by z. */
+static double nearest_of(const struct point_grid *b, struct vec3 q, uint32_t from, uint32_t to)
+{
+    struct vec3 low = b->point[from], high = b->point[to - 1];
+    bool one_x = !(low.x < high.x), one_y = one_x && !(low.y < high.y);
+    struct vec3 d = {outside(q.x, low.x, high.x), one_x ? outside(q.y, low.y, high.y) : 0,
+                     one_y ? outside(q.z, low.z, high.z) : 0};
+
+    return vec_dot(d, d);
+}
+
+/* Points of one cell: of many, as on an upright line, the nearer half first. */
+static void offer_part(const struct point_grid *b, struct vec3 q, uint32_t from, uint32_t to,
+                       struct heap *h)
+{
+    if (to - from <= MANY) {
+        offer_points(b, q, from, to, h);
+        return;
+    }
+    uint32_t middle = from + (to - from) / 2;
+    double low = nearest_of(b, q, from, middle), high = nearest_of(b, q, middle, to);
+    for (int i = 0; i < 2; i++)
+        if ((i == 0) == (low <= high)) {
+            if (h->n < h->k || low <= h->distance2[0])
+                offer_part(b, q, from, middle, h);
+        } else if (h->n < h->k || high <= h->distance2[0]) {
+            offer_part(b, q, middle, to, h);
+        }
+}
+
+static void offer_cells(const struct point_grid *b, struct vec3 q, size_t row, size_t from,
+                        size_t to, struct heap *h)
+{
+    const uint32_t *first = b->first + row * b->columns;
+    if (first[to + 1] - first[from] <= MANY) {
+        offer_points(b, q, first[from], first[to + 1], h);
+        return;
+    }
+    for (size_t cell = from; cell <= to; cell++)
+        offer_part(b, q, first[cell], first[cell + 1], h);
 }
 
 /* Nearest first: the farthest to the end, again and again. */

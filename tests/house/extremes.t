@@ -96,6 +96,11 @@ one cloud2mesh -q -j 1 -t 4 --extend 1000 cloud.xyz
 one cloud2mesh -q -j 1 -t 1e-9 cloud.xyz
 one cloud2mesh -q -j 1 -e 1e300 cloud.xyz
 one cloud2mesh -q -j 1 -e 1e-9 cloud.xyz
+# half of the points on an upright line: each had all others looked at, again and again
+awk 'BEGIN { s = 1; for (i = 0; i < 70000; i++) { s = (s * 16807) % 2147483647
+	if (i % 2) print 15, 15, s % 20000 / 1000
+	else print s % 30000 / 1000, int(s / 30000) % 30000 / 1000, 0 } }' >tower.xyz
+one cloud2mesh -q -j 1 -t 1 tower.xyz
 one meshnorm -q -j 1 -r 4 --scallop 1e-9 mesh.ply
 one meshnorm -q -j 1 -r 1e-3 mesh.ply
 one meshnorm -q -j 1 -r 4 --rows mesh --layers 200 --depth 1000 mesh.ply

@@ -23,7 +23,8 @@ static double uniform(void)
 }
 
 /* 0 a sheet, 1 sheet and wall, 2 on a raster (many equally near), 3 a sheet and three points far
- * off, 4 a narrow band from corner to corner. */
+ * off, 4 a narrow band from corner to corner, 5 a sheet and very many on an upright line, 6 a sheet
+ * and very many in one cell, on a raster. */
 static void make_points(int kind)
 {
     state = 5;
@@ -37,6 +38,10 @@ static void make_points(int kind)
             x = 1e7 * (i - 1), y = 3e6, z = 1e4;
         if (kind == 4)
             y = x + 0.1 * y;
+        if (kind == 5 && i % 3 > 0)
+            x = 30, y = 20, z = floor(300 * z) / 4;
+        if (kind == 6 && i % 3 > 0)
+            x = 30 + floor(x / 5) / 30, y = 20 + floor(y / 5) / 30, z = floor(10 * z) / 30;
         point[i] = vec(x, y, z);
     }
     ck_assert_int_eq(point_grid_make(point, N, 0.9, 2, &point_grid, &error), 0);

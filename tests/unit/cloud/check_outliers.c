@@ -353,7 +353,8 @@ START_TEST(under_a_roof)
     size_t under = 0;
     for (double x = -15; x <= 15; x += 0.4)
         for (double y = -10; y <= 10; y += 0.4)
-            *array_push(&scan) = vec(x, y, 26);
+            for (double z = 25.8; z < 26.05; z += 0.1) /* several in one place */
+                *array_push(&scan) = vec(x, y, z);
     sort();
     size_t found = outliers_under_roof(&point_grid, 2, out);
     for (size_t i = 0; i < point_grid.n; i++) {

@@ -36,6 +36,7 @@ START_TEST(nearest)
     check_nearest(vec(100, 90, -30), 20);
     check_nearest(vec(30, 20, 500), 3);
     check_nearest(vec(30, 20, 0), 2 * N);
+    check_nearest(vec(30, 20, 40), 300);
 }
 END_TEST
 
@@ -45,7 +46,7 @@ int main(void)
     TCase *tests = tcase_create("point_grid_nearest");
     SRunner *runner = srunner_create(suite);
     tcase_add_checked_fixture(tests, NULL, free_all);
-    tcase_add_loop_test(tests, nearest, 0, 5);
+    tcase_add_loop_test(tests, nearest, 0, 7);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);
     int failed = srunner_ntests_failed(runner);
