@@ -4,7 +4,9 @@
  * Everything is planned and checked before the first byte is written (post/post.h).
  */
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "base/array.h"
 #include "base/cli.h"
@@ -233,6 +235,15 @@ static bool say_unmet(const struct settings *s, const struct unmets *unmet)
     return unmet->n > 0 && !s->accept;
 }
 
+/* Parts of an earlier run that had more of them, which a control would go on with. */
+static void say_older_parts(const char *file, size_t files)
+{
+    char *next = post_part_name(file, files + 1);
+    if (access(next, F_OK) == 0)
+        say("%s was there before and is no part of this: the last is number %zu", next, files);
+    free(next);
+}
+
 int main(int argc, char **argv)
 {
     struct settings s = settings_default();
@@ -260,6 +271,8 @@ int main(int argc, char **argv)
         die_error(&error);
     if (files > 1)
         say("%zu programs", files);
+    if (s.extract.blocks || s.extract.bytes)
+        say_older_parts(cli.output, files);
 
     struct post_report report = post_report(post);
     say_report(&s, &path, &report);

@@ -122,6 +122,9 @@ struct post *post_plan(enum control_id control, struct path *path, struct machin
 int post_write(struct post *post, struct post_extract extract, const char *file, size_t *files,
                struct error *error);
 
+/* The name of a part, from 1: part-2.nc of part.nc.  To be freed. */
+char *post_part_name(const char *file, size_t part);
+
 struct post_report post_report(const struct post *post);
 
 void post_free(struct post *post);

@@ -429,8 +429,7 @@ static void write_passes(struct nc_program *p, struct path_part part, const char
     out_close(out);
 }
 
-/* part.nc: part-2.nc */
-static char *part_name(const char *file, size_t part)
+char *post_part_name(const char *file, size_t part)
 {
     size_t size = strlen(file) + 24;
     const char *slash = strrchr(file, '/'), *dot = strrchr(slash ? slash : file, '.');
@@ -451,7 +450,7 @@ static int one_part(const struct nc_program *whole, const struct sizes *ends, si
     p.part = i + 1;
     p.parts = ends->n;
     if (result == 0 && file) {
-        char *name = part_name(file, i + 1);
+        char *name = post_part_name(file, i + 1);
         write_program(&p, name);
         free(name);
     }

@@ -175,4 +175,12 @@ for control in fanuc siemens heidenhain linuxcnc; do
 done >complaints
 empty "each part has its tool's own speed" complaints
 
+# an earlier run had more parts: a control would go on with them
+rm -f part-*
+ncpost -c fanuc --split 60 -o part.nc tools.cl 2>err
+hasnt "parts that are all new" 'was there before' err
+cp part-3.nc part-9.nc
+run ncpost -c fanuc --split 400 -o part.nc tools.cl
+has "parts of an earlier run are named" "part-[0-9].nc was there before and is no part of this" err
+
 done_testing
