@@ -33,7 +33,7 @@ wave() {
 }
 wave >wave.true
 for sigma in 0 0.02; do
-	wave $sigma 4711 >wave.xyz
+	wave $sigma $((4711 + 7919 * ${SEED:-0})) >wave.xyz
 	deep=$(echo $sigma | awk '{ print 0.01 + 1.5 * $1 }')
 	ok "a wave, noise $sigma: a mesh" cloud2mesh -q -t 2 -o shape.ply wave.xyz
 	ok "a path" meshnorm -q --ball-only -r 2 --scallop 0.02 -e 0.01 -g wave.xyz --avoid -o shape.cl shape.ply

@@ -62,7 +62,7 @@ below "under the equator: nothing left standing" "$(awk '{ print $2 }' "$TMP/fig
 # A box of 20 x 16 x 10 mm, its walls 5 degrees off upright; random points (a linear congruence).
 LC_ALL=C awk 'function u() { s = (s * 16807) % 2147483647; return s / 2147483647 }
 	BEGIN {
-		s = 4711; k = 0.0874887
+		s = 4711 + 7919 * ENVIRON["SEED"]; k = 0.0874887
 		for (i = 0; i < 9000; i++) {
 			a = u() * 2 - 1; b = u() * 2 - 1; z = 10 * u(); f = u() * 1040
 			x = 10 + (10 - z) * k; y = 8 + (10 - z) * k

@@ -40,6 +40,7 @@ random_path() { # SEED
 		printf "MOVNRB/2%s\nMOVNRB/3%s\nMOVNRB/NEXT\n", tips, heads; go(); print "MOVNRB/OFF"
 	}
 	BEGIN {
+		seed += 7919 * ENVIRON["SEED"]
 		print "PARTNO/a (nested (name)) of \"" seed "\" with {braces}; and so on, longer than any line of a control may be: " \
 			"0123456789012345678901234567890123456789"
 		print "UNITS/MM\nMULTAX/ON\nCUTTER/8,4,0,4,0,0,60\nLOADTL/3\nSPINDL/RPM,7777.777,CLW\n$$-> CLOUDMILL/1\n$$-> PASS/1"

@@ -131,7 +131,7 @@ BEGIN { tcp = always; rad = atan2(0, -1) / 180; home = 500; worst = -9 }
 	tcp_at[steps] = tcp; of[steps] = line; in_plane[steps] = kind_at
 }
 END {
-	srand(seed)
+	srand(seed + 7919 * ENVIRON["SEED"])
 	for (run = 1; run <= runs; run++) {
 		kept = worst; kept_at = where; kept_turn = turned_low; kind = ""
 		do { # up from there is clear; a head, and axes that keep the tip, go up in the frame of the work
