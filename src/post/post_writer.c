@@ -240,6 +240,8 @@ void nc_comment(struct nc_writer *w, const char *format, ...)
             break;
         }
     }
+    for (size_t n = strlen(text); n > 0 && text[n - 1] == ' '; n--)
+        text[n - 1] = '\0';
     if (w->style.count_all)
         begin_word(w);
     append_text(w, w->style.open, strlen(w->style.open));
