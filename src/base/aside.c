@@ -7,6 +7,7 @@
 
 #include "base/array.h"
 #include "system.h"
+#include "thread.h"
 
 struct piece {
     void (*work)(void *context); /* NULL: none */
@@ -47,7 +48,7 @@ struct aside *aside_begin(int threads)
     long wanted = threads > 0 ? threads : sysconf(_SC_NPROCESSORS_ONLN);
     pthread_mutex_init(&a->lock, NULL);
     pthread_cond_init(&a->changed, NULL);
-    a->has_thread = wanted > 1 && pthread_create(&a->thread, NULL, run_aside, a) == 0;
+    a->has_thread = wanted > 1 && thread_begin(&a->thread, run_aside, a) == 0;
     return a;
 }
 

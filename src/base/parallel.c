@@ -5,6 +5,7 @@
 
 #include "base/cli.h"
 #include "system.h"
+#include "thread.h"
 
 enum { MOST_THREADS = 64, MOST_PIECE = 64, PIECES_EACH = 8 };
 
@@ -56,7 +57,7 @@ void parallel_shown(const char *what, int threads, size_t n,
     /* this thread works too; where no other can be had it does all of it */
     while (started < MOST_THREADS && started + 1 < wanted &&
            (size_t)(started + 1) * share.piece < n &&
-           pthread_create(&thread[started], NULL, run_worker, &share) == 0)
+           thread_begin(&thread[started], run_worker, &share) == 0)
         started++;
     take_pieces(&share, what);
     for (int i = 0; i < started; i++)

@@ -247,11 +247,15 @@ int mkstemp(char *name)
     return fails(TEMP, EIO) ? -1 : real(name);
 }
 
+/* A thread that asks for no size of its stack gets little, as of some libraries. */
 int pthread_create(pthread_t *thread, const pthread_attr_t *how, void *(*work)(void *),
                    void *context)
 {
     static int (*real)(pthread_t *, const pthread_attr_t *, void *(*)(void *), void *);
+    pthread_attr_t small;
     if (!real)
         *(void **)&real = dlsym(RTLD_NEXT, "pthread_create");
-    return effect_of(THREAD) == FAIL ? EAGAIN : real(thread, how, work, context);
+    pthread_attr_init(&small);
+    pthread_attr_setstacksize(&small, 1 << 15);
+    return effect_of(THREAD) == FAIL ? EAGAIN : real(thread, how ? how : &small, work, context);
 }
