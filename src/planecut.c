@@ -217,7 +217,8 @@ int main(int argc, char **argv)
         die_error(&error);
     /* Facets of CAD models are as long as the surface is straight: a fit through their corners
      * alone would swing out between them. */
-    if (path_options.tolerance == 0 && !path_options.paper && mesh.origin.surface.n > 0)
+    if (path_options.tolerance == 0 && !path_options.paper &&
+        (mesh.origin.surface.n > 0 || mesh.normals_made))
         path_options.tolerance = TOLERANCE;
     const struct mesh *region = take_region(&mesh, &part);
     check_radius(cli.file[0], region);
@@ -231,7 +232,8 @@ int main(int argc, char **argv)
     if (path_options_rules(&mesh, guard, planes.widest, &t, &error) != 0)
         die_given(&error);
 
-    bool whole = region == &mesh && path_options.certain.n + path_options.doubtful.n > 0;
+    bool scan = path_options.certain.n + path_options.doubtful.n > 0;
+    bool whole = region == &mesh && (scan || mesh.normals_made);
     struct path_coverage coverage =
         whole ? path_coverage_new(&mesh, &t) : (struct path_coverage){.scallop = 0};
     t.coverage = coverage.coverage;

@@ -16,6 +16,8 @@
  * a sphere circular to the sixth order), sampled no coarser than `spacing` mm.  The flat facet
  * would not do: in a hollow it is above the surface by its sagitta.  Only a facet that is more
  * than 30 degrees off one of its vertices' normals, as at a step or an edge, is sampled flat.
+ * Where the normals were made from the facets (normals_made), these are all that is known of the
+ * part, and who judges takes them: of facet and curved triangle the upper one counts.
  * Where that would be more than `most` points beside the vertices, they are further apart.
  * Returns how far, mm.  `edges`: those of the mesh, if they are known already; or NULL.
  */

@@ -72,6 +72,7 @@ struct mesh {
     struct faces face;    /* row by row, in each row the triangles that point up first */
     struct ints surface;  /* of each face: which of origin.surface; as many as faces, or none */
     struct mesh_origin origin;
+    bool normals_made; /* not those of the surface: means of the facets, which are the part */
 };
 
 void mesh_free(struct mesh *mesh);

@@ -18,6 +18,8 @@ struct patch {
     struct vec3 middle;
     bool flat;
     bool shared[3]; /* the edge is sampled with the patch on its other side */
+    bool judged;    /* by its facet: where that lies above the patch, it counts */
+    struct vec3 normal[3];
 };
 
 static struct patch patch_of(const struct vec3 *p, const struct vec3 *normal, bool flat)
@@ -50,6 +52,18 @@ static struct vec3 patch_at(const struct patch *patch, const double b[3])
         sum = vec_along(sum, 3 * b[i] * b[j] * b[j], patch->edge[i][1]);
     }
     return sum;
+}
+
+/* The same, or the place on the facet where that is above. */
+static struct vec3 upper_at(const struct patch *patch, const double b[3])
+{
+    struct vec3 curved = patch_at(patch, b), flat = vec(0, 0, 0), up = vec(0, 0, 0);
+
+    for (int i = 0; i < 3; i++) {
+        flat = vec_along(flat, b[i], patch->corner[i]);
+        up = vec_along(up, b[i], patch->normal[i]);
+    }
+    return vec_dot(vec_sub(flat, curved), up) > 0 ? flat : curved;
 }
 
 /* How a patch is sampled: on a triangular raster; a slender one on rows along its longest edge,
@@ -107,7 +121,7 @@ static void sample_at(const struct patch *patch, const double b[3], struct vec3s
         if (b[i] <= 0 && patch->shared[(i + 1) % 3])
             return;
     }
-    *array_push(points) = patch_at(patch, b);
+    *array_push(points) = patch->judged ? upper_at(patch, b) : patch_at(patch, b);
 }
 
 static void sample_rows(const struct patch *patch, const struct raster *r, struct vec3s *points)
@@ -246,6 +260,9 @@ static bool has_points_along(const struct sampling *s, int facet, int edge)
 static void sample_facet(const struct sampling *s, size_t f, struct vec3s *points)
 {
     struct patch patch = patch_of_facet(s->mesh, f);
+    patch.judged = s->mesh->normals_made && !patch.flat;
+    for (int i = 0; i < 3; i++)
+        patch.normal[i] = s->mesh->normal.item[s->mesh->face.item[f].v[i]];
     struct raster raster = raster_of(&patch, s->spacing);
 
     for (int i = 0; i < 3; i++) {

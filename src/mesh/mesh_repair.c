@@ -440,6 +440,7 @@ struct mesh_repair_report mesh_repair(struct mesh *mesh, struct vec3 up, int thr
 {
     struct mesh_repair_report report = {.normals_made = mesh->normal.n != mesh->vertex.n};
 
+    mesh->normals_made = report.normals_made;
     array_free(&mesh->row);
     array_free(&mesh->col);
     if (report.normals_made)

@@ -135,6 +135,37 @@ START_TEST(slivers_have_points_everywhere)
 }
 END_TEST
 
+/* A hollow of facets: the curved triangles lie below them, and where the normals are the facets'
+ * own means no point does. */
+START_TEST(facets_count_where_normals_are_theirs)
+{
+    const double radius = 5, size = 2;
+    struct mesh m = {0};
+    for (int i = 0; i < 3; i++) {
+        double turn = 2 * PI * i / 3;
+        struct vec3 p = {size * cos(turn), size * sin(turn), 0};
+        *array_push(&m.vertex) = p;
+        *array_push(&m.normal) = vec_unit(vec(-p.x, -p.y, sqrt(radius * radius - size * size)));
+    }
+    *array_push(&m.face) = (struct face){{0, 1, 2}};
+    for (int made = 0; made < 2; made++) {
+        struct vec3s points = {0};
+        double lowest = 0;
+        m.normals_made = made;
+        guard_points_of_mesh(&m, NULL, 0.2, 1e6, 1, &points);
+        for (size_t i = 0; i < points.n; i++)
+            lowest = fmin(lowest, points.item[i].z);
+        ck_assert_uint_gt(points.n, 100);
+        if (made)
+            ck_assert_double_eq(lowest, 0);
+        else
+            ck_assert_double_lt(fabs(lowest + radius - sqrt(radius * radius - size * size)), 0.02);
+        array_free(&points);
+    }
+    mesh_free(&m);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("guard_mesh");
@@ -145,6 +176,7 @@ int main(void)
     tcase_add_test(tcase, roof_and_valley);
     tcase_add_test(tcase, crease_that_ends);
     tcase_add_test(tcase, slivers_have_points_everywhere);
+    tcase_add_test(tcase, facets_count_where_normals_are_theirs);
     suite_add_tcase(suite, tcase);
     SRunner *runner = srunner_create(suite);
     srunner_run_all(runner, CK_NORMAL);
