@@ -8,7 +8,9 @@
  * one and to twice as many.  What the fits leave, for their degrees of freedom, is noise and what
  * of the surface is no quadric: the latter grows with the width as its third power or faster, so
  * that its variance is GROWTH times as large over twice the points, and the former does not grow.
- * Medians over the places, so that edges, outliers and the few tight bends do not count.
+ * Medians over the places, so that edges, outliers and the few tight bends do not count.  Where
+ * most places lie over edges, as of terraces, a median is of these: then the variances fall into
+ * two groups with nothing between, and the lower one tells.
  */
 #ifndef CLOUDMILL_NOISE_H
 #define CLOUDMILL_NOISE_H
@@ -17,12 +19,17 @@
 
 #include "math/point_grid.h"
 
+#define NOISE_NONE 0.0007 /* of a cell's width: a scan without noise */
+
 struct noise {
     double sigma; /* standard deviation of the points from the surface, along its normal, mm; 0
                      where the surface explains all */
     bool alike;   /* the points are spread about the surface alike everywhere and however wide one
                      looks, and less than they are apart: by the scanner, not by the shape of a
                      rough part */
+    double even;  /* not alike: the standard deviation of those places that a quadric explains, mm,
+                     where they are a fifth of all, alike among themselves, and all others, as over
+                     steps, far off; else 0 */
 };
 
 struct noise noise_measure(const struct point_grid *point_grid, int threads);

@@ -8,9 +8,6 @@
 #include "cloud/outliers.h"
 #include "cloud/plan_extent.h"
 
-/* Of a cell's width: a scan without noise. */
-static const double NONE = 0.0007;
-
 struct believed believed_in_grid(const struct point_grid *point_grid,
                                  const struct believed_options *options, unsigned char *out)
 {
@@ -22,8 +19,10 @@ struct believed believed_in_grid(const struct point_grid *point_grid,
         b.sigma = options->noise;
     else if (b.noise.alike && b.sheets.places == 0)
         b.sigma = b.noise.sigma;
+    else if (b.sheets.places == 0)
+        b.sigma = b.noise.even;
     double sigma = measured ? b.noise.sigma : options->noise;
-    if (measured && !b.noise.alike && sigma >= NONE * point_grid->cell)
+    if (measured && !b.noise.alike && sigma >= NOISE_NONE * point_grid->cell)
         b.outliers = outliers_floating(point_grid, sigma, options->threads, out);
     else if (measured || sigma > 0)
         b.outliers = outliers_isolated(point_grid, sigma, options->threads, out);

@@ -16,7 +16,14 @@ static const double SIGMA_OF_MEDIAN = 1.4826; /* the median of the sizes, normal
 
 static const double WHITE = 1.35; /* spread of twice the points by that of once, at most */
 static const double EVEN = 3;     /* spread of the roughest tenth by that of the smoothest */
-static const double CELL = 3;     /* width of a cell in mean spacings of the points */
+
+/* Of the tenth of the variances, which is 0.49 of the true one where all are noise, and 0.72 where
+ * a third is: above 6 times it lies one of a thousand of these, and another group from 24 on (twice
+ * as far off), with no more than a tenth of all between.  A quarter of noise is above 1.25 of
+ * the true one, and one below 0.67: 1.86 times, and more by chance. */
+static const double GROUP = 6, APART = 24, BETWEEN = 0.1, LEAST = 0.2, QUARTERS = 2.2;
+
+static const double CELL = 3; /* width of a cell in mean spacings of the points */
 
 struct measurement {
     const struct point_grid *point_grid;
@@ -94,6 +101,29 @@ static size_t sort_measured(double *value, size_t n)
     return found;
 }
 
+/* Those of `value`, in order, that are below `most`. */
+static size_t count_below(const double *value, size_t n, double most)
+{
+    size_t below = 0;
+
+    while (below < n && value[below] < most)
+        below++;
+    return below;
+}
+
+/* Of variances in order, in two groups: the middle one of the lower, which are as noise alone lets
+ * them be (a chi squared distribution); else 0. */
+static double lower_group(const double *variance, size_t n)
+{
+    double tenth = variance[n / 10];
+    size_t low = count_below(variance, n, GROUP * tenth);
+    size_t high = n - count_below(variance, n, APART * tenth);
+    bool parted = (double)(n - low - high) <= BETWEEN * (double)n;
+    bool even = variance[3 * low / 4] <= QUARTERS * variance[low / 4];
+
+    return (double)low >= LEAST * (double)n && parted && even ? variance[low / 2] : 0;
+}
+
 struct noise noise_measure(const struct point_grid *point_grid, int threads)
 {
     size_t places = point_grid->n < PLACES ? point_grid->n : PLACES;
@@ -107,6 +137,9 @@ struct noise noise_measure(const struct point_grid *point_grid, int threads)
         noise.sigma = sqrt(fmax((GROWTH * narrow - wide) / (GROWTH - 1), 0));
         noise.alike = noise.sigma < point_grid->cell / CELL && wide <= WHITE * WHITE * narrow &&
                       m.fewer[9 * fewer / 10] <= EVEN * EVEN * m.fewer[fewer / 10];
+        noise.even = noise.alike ? 0 : sqrt(lower_group(m.fewer, fewer));
+        if (noise.even < NOISE_NONE * point_grid->cell)
+            noise.even = 0;
     }
     free(m.fewer);
     free(m.twice);

@@ -21,16 +21,40 @@ static double roof(double x, double y)
 
 static double (*const shape[])(double, double) = {panel_height, wave, roof};
 
-static double measured(void)
+/* Steps of 0.4 mm, 2 mm wide or more. */
+static double terraces(double x, double y)
+{
+    return 0.4 * floor((3 * sin(x / 15) * cos(y / 11) + 0.03 * x) / 0.4);
+}
+
+/* Even on one side of x = 25, on the other of no shape that points tell. */
+static double rough(double x, double y)
+{
+    return x < 25 ? panel_height(x, y) : panel_height(x, y) + noisy_uniform() * noisy_uniform();
+}
+
+/* The whole of it is rough, here more and there less. */
+static double leaves(double x, double y)
+{
+    return panel_height(x, y) + noisy_normal() * 0.02 * exp(2 * sin(x / 9) * cos(y / 7));
+}
+
+static struct noise measured_all(void)
 {
     struct point_grid point_grid;
     struct error error;
     ck_assert_int_eq(point_grid_make(scan.item, scan.n, 0.48, 2, &point_grid, &error), 0);
-    double noise = noise_sigma(&point_grid, 2);
-    ck_assert(noise == noise_sigma(&point_grid, 1));
+    struct noise noise = noise_measure(&point_grid, 2);
+    struct noise once = noise_measure(&point_grid, 1);
+    ck_assert(noise.sigma == once.sigma && noise.even == once.even);
     point_grid_free(&point_grid);
     array_free(&scan);
     return noise;
+}
+
+static double measured(void)
+{
+    return measured_all().sigma;
 }
 
 START_TEST(as_put_on)
@@ -65,6 +89,40 @@ START_TEST(a_few_outliers_do_not_count)
 }
 END_TEST
 
+/* Where most places lie over a step, those that do not tell the noise; a fifth of the variance of
+ * a variance of ten degrees of freedom is 0.45, its middle one of 400 is known within 5 %. */
+START_TEST(over_steps)
+{
+    const double sigma[] = {0.003, 0.005, 0.01};
+    for (int p = NOISY_GRID; p <= NOISY_RANDOM; p += 2)
+        for (int s = 0; s < 3; s++) {
+            noisy_seed((unsigned)(5 + s));
+            noisy_scan(&scan, terraces, 17000, (enum noisy_pattern)p, sigma[s]);
+            struct noise noise = measured_all();
+            ck_assert(!noise.alike);
+            ck_assert_double_gt(noise.sigma, 2 * sigma[s]);
+            ck_assert_double_eq_tol(noise.even / sigma[s], 1, 0.15);
+        }
+}
+END_TEST
+
+/* A rough half beside an even one: the even one's.  What is rough here and there, or has edges at
+ * few places, has none. */
+START_TEST(no_even_places)
+{
+    double (*const of[])(double, double) = {rough, leaves, roof, terraces};
+    for (int k = 0; k < 4; k++) {
+        noisy_seed(11);
+        noisy_scan(&scan, of[k], 17000, NOISY_RANDOM, k == 3 ? 0 : 0.005);
+        struct noise noise = measured_all();
+        if (k == 0)
+            ck_assert_double_eq_tol(noise.even / 0.005, 1, 0.15);
+        else
+            ck_assert_msg(noise.even == 0, "shape %d: %g", k, noise.even);
+    }
+}
+END_TEST
+
 START_TEST(fewer_points_than_it_takes)
 {
     for (int i = 0; i < 10; i++)
@@ -81,6 +139,8 @@ int main(void)
     tcase_add_loop_test(tests, as_put_on, 0, 3);
     tcase_add_loop_test(tests, none, 0, 3);
     tcase_add_test(tests, a_few_outliers_do_not_count);
+    tcase_add_test(tests, over_steps);
+    tcase_add_test(tests, no_even_places);
     tcase_add_test(tests, fewer_points_than_it_takes);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);
