@@ -87,14 +87,16 @@ once := io/nurbs/% nurbs/trim_% nurbs/construct nurbs/uv_polygon machine/machine
   cloud/crest_fit cloud/edge_points cloud/edge_meet cloud/edge_crest cloud/edge_fill \
   cloud/edge_flank cloud/edge_along cloud/cone_tip cloud/roof cloud/sheets cloud/holes io/path/path_tool \
   gouge/guard_mesh io/mesh/ply io/mesh/ply_source toolpath/scallop gouge/access gouge/axis_choose cloud/outliers \
-  gouge/gouge_lift gouge/lift_smooth gouge/link gouge/link_retract gouge/link_sweep gouge/smooth_up gouge/smooth_aside
+  gouge/gouge_lift gouge/lift_smooth gouge/link gouge/link_retract gouge/link_sweep gouge/smooth_up gouge/smooth_aside \
+  simulate/part_coverage
 $(once:%=$(BUILD)/src/%.o): CFLAGS := $(CFLAGS:-O3=-O2)
 # Of these, IGES and STEP files and where rest passes go, also without what makes -O2 longer.
 small := io/nurbs/nurbs_text% machine/machine machine/machine_options machine/template base/cli \
   stage/tool_% stage/nurbs_report stage/path_options stage/gouge_options stage/guard_read \
   stage/toolpath_report stage/path_coverage stage/path_check io/nurbs/iges% io/nurbs/step% \
   cloud/edge_unknown cloud/edge_cliff cloud/edge_foot toolpath/rest_% stage/toolpath_shorten \
-  stage/toolpath_order
+  stage/toolpath_order simulate/unseen_% io/path/path_cycle \
+  nurbs/construct mesh/mesh_repair
 $(small:%=$(BUILD)/src/%.o): CFLAGS := $(CFLAGS:-O3=-Os)
 
 # The file VERSION is what `--version`, the tarball and the packages say.

@@ -6,7 +6,8 @@
  * who judges it does not know better.  A point is at the foot of such a wall where, seen from
  * above, other points near it are higher by more than a steep slope explains, with none of a height
  * between, and no other low point is nearer to these.  On a flank that was scanned, however steep,
- * there are points of all heights.  Lengths in mm.
+ * there are points of all heights.  A lower step counts where both its sides are plane and alike,
+ * as of a terrace.  Lengths in mm.
  */
 #ifndef CLOUDMILL_UNSEEN_WALL_H
 #define CLOUDMILL_UNSEEN_WALL_H

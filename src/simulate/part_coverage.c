@@ -35,8 +35,9 @@ enum {
 #define FACES_UP 0.5 /* Z of a normal, at least, of what is material below */
 #define OVERHEAD 4   /* radii above the ball's centre that are looked at for it */
 #define BESIDE_GAP 0.75 /* mean distances of points that the ball may be beside them unnoticed */
-#define COLUMN 0.2      /* of the radius: points over the foot of a wall are so far apart */
-#define TOO_SPARSE 0.6  /* of the radius: where it could be further, nothing is known */
+#define CORNER 0.5 /* mean distances of points: so far a corner is out between two feet of a wall */
+#define COLUMN 0.2 /* of the radius: points over the foot of a wall are so far apart */
+#define TOO_SPARSE 0.6 /* of the radius: where it could be further, nothing is known */
 
 /* ---- directions */
 
@@ -102,8 +103,9 @@ struct reach {
     double *area;
     bool *up;                 /* of each point: the surface faces up there */
     struct kdtree *roof_tree; /* of these points */
-    struct kdtree *wall_tree; /* of places where walls may stand that have no points */
-    struct vec3 ball[BALLS];  /* directions of a ball's centre from its point */
+    struct vec3s wall;        /* places where walls may stand that have no points */
+    struct kdtree *wall_tree;
+    struct vec3 ball[BALLS]; /* directions of a ball's centre from its point */
 };
 
 /* Which cell of a grid of this width a point is in, as a number to sort by. */
@@ -217,11 +219,30 @@ static bool ball_is_inside(const struct reach *r, size_t i, struct vec3 centre)
                              vec_along(centre, OVERHEAD * radius, vec(0, 0, 1)), radius - smaller);
 }
 
+/* A wall that has no points may stand within the ball, or so much before the feet that were seen as
+ * a corner stands out between two of them. */
+static bool ball_is_in_wall(const struct reach *r, size_t i, struct vec3 centre)
+{
+    double radius = r->options->radius;
+    size_t k;
+    double distance2;
+
+    if (kdtree_nearest(r->wall_tree, centre, 1, &k, &distance2) == 0)
+        return false;
+    if (distance2 < radius * radius)
+        return true;
+    struct vec3 to = vec_sub(r->wall.item[k], centre);
+    double beside = hypot(to.x, to.y), nearer = fmin(CORNER * sqrt(r->area[i]), beside);
+    if (distance2 >= (radius + nearer) * (radius + nearer))
+        return false;
+    struct vec3 moved = vec_along(centre, nearer / beside, vec(to.x, to.y, 0));
+    return kdtree_any_beside(r->wall_tree, moved, moved, radius);
+}
+
 /* The ball is in the material for all that the scan tells. */
 static bool ball_may_be_inside(const struct reach *r, size_t i, struct vec3 centre)
 {
-    return ball_is_inside(r, i, centre) ||
-           kdtree_any_beside(r->wall_tree, centre, centre, r->options->radius);
+    return ball_is_inside(r, i, centre) || ball_is_in_wall(r, i, centre);
 }
 
 /* A tool that stands somewhere. */
@@ -482,7 +503,6 @@ static void find_walls(struct reach *r)
 {
     const double gap = COLUMN * r->options->radius;
     double *spacing = mem_alloc(r->n, sizeof *spacing), *height = mem_alloc(r->n, sizeof *height);
-    struct vec3s wall = {0};
 
     for (size_t i = 0; i < r->n; i++)
         spacing[i] = sqrt(r->area[i]);
@@ -491,10 +511,9 @@ static void find_walls(struct reach *r)
     for (size_t i = 0; i < r->n; i++) {
         double parts = ceil(height[i] / gap);
         for (double k = 1; k <= parts; k++)
-            *array_push(&wall) = vec_along(r->point[i], k / parts * height[i], vec(0, 0, 1));
+            *array_push(&r->wall) = vec_along(r->point[i], k / parts * height[i], vec(0, 0, 1));
     }
-    r->wall_tree = kdtree_new_by(wall.item, wall.n, r->options->threads);
-    array_free(&wall);
+    r->wall_tree = kdtree_new_by(r->wall.item, r->wall.n, r->options->threads);
     free(spacing);
     free(height);
 }
@@ -544,6 +563,7 @@ void part_coverage_run(const struct vec3 *point, const double *deviation,
     kdtree_free(r.wall_tree);
     free(r.up);
     array_free(&r.solid);
+    array_free(&r.wall);
     array_free(&r.sparse);
     array_free(&r.order);
     array_free(&r.first);

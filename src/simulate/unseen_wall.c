@@ -5,12 +5,12 @@
 
 #include "base/parallel.h"
 #include "math/box.h"
+#include "unseen_step.h"
 
 static const double NEAR = 2.8;  /* spacings: so far the wall may be, seen from above */
 static const double STEEP = 2.5; /* 68 degrees: by so much a slope rises over that way ... */
 static const double ROUGH = 1;   /* ... and so many spacings more */
-static const double ASIDE = 0.2; /* of that reach: the middle of the high points is farther off */
-static const double AHEAD = 0.9; /* cosine: a low point is on the way to a high one */
+static const double WIDER = 1.4; /* the spacing about one point is known so far */
 
 struct search {
     const struct vec3 *point;
@@ -43,27 +43,6 @@ static struct vec3 nearest_above(struct vec3 p, const struct vec3s *near, size_t
     return nearest;
 }
 
-/* The high points are on one side of p, and none of the low ones is before it there: on the way to
- * the wall, or beyond it, under a roof. */
-static bool is_foot(struct vec3 p, const struct vec3s *near, size_t low, double reach)
-{
-    double x = 0, y = 0, n = (double)(near->n - low);
-
-    for (size_t k = low; k < near->n; k++) {
-        x += (near->item[k].x - p.x) / n;
-        y += (near->item[k].y - p.y) / n;
-    }
-    double far = hypot(x, y);
-    if (far < ASIDE * reach)
-        return false;
-    for (size_t k = 0; k < low; k++) {
-        double u = near->item[k].x - p.x, v = near->item[k].y - p.y;
-        if (x * u + y * v > AHEAD * far * hypot(u, v))
-            return false;
-    }
-    return true;
-}
-
 /* How high a wall may stand over a point, by those near it, lowest first. */
 static double wall_over(struct vec3 p, const struct vec3s *near, double spacing)
 {
@@ -74,7 +53,10 @@ static double wall_over(struct vec3 p, const struct vec3s *near, double spacing)
             struct vec3 high = nearest_above(p, near, k);
             double step = near->item[k].z - below;
             if (step > STEEP * plan_distance(p, high) + ROUGH * spacing)
-                return is_foot(p, near, k, NEAR * spacing) ? high.z - p.z : 0;
+                return unseen_step_is_foot(p, near->item, k, near->item + k, near->n - k,
+                                           NEAR * spacing)
+                           ? high.z - p.z
+                           : 0;
         }
         below = fmax(below, near->item[k].z);
     }
@@ -92,6 +74,12 @@ static void find_walls(void *context, size_t from, size_t to)
         kdtree_beside(s->tree, p, vec(p.x, p.y, s->top), NEAR * s->spacing[i], &near);
         qsort(near.item, near.n, sizeof *near.item, by_height);
         s->height[i] = wall_over(p, &near, s->spacing[i]);
+        if (s->height[i] > 0)
+            continue;
+        near.n = 0;
+        kdtree_beside(s->tree, p, vec(p.x, p.y, s->top), WIDER * UNSEEN_STEP_REACH * s->spacing[i],
+                      &near);
+        s->height[i] = unseen_step_over(p, &near);
     }
     array_free(&near);
 }
