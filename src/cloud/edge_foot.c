@@ -26,16 +26,18 @@ static int by_height(const void *pa, const void *pb)
 }
 
 /* The points about point i that are no farther, seen from above, than a wall may be; lowest
- * first. */
+ * first.  None where thousands are: what they stand over each other on was scanned. */
 static struct vec3s places_about(const struct edge_work *work, size_t i, double reach)
 {
+    enum { CROWD = 2000 };
     struct edge_about about = edge_about(work, i);
     struct vec3 from = about.grid->point[i];
     struct vec3s near = {0};
 
-    for (size_t k; edge_about_next(&about, &k);)
+    for (size_t k; near.n < CROWD && edge_about_next(&about, &k);)
         if (edge_plan_distance(about.grid->point[k], from) < reach)
             *array_push(&near) = about.grid->point[k];
+    near.n = near.n < CROWD ? near.n : 0;
     if (near.n > 0)
         qsort(near.item, near.n, sizeof *near.item, by_height);
     return near;
