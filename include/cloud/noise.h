@@ -28,8 +28,8 @@ struct noise {
                      looks, and less than they are apart: by the scanner, not by the shape of a
                      rough part */
     double even;  /* not alike: the standard deviation of those places that a quadric explains, mm,
-                     where they are a fifth of all, alike among themselves, and all others, as over
-                     steps, far off; else 0 */
+                     where they are a fifth of all, alike among themselves, and the others, a tenth
+                     or more, as over steps, far off; else 0 */
 };
 
 struct noise noise_measure(const struct point_grid *point_grid, int threads);

@@ -21,7 +21,7 @@ static const double EVEN = 3;     /* spread of the roughest tenth by that of the
  * a third is: above 6 times it lies one of a thousand of these, and another group from 24 on (twice
  * as far off), with no more than a tenth of all between.  A quarter of noise is above 1.25 of
  * the true one, and one below 0.67: 1.86 times, and more by chance. */
-static const double GROUP = 6, APART = 24, BETWEEN = 0.1, LEAST = 0.2, QUARTERS = 2.2;
+static const double GROUP = 6, APART = 24, BETWEEN = 0.1, LEAST = 0.2, OTHERS = 0.1, QUARTERS = 2.2;
 
 static const double CELL = 3; /* width of a cell in mean spacings of the points */
 
@@ -121,7 +121,9 @@ static double lower_group(const double *variance, size_t n)
     bool parted = (double)(n - low - high) <= BETWEEN * (double)n;
     bool even = variance[3 * low / 4] <= QUARTERS * variance[low / 4];
 
-    return (double)low >= LEAST * (double)n && parted && even ? variance[low / 2] : 0;
+    return (double)low >= LEAST * (double)n && (double)high >= OTHERS * (double)n && parted && even
+               ? variance[low / 2]
+               : 0;
 }
 
 struct noise noise_measure(const struct point_grid *point_grid, int threads)
