@@ -16,7 +16,8 @@
 
 /*
  * The height above each of n points, which are those of the tree, up to which an unseen wall may
- * stand over it; 0: none.  `spacing`: distances of the points about each; height[n].
+ * stand over it; 0: none.  `spacing`: distances of the points about each; height[n], of which those
+ * are looked for that are not below zero.
  */
 void unseen_wall_find(const struct vec3 *point, const double *spacing, size_t n,
                       const struct kdtree *tree, int threads, double *height);

@@ -498,6 +498,27 @@ static void find_roofs(struct reach *r)
     array_free(&roof);
 }
 
+/* Heights of walls over points that are farther than any ball reaches which touches one of those
+ * asked for: below zero. */
+static void leave_out_far(const struct reach *r, double *height)
+{
+    double far = 2 * r->options->radius, top = box_around(r->point, r->n).high.z;
+    struct vec3s asked = {0};
+
+    for (size_t k = 0; k < r->order.n; k++) {
+        size_t i = r->order.item[k];
+        far = fmax(far, 2 * r->options->radius + r->options->limit + CORNER * sqrt(r->area[i]));
+        *array_push(&asked) = r->point[i];
+    }
+    struct kdtree *tree = kdtree_new_by(asked.item, asked.n, r->options->threads);
+    for (size_t i = 0; i < r->n; i++)
+        height[i] =
+            kdtree_any_beside(tree, r->point[i], vec(r->point[i].x, r->point[i].y, top), far) ? 0
+                                                                                              : -1;
+    kdtree_free(tree);
+    array_free(&asked);
+}
+
 /* Columns over the feet of walls that may stand there. */
 static void find_walls(struct reach *r)
 {
@@ -506,6 +527,7 @@ static void find_walls(struct reach *r)
 
     for (size_t i = 0; i < r->n; i++)
         spacing[i] = sqrt(r->area[i]);
+    leave_out_far(r, height);
     if (!r->options->whole)
         unseen_wall_find(r->point, spacing, r->n, r->tree, r->options->threads, height);
     for (size_t i = 0; i < r->n; i++) {

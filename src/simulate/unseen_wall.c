@@ -70,6 +70,8 @@ static void find_walls(void *context, size_t from, size_t to)
 
     for (size_t i = from; i < to; i++) {
         struct vec3 p = s->point[i];
+        if (s->height[i] < 0)
+            continue;
         near.n = 0;
         kdtree_beside(s->tree, p, vec(p.x, p.y, s->top), NEAR * s->spacing[i], &near);
         qsort(near.item, near.n, sizeof *near.item, by_height);
