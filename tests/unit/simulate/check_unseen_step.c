@@ -86,12 +86,13 @@ START_TEST(terraces)
                      fabs(found[i] - high) > 5 * sigma + slope * REACH;
         }
     ck_assert_uint_le(50 * wrong, feet + 50);
-    /* along the whole of it, of 70 spacings none that has no foot in the next five of both ways */
+    /* along the whole of it, of 70 spacings none that has no foot in the next ten of both ways (one
+     * in 50 of these scans has one without in the next six) */
     for (double y = -9; y <= 9; y += 0.25) {
         double near = HUGE_VAL;
         for (size_t i = 0; i < p.n; i++)
             near = found[i] > 0 ? fmin(near, fabs(p.item[i].y - y)) : near;
-        ck_assert_double_lt(near, 6 * SPACING);
+        ck_assert_double_lt(near, 10 * SPACING);
     }
     free(found);
     array_free(&p);
