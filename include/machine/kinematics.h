@@ -90,6 +90,9 @@ struct vec3 chain_linear(const struct kinematic_chain *chain, struct vec3 tip, c
 struct vec3 chain_linear_of(const struct kinematic_chain *chain, struct vec3 tip,
                             const struct turned *at);
 
+/* Its angles at zero, or as near as their travel lets them be; q[ROTARY_MAX], 0 beyond chain->n. */
+void chain_zero(const struct kinematic_chain *chain, double q[]);
+
 /* The direction is singular: the axis nearest the work may have any angle. */
 bool chain_free(const struct kinematic_chain *chain, struct vec3 axis);
 

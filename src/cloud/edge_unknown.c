@@ -247,14 +247,15 @@ void edge_unknown_add(const struct edge_work *work, size_t i, struct vec3s *to)
     if (!(work->unknown[i] > 0) || !edge_unknown_counts(work, i))
         return;
     edge_hood_find(work, i, &near);
+    struct vec3 tip = tip_of(work, i);
     for (size_t k = 1; k < near.n; k++) {
         size_t j = near.index[k];
         double far = sqrt(near.distance2[k]);
         if (!(work->unknown[j] > 0)) {
             if (far < BESIDE * near.spacing)
-                add_side(work, tip_of(work, i), near.point[k], to);
+                add_side(work, tip, near.point[k], to);
         } else if (j > i && far < LINKED * near.spacing && !has_below(&near, k)) {
-            add_side(work, tip_of(work, i), tip_of(work, j), to);
+            add_side(work, tip, tip_of(work, j), to);
             add_side(work, near.point[0], near.point[k], to);
         }
     }

@@ -156,6 +156,14 @@ static struct chain_solutions angle_of_one(const struct kinematic_chain *chain, 
     return s;
 }
 
+void chain_zero(const struct kinematic_chain *chain, double q[])
+{
+    for (int i = 0; i < ROTARY_MAX; i++) {
+        const struct rotary *r = &chain->rotary[i];
+        q[i] = i < chain->n ? fmin(fmax(0, r->min), r->max) : 0;
+    }
+}
+
 bool chain_free(const struct kinematic_chain *chain, struct vec3 axis)
 {
     struct vec3 off = vec_cross(chain->rotary[0].axis, axis);

@@ -304,8 +304,7 @@ int nc_plan_make(struct nc_plan *plan, const struct path *path, const struct mac
     planner.safe_radius = post_ik_safe_radius(machine);
     planner.state.faster = 1;
     planner.state.off = (struct pose_deviation){NAN, NAN};
-    for (int i = 0; i < own.chain.n; i++) /* at zero, or as near as the travel lets them be */
-        planner.state.at.q[i] = fmin(fmax(0, own.chain.rotary[i].min), own.chain.rotary[i].max);
+    chain_zero(&own.chain, planner.state.at.q);
     planner.state.turned = chain_turned(&machine->chain, planner.state.at.q);
     post_item_tool(&planner, path_ball(path));
     planner.state.tool = path->head.tool;

@@ -98,8 +98,7 @@ int post_tilted_check(const struct nc_program *program, const struct machine *ma
                        .error = error,
                        .near = post_ik_safe_radius(machine)};
     int result = 0;
-    for (int i = 0; i < machine->chain.n; i++)
-        t.q[i] = fmin(fmax(0, machine->chain.rotary[i].min), machine->chain.rotary[i].max);
+    chain_zero(&machine->chain, t.q);
     take_tool(&t, program->path->head.tool);
     turn_to_plane(&t, 0);
     for (size_t i = 0; i < program->plan->move.n && result == 0; i++) {

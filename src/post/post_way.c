@@ -9,17 +9,19 @@
 
 enum { LOOKS = 12 /* on a way */, PLACES = 16 /* between a place and 0 */ };
 
+/* The linear axes where they stand, with the tip there. */
+static struct nc_over over_of(const struct nc_planner *planner, struct vec3 tip, struct vec3 linear)
+{
+    const double at[] = {linear.x, linear.y, linear.z};
+    int axis = post_ik_out_of_travel(planner, at);
+    return (struct nc_over){axis >= 0, axis, axis >= 0 ? at[axis] : 0, tip};
+}
+
 static struct nc_over over_at(const struct nc_planner *planner, struct vec3 tip, const double q[])
 {
-    struct nc_over over = {.tip = tip};
     if (vec_dot(tip, tip) < planner->safe_radius * planner->safe_radius)
-        return over;
-    struct vec3 p = chain_linear(&planner->machine->chain, tip, q);
-    const double at[] = {p.x, p.y, p.z};
-    over.axis = post_ik_out_of_travel(planner, at);
-    over.is = over.axis >= 0;
-    over.value = over.is ? at[over.axis] : 0;
-    return over;
+        return (struct nc_over){.tip = tip};
+    return over_of(planner, tip, chain_linear(&planner->machine->chain, tip, q));
 }
 
 /* The way is so short a turn that it bulges by less than half of a last digit. */
@@ -57,17 +59,13 @@ struct nc_over post_way_over(const struct nc_planner *planner, const struct bloc
                              const struct block_pose *to)
 {
     double near = planner->safe_radius * planner->safe_radius;
-    struct nc_over over = {0};
     if (planner->follow.mode == INTERPOLATE_JOINT) {
-        const double at[] = {to->p.x, to->p.y, to->p.z};
-        over.axis = post_ik_out_of_travel(planner, at);
-        over.is = over.axis >= 0;
-        over.value = over.is ? at[over.axis] : 0;
+        struct nc_over over = over_of(planner, to->p, to->p);
         over.tip = over.is ? chain_tip(&planner->machine->chain, to->p, to->q) : to->p;
         return over;
     }
     if (vec_dot(from->p, from->p) < near && vec_dot(to->p, to->p) < near)
-        return over;
+        return (struct nc_over){0};
     if (hardly_turns(planner, from, to))
         return over_at(planner, to->p, to->q);
     return over_between(planner, planner->follow.mode, from, to);
@@ -79,8 +77,7 @@ static struct nc_over over_from_zero(const struct nc_planner *planner, const str
 {
     const struct kinematic_chain *chain = &planner->machine->chain;
     struct block_pose zero = {.p = to->p};
-    for (int i = 0; i < chain->n; i++)
-        zero.q[i] = fmin(fmax(0, chain->rotary[i].min), chain->rotary[i].max);
+    chain_zero(chain, zero.q);
     zero.a = chain_axis(chain, zero.q);
     struct nc_over over = over_at(planner, zero.p, zero.q);
     if (!over.is)

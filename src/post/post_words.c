@@ -18,19 +18,10 @@ bool nc_zero_first(const struct nc_program *p)
     return p->plan->ability.tcp && p->machine->tcp_frame == TCP_FRAME_ZERO && p->machine->chain.n;
 }
 
-/* The rotary axes at zero, or as near as their travel lets them be. */
-static void zero_angles(const struct nc_program *p, double q[])
-{
-    for (int i = 0; i < ROTARY_MAX; i++) {
-        const struct rotary *r = &p->machine->chain.rotary[i];
-        q[i] = i < p->machine->chain.n ? fmin(fmax(0, r->min), r->max) : 0;
-    }
-}
-
 void nc_rotary_start(struct nc_program *p, const struct nc_move *first)
 {
     double zero[ROTARY_MAX];
-    zero_angles(p, zero);
+    chain_zero(&p->machine->chain, zero);
     nc_rotary(p, nc_zero_first(p) ? zero : first->q);
 }
 

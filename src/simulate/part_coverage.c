@@ -527,9 +527,10 @@ static void find_walls(struct reach *r)
 
     for (size_t i = 0; i < r->n; i++)
         spacing[i] = sqrt(r->area[i]);
-    leave_out_far(r, height);
-    if (!r->options->whole)
+    if (!r->options->whole) {
+        leave_out_far(r, height);
         unseen_wall_find(r->point, spacing, r->n, r->tree, r->options->threads, height);
+    }
     for (size_t i = 0; i < r->n; i++) {
         double parts = ceil(height[i] / gap);
         for (double k = 1; k <= parts; k++)

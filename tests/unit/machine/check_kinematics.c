@@ -27,6 +27,28 @@ START_TEST(published_axis)
 }
 END_TEST
 
+/* At zero, at the end that is nearest to it, and 0 where there is no axis. */
+START_TEST(zero_within_travel)
+{
+    struct kinematic_chain chain = chain_of(KIND_TABLE_AC);
+    double q[ROTARY_MAX] = {1, 1};
+
+    chain.rotary[0].min = -1;
+    chain.rotary[0].max = 2;
+    chain.rotary[1].min = 0.3;
+    chain.rotary[1].max = 0.9;
+    chain_zero(&chain, q);
+    ck_assert(q[0] == 0 && q[1] == 0.3);
+    chain.rotary[1].min = -0.9;
+    chain.rotary[1].max = -0.2;
+    chain_zero(&chain, q);
+    ck_assert(q[1] == -0.2);
+    chain.n = 1;
+    chain_zero(&chain, q);
+    ck_assert(q[1] == 0);
+}
+END_TEST
+
 static void same_remainder(double q)
 {
     double got = angle_remainder(q), right = remainder(q, 2 * PI);
@@ -258,6 +280,7 @@ int main(void)
 
     tcase_set_timeout(tests, 120);
     tcase_add_test(tests, published_axis);
+    tcase_add_test(tests, zero_within_travel);
     tcase_add_loop_test(tests, inverse_is_inverse, 0, KINDS);
     tcase_add_loop_test(tests, angles_come_back, 0, KINDS);
     tcase_add_test(tests, near_the_pole);
