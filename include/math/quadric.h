@@ -15,8 +15,9 @@
 struct quadric {
     struct vec3 origin, u, v, w; /* w near the normal; unit vectors */
     double c[10]; /* from the sixth on of u^3, u^2 v, u v^2, v^3: cubic.h; of a quadric 0 */
-    double variance,
-        tilt; /* of c0; of c1 and c2 together, 1/mm^2: where each point's w has 1 mm^2 */
+    /* where each point's w has 1 mm^2: of c0; of c1 and c2 together, of c1, and of both with each
+       other (covariance), 1/mm^2 */
+    double variance, tilt, tilt_u, tilt_uv;
 };
 
 /* Without a surface yet: u and v across w (unit), all coefficients 0. */
@@ -89,6 +90,9 @@ struct vec3 quadric_foot(const struct quadric *quadric);
 
 /* At the origin's foot on the quadric (u = v = 0): unit normal, on the side of w ... */
 struct vec3 quadric_normal(const struct quadric *quadric);
+
+/* ... the variance of its slope there one way, any vector but across it, 1/mm^2 as `tilt` ... */
+double quadric_tilt_along(const struct quadric *quadric, struct vec3 way);
 
 /* ... distance of the origin from the surface, to first order ... */
 double quadric_distance(const struct quadric *quadric);

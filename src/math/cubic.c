@@ -159,13 +159,13 @@ static void solve_forward(double a[TERMS][TERMS], double y[TERMS][SIDES])
     }
 }
 
-/* Variance of one coefficient. */
-static double variance_of(double y[TERMS][SIDES], int term)
+/* Covariance of two coefficients; of one with itself, its variance. */
+static double covariance_of(double y[TERMS][SIDES], int term, int other)
 {
-    double sum2 = 0;
-    for (int i = term; i < TERMS; i++)
-        sum2 += y[i][PICKED + term] * y[i][PICKED + term];
-    return sum2;
+    double sum = 0;
+    for (int i = other; i < TERMS; i++)
+        sum += y[i][PICKED + term] * y[i][PICKED + other];
+    return sum;
 }
 
 static double power_of(double x, int n)
@@ -202,10 +202,12 @@ int cubic_fit(const struct vec3 *point, const double *weight, size_t n, struct v
     }
     for (int i = 0; i < TERMS; i++)
         cubic->c[i] = x[i] / power_of(size, U[i] + V[i]);
-    double slope = variance_of(y, 1) + variance_of(y, 2);
+    double slope_u = covariance_of(y, 1, 1), slope = slope_u + covariance_of(y, 2, 2);
     if (slope * m.power[0][0] > UNCERTAIN)
         return -1;
-    cubic->variance = variance_of(y, 0);
+    cubic->variance = covariance_of(y, 0, 0);
     cubic->tilt = slope / (size * size);
+    cubic->tilt_u = slope_u / (size * size);
+    cubic->tilt_uv = covariance_of(y, 1, 2) / (size * size);
     return 0;
 }

@@ -176,19 +176,26 @@ static void solve_back(double a[CUBIC][CUBIC], const double inverse[CUBIC], doub
         c[i] *= scale[U[i] + V[i]];
 }
 
-/* Of c0, and of c1 and c2 together, by the squares of the first so many terms. */
+/* Of c0, of c1 and c2 together, and what these have in common, by the products of the first so many
+ * terms. */
 static void find_variances(double y[CUBIC][SIDES], double radius, struct moment_fit *fit)
 {
-    double variance[3][2] = {{0}};
+    double variance[3][2] = {{0}}, both[2] = {0};
 
-    for (int i = 0; i < CUBIC; i++)
+    for (int i = 0; i < CUBIC; i++) {
         for (int term = 0; term < 3; term++)
             variance[term][i >= QUADRIC] += y[i][PICKED + term] * y[i][PICKED + term];
+        both[i >= QUADRIC] += y[i][PICKED + 1] * y[i][PICKED + 2];
+    }
     double radius2 = radius * radius, tilt = variance[1][0] + variance[2][0];
     fit->quadric.variance = variance[0][0];
     fit->quadric.tilt = tilt / radius2;
+    fit->quadric.tilt_u = variance[1][0] / radius2;
+    fit->quadric.tilt_uv = both[0] / radius2;
     fit->cubic.variance = variance[0][0] + variance[0][1];
     fit->cubic.tilt = (tilt + variance[1][1] + variance[2][1]) / radius2;
+    fit->cubic.tilt_u = (variance[1][0] + variance[1][1]) / radius2;
+    fit->cubic.tilt_uv = (both[0] + both[1]) / radius2;
 }
 
 /* Spread of what a surface with so many terms leaves. */

@@ -116,16 +116,18 @@ static int solve(double a[TERMS][COLUMNS], double x[TERMS])
 }
 
 /* Variances of the sums of part[i] x[i], of two at a time: |y|^2, U' y = part, where U' U are the
- * sums of products; `a` holds U, as solve leaves it. */
-static pair variances_of(double a[TERMS][COLUMNS], const pair part[TERMS])
+ * sums of products; `a` holds U, as solve leaves it.  *both: their covariance. */
+static pair variances_of(double a[TERMS][COLUMNS], const pair part[TERMS], double *both)
 {
     pair y[TERMS], sum2 = {0, 0};
+    *both = 0;
     for (int i = 0; i < TERMS; i++) {
         y[i] = part[i];
         for (int k = 0; k < i; k++)
             y[i] -= pair_both(a[k][i]) * y[k];
         y[i] /= pair_both(a[i][i]);
         sum2 += y[i] * y[i];
+        *both += y[i][0] * y[i][1];
     }
     return sum2;
 }
@@ -137,9 +139,12 @@ static void find_variances(double a[TERMS][COLUMNS], struct span s, struct quadr
     const pair value[TERMS] = {{1, 1},         {u, u},         {v, v},
                                {u * u, u * u}, {u * v, u * v}, {v * v, v * v}};
     const pair slope[TERMS] = {{0, 0}, {1, 0}, {0, 1}, {2 * u, 0}, {v, u}, {0, 2 * v}};
-    pair tilt = variances_of(a, slope);
-    q->variance = variances_of(a, value)[0];
-    q->tilt = (tilt[0] + tilt[1]) / (s.size * s.size);
+    double both, size2 = s.size * s.size;
+    q->variance = variances_of(a, value, &both)[0];
+    pair tilt = variances_of(a, slope, &both);
+    q->tilt = (tilt[0] + tilt[1]) / size2;
+    q->tilt_u = tilt[0] / size2;
+    q->tilt_uv = both / size2;
 }
 
 int quadric_fit(const struct vec3 *point, size_t n, struct vec3 origin, struct vec3 guess,
@@ -289,6 +294,13 @@ struct vec3 quadric_normal(const struct quadric *q)
     return vec_unit(vec_along(vec_along(q->w, -q->c[1], q->u), -q->c[2], q->v));
 }
 
+double quadric_tilt_along(const struct quadric *q, struct vec3 way)
+{
+    double u = vec_dot(way, q->u), v = vec_dot(way, q->v), length2 = u * u + v * v;
+    double sum = u * u * q->tilt_u + 2 * u * v * q->tilt_uv + v * v * (q->tilt - q->tilt_u);
+    return length2 > 0 ? sum / length2 : 0;
+}
+
 void quadric_face_up(struct quadric *q)
 {
     if (quadric_normal(q).z >= 0)
@@ -302,6 +314,7 @@ void quadric_face_up(struct quadric *q)
     q->c[4] = -q->c[4];
     q->c[7] = -q->c[7];
     q->c[9] = -q->c[9];
+    q->tilt_uv = -q->tilt_uv;
 }
 
 double quadric_distance(const struct quadric *q)

@@ -12,7 +12,8 @@
 #include "math/point_grid.h"
 
 /* True if of the cell of a place and the eight about it several have points enough to tell, and all
- * of these are further off a plane of their own, as heights, than `most` mm rms. */
+ * of these are further off a plane of their own, as heights, than `most` mm rms, with and without
+ * any one point. */
 bool rough_place(const struct point_grid *scan, struct vec3 place, double most);
 
 #endif

@@ -169,13 +169,15 @@ static int fit_to(struct surface_fit_hood *hood, size_t k, struct vec3 vertex, s
 static bool same_foot(const struct surface_fit *wide, const struct surface_fit *part, double sigma,
                       double times)
 {
-    const double sigmas = 2.5, tilts = 3;
+    const double sigmas = 2.5, tilts = 4.25; /* by chance, of two slopes: exp(-tilts^2 / 2) */
     /* of the difference of nested fits; of a cubic and a quadric, about that of the cubic */
     double variance = fmax(part->q.variance - wide->q.variance, wide->q.variance);
-    double tilt = fmax(part->q.tilt - wide->q.tilt, wide->q.tilt);
-    double turn = vec_distance(quadric_normal(&wide->q), quadric_normal(&part->q));
+    struct vec3 turn = vec_sub(quadric_normal(&wide->q), quadric_normal(&part->q));
+    struct vec3 way = vec_unit(turn); /* on few scan lines the slope across is far less certain */
+    double of_wide = quadric_tilt_along(&wide->q, way);
+    double tilt = fmax(quadric_tilt_along(&part->q, way) - of_wide, of_wide);
     return fabs(wide->offset - part->offset) <= times * sigmas * sigma * sqrt(variance) &&
-           turn <= times * tilts * sigma * sqrt(tilt);
+           vec_length(turn) <= times * tilts * sigma * sqrt(tilt);
 }
 
 /* Is the wide neighbourhood spread as its nearer part is? */
@@ -231,10 +233,13 @@ static size_t widest_hood(const struct surface_fit_options *rule, struct vec3 ve
     return widest;
 }
 
-/* Certain enough to go without more points, where these agree. */
+/* Certain enough to go without more points, where these agree: of the foot in sigma, of the normal
+ * in radians. */
+static const double SETTLED_PART = 0.35, SETTLED_TILT = 0.04;
+
 static bool is_settled(const struct quadric *q, double sigma)
 {
-    return is_certain(q, sigma, 0.35, 0.04);
+    return is_certain(q, sigma, SETTLED_PART, SETTLED_TILT);
 }
 
 /* The neighbourhood to begin with, wider where it carries no surface or, at a border, an uncertain
@@ -262,11 +267,15 @@ static size_t begin_at(const struct surface_fit_options *rule, struct vec3 verte
     return began;
 }
 
-/* Is the nearer part the better one?  Where it is uncertain itself that takes more to say. */
+/* Is the nearer part the better one?  The more uncertain it is itself, the more that takes to say:
+ * where chance alone chooses it, its own error is what is got. */
 static bool is_better(const struct surface_fit *part, const struct surface_fit *fit, double sigma)
 {
-    double times = is_settled(&part->q, sigma) ? 1 : 2;
-    return !is_useless(&part->q, sigma) &&
+    const struct quadric *q = &part->q;
+    double foot = q->variance / (SETTLED_PART * SETTLED_PART);
+    double turn = sigma * sigma * q->tilt / (SETTLED_TILT * SETTLED_TILT);
+    double unsettled = fmax(foot, turn), times = 1 + fmin(1, unsettled * unsettled);
+    return !is_useless(q, sigma) &&
            !(same_foot(fit, part, sigma, times) && same_spread(fit, part, sigma));
 }
 

@@ -291,6 +291,28 @@ START_TEST(marks_in_a_row)
 }
 END_TEST
 
+/* The tip of a needle, whose other points are below it at 0.45 and 0.9 mm, is kept; a point between
+ * two that are as far, below and above it, is none. */
+START_TEST(mark_on_a_needle)
+{
+    for (int i = 0; i < 40; i++)
+        for (int k = 0; k < 40; k++)
+            *array_push(&scan) = vec(0.5 * i, 0.5 * k, 0);
+    for (int k = 1; k <= 3; k++)
+        *array_push(&scan) = vec(5.1, 8, 0.45 * k);
+    for (int k = 0; k < 4; k++)
+        if (k != 2)
+            *array_push(&scan) = vec(15.1, 8, 5 + 0.45 * k);
+    sort();
+    for (size_t i = 0; i < point_grid.n; i++)
+        out[i] =
+            fabs(point_grid.point[i].z - 1.35) < 1e-9 || fabs(point_grid.point[i].z - 5.45) < 1e-9;
+    outliers_keep(&point_grid, 0, out);
+    for (size_t i = 0; i < point_grid.n; i++)
+        ck_assert_int_eq(out[i], fabs(point_grid.point[i].z - 5.45) < 1e-9);
+}
+END_TEST
+
 /* A rib 0.5 mm thick that lines 1 mm apart, with points 0.4 mm apart, cross: each saw its top once
  * or twice.  Points as high that stand alone are none of it. */
 START_TEST(rib_across_lines)
@@ -403,6 +425,7 @@ int main(void)
     tcase_add_loop_test(tests, thin_blade, 0, 8);
     tcase_add_loop_test(tests, needles, 0, 2);
     tcase_add_test(tests, marks_in_a_row);
+    tcase_add_test(tests, mark_on_a_needle);
     tcase_add_loop_test(tests, rib_across_lines, 0, 4);
     tcase_add_test(tests, points_twice);
     tcase_add_test(tests, under_a_roof);

@@ -79,6 +79,45 @@ START_TEST(variances)
 }
 END_TEST
 
+/* Slopes are linear in heights: the variance of one is the sum of the squares of what each point by
+ * itself, 1 mm higher, adds to it.  On points that lie far more one way than across it, one that is
+ * no axis of the frame; the surface turned over says the same. */
+START_TEST(variance_of_slopes_one_way)
+{
+    const struct vec3 origin = vec(0.3, -0.4, 1), up = vec(0, 0, 1);
+    int (*fit)(const struct vec3 *, const double *, size_t, struct vec3, struct vec3,
+               struct quadric *) = _i == 0 ? quadric_fit_weighted : cubic_fit;
+    struct quadric q, flat;
+    struct vec3 added[N];
+
+    make_points(up, 0);
+    for (int k = 0; k < N; k++) {
+        double u = point[k].x, v = 0.6 * point[k].y;
+        point[k] = vec(0.8 * u - 0.6 * v, 0.6 * u + 0.8 * v, 0);
+    }
+    ck_assert_int_eq(fit(point, NULL, N, origin, up, &flat), 0);
+    for (int k = 0; k < N; k++) {
+        point[k].z = 1;
+        ck_assert_int_eq(fit(point, NULL, N, origin, up, &q), 0);
+        added[k] = vec_add(vec_scale(q.c[1] - flat.c[1], q.u), vec_scale(q.c[2] - flat.c[2], q.v));
+        point[k].z = 0;
+    }
+    struct quadric over; /* fitted from below */
+    ck_assert_int_eq(fit(point, NULL, N, origin, vec_scale(-1, up), &over), 0);
+    quadric_face_up(&over);
+    for (double turn = 0; turn < 3; turn += 0.3) {
+        struct vec3 way = vec(cos(turn), sin(turn), 0);
+        double sum2 = 0;
+        for (int k = 0; k < N; k++)
+            sum2 += pow(vec_dot(way, added[k]), 2);
+        ck_assert_double_eq_tol(quadric_tilt_along(&flat, way) / sum2, 1, 1e-9);
+        ck_assert_double_eq_tol(quadric_tilt_along(&flat, vec_scale(-3, way)) / sum2, 1, 1e-9);
+        ck_assert_double_eq_tol(quadric_tilt_along(&over, way) / sum2, 1, 1e-9);
+    }
+    ck_assert_double_eq(quadric_tilt_along(&flat, vec(0, 0, 0)), 0);
+}
+END_TEST
+
 START_TEST(none)
 {
     struct quadric q;
@@ -116,6 +155,7 @@ int main(void)
     tcase_add_loop_test(tests, found_again, 0, 3);
     tcase_add_test(tests, weights);
     tcase_add_loop_test(tests, variances, 0, 2);
+    tcase_add_loop_test(tests, variance_of_slopes_one_way, 0, 2);
     tcase_add_test(tests, none);
     tcase_add_loop_test(tests, three_lines, 0, 5);
     suite_add_tcase(suite, tests);

@@ -108,6 +108,13 @@ START_TEST(as_fits_to_the_same_points)
     ck_assert_double_eq_tol(fit.quadric.tilt, quadric.tilt, 1e-10);
     ck_assert_double_eq_tol(fit.cubic.variance, cubic.variance, 1e-10);
     ck_assert_double_eq_tol(fit.cubic.tilt, cubic.tilt, 1e-10);
+    for (double turn = 0; turn < 3; turn += 0.4) {
+        struct vec3 way = vec(cos(turn), sin(turn), 0);
+        double of_quadric = quadric_tilt_along(&quadric, way);
+        double of_cubic = quadric_tilt_along(&cubic, way);
+        ck_assert_double_eq_tol(quadric_tilt_along(&fit.quadric, way), of_quadric, 1e-10);
+        ck_assert_double_eq_tol(quadric_tilt_along(&fit.cubic, way), of_cubic, 1e-10);
+    }
     /* that of the distances from the surface, along its normal: a hundredth less */
     ck_assert_double_eq_tol(fit.quadric_spread, quadric_spread(&quadric, point, n, SIX), 3e-4);
     ck_assert_double_eq_tol(fit.cubic_spread, quadric_spread(&cubic, point, n, TEN), 3e-4);

@@ -1,5 +1,5 @@
-/* rough_place: vegetation is one; a plane, the foot of a wall, the border of a wood and a place
- * with too few points are none. */
+/* rough_place: vegetation is one; a plane, the foot of a wall, the border of a wood, a place with
+ * too few points and one where each cell has a point far off are none. */
 #include <check.h>
 #include <stdlib.h>
 
@@ -60,6 +60,30 @@ START_TEST(of_four_grounds)
 }
 END_TEST
 
+/* Dense points of the plane, of which one in each cell is far off. */
+START_TEST(one_point_far_off_in_each_cell)
+{
+    struct vec3s cloud = {0};
+    struct point_grid grid;
+    struct error error;
+
+    noisy_seed(11);
+    for (int i = 0; i < SIDE * SIDE; i++) {
+        double x = 0.2 * (i % SIDE + noisy_uniform()), y = 0.2 * (i / SIDE + noisy_uniform());
+        *array_push(&cloud) = vec(x, y, plane(x, y));
+    }
+    ck_assert_int_eq(point_grid_make(cloud.item, cloud.n, 0.2, 1, &grid, &error), 0);
+    for (size_t cell = 0; cell < grid.rows * grid.columns; cell++)
+        if (grid.first[cell + 1] > grid.first[cell])
+            grid.point[grid.first[cell] + cell % (grid.first[cell + 1] - grid.first[cell])].z += 2;
+    for (double y = 0.5; y < 8; y += 0.7)
+        for (double x = 0.1; x < 8; x += 0.9)
+            ck_assert(!rough_place(&grid, vec(x, y, 0), 10 * SIGMA));
+    point_grid_free(&grid);
+    array_free(&cloud);
+}
+END_TEST
+
 START_TEST(few_points_tell_nothing)
 {
     struct vec3 point[5] = {{0, 0, 0}, {1, 0, 3}, {0, 1, 9}, {1, 1, -7}, {0.5, 0.5, 20}};
@@ -78,6 +102,7 @@ int main(void)
     TCase *tests = tcase_create("rough_place");
 
     tcase_add_loop_test(tests, of_four_grounds, 0, sizeof grounds / sizeof *grounds);
+    tcase_add_test(tests, one_point_far_off_in_each_cell);
     tcase_add_test(tests, few_points_tell_nothing);
     suite_add_tcase(suite, tests);
     SRunner *runner = srunner_create(suite);

@@ -130,6 +130,34 @@ START_TEST(too_fine)
 }
 END_TEST
 
+/* Points 0.5 mm apart over 29.5 x 23 mm, far from the origin: the fewest lines that are no further
+ * apart than is asked, borders included, so that 23 mm have 24 and 29.5 mm 31. */
+START_TEST(as_many_lines_as_the_spacing_asks)
+{
+    struct vec3s cloud = {0};
+    struct lin_grid_options how = {1, 0.5, 3, 1};
+    struct lin_grid grid;
+    struct error error;
+
+    for (int i = 0; i < 60; i++)
+        for (int k = 0; k < 47; k++)
+            *array_push(&cloud) = vec(100 + 0.5 * i, 200 + 0.5 * k, 7);
+    struct plan_extent f = plan_extent_of(cloud.item, cloud.n, 0);
+    ck_assert_int_eq(lin_grid_make(&f, cloud.item, cloud.n, &how, &grid, &error), 0);
+    ck_assert_uint_eq(grid.columns, 31);
+    ck_assert_uint_eq(grid.rows, 24);
+    struct vec3 first = lin_grid_node(&grid, 0, 0), last = lin_grid_node(&grid, 30, 23);
+    ck_assert_double_lt(vec_distance(first, vec(100, 200, 7)), 1e-9);
+    ck_assert_double_lt(vec_distance(last, vec(129.5, 223, 7)), 1e-9);
+    lin_grid_free(&grid);
+    how.spacing = 0.001;
+    ck_assert_int_eq(lin_grid_make(&f, cloud.item, cloud.n, &how, &grid, &error), -1);
+    ck_assert_ptr_nonnull(
+        strstr(error.text, "spacing 0.001 mm over 29.5 x 23 mm has 6.79e+08 nodes"));
+    array_free(&cloud);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("lin_grid");
@@ -138,6 +166,7 @@ int main(void)
     tcase_add_test(tcase, wave_is_met);
     tcase_add_test(tcase, hole_stays_open);
     tcase_add_test(tcase, too_fine);
+    tcase_add_test(tcase, as_many_lines_as_the_spacing_asks);
     suite_add_tcase(suite, tcase);
     SRunner *runner = srunner_create(suite);
     srunner_run_all(runner, CK_ENV);
