@@ -75,7 +75,8 @@ apt_install = DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-rec
 all: $(tools)
 
 $(BUILD)/tests/lib/%.o: FLAGS += -iquote src -iquote tests/lib
-$(BUILD)/%.o: %.c
+# The Makefile, for it has the flags.
+$(BUILD)/%.o: %.c Makefile
 	@mkdir -p $(@D)
 	$(CC) $(FLAGS) $(CFLAGS) $(CPPFLAGS) -MD -MP -c -o $@ $<
 
@@ -104,7 +105,7 @@ $(BUILD)/version.c: VERSION
 	@mkdir -p $(@D)
 	echo '#include "base/cli.h"' >$@.new && echo 'const char cloudmill_version[] = "$(VERSION)";' >>$@.new && mv $@.new $@
 
-$(BUILD)/version.o: $(BUILD)/version.c
+$(BUILD)/version.o: $(BUILD)/version.c Makefile
 	$(CC) $(FLAGS) $(CFLAGS) $(CPPFLAGS) -MD -MP -c -o $@ $<
 
 # The controls that are built in, as strings: controls/fanuc.txt is `const char control_text_fanuc[]`.
@@ -113,7 +114,7 @@ $(BUILD)/controls/%.c: controls/%.txt
 	{ echo 'extern const char control_text_$*[];' && echo 'const char control_text_$*[] =' && \
 	  sed -e 's/\\/\\\\/g' -e 's/"/\\"/g' -e 's/.*/"&\\n"/' $< && echo ';'; } >$@.new && mv $@.new $@
 
-$(control_obj): $(BUILD)/controls/%.o: $(BUILD)/controls/%.c
+$(control_obj): $(BUILD)/controls/%.o: $(BUILD)/controls/%.c Makefile
 	$(CC) $(FLAGS) $(CFLAGS) $(CPPFLAGS) -MD -MP -c -o $@ $<
 
 # The files of the verdict's page as strings: page.js is `const char page_js[]`.
@@ -122,14 +123,15 @@ $(BUILD)/src/verify/page.%.c: src/verify/page.%
 	{ echo 'extern const char page_$*[];' && echo 'const char page_$*[] =' && \
 	  sed -e 's/\\/\\\\/g' -e 's/"/\\"/g' -e 's/.*/"&\\n"/' $< && echo ';'; } >$@.new && mv $@.new $@
 
-$(page_obj): $(BUILD)/src/verify/page.%.o: $(BUILD)/src/verify/page.%.c
+$(page_obj): $(BUILD)/src/verify/page.%.o: $(BUILD)/src/verify/page.%.c Makefile
 	$(CC) $(FLAGS) $(CFLAGS) $(CPPFLAGS) -MD -MP -c -o $@ $<
 
 $(lib): $(lib_obj)
 	@rm -f $@
 	$(AR) rcs $@ $(lib_obj)
 
-$(BUILD)/bin/%$(EXE): $(BUILD)/src/%.o $(lib)
+# By name, so that an object that was deleted is made again.
+$(tool_src:src/%.c=$(BUILD)/bin/%$(EXE)): $(BUILD)/bin/%$(EXE): $(BUILD)/src/%.o $(lib)
 	@mkdir -p $(@D)
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $< $(lib) $(LIBS)
 
@@ -144,7 +146,7 @@ $(BUILD)/tests/readback/readback: $(back_obj) $(help_obj) $(lib)
 
 $(BUILD)/tests/readback/%.o: FLAGS += -iquote src -iquote tests/lib
 $(BUILD)/tests/unit/%.o: FLAGS += -iquote src -iquote tests/lib
-$(BUILD)/tests/unit/%: $(BUILD)/tests/unit/%.o $(help_obj) $(lib)
+$(units): $(BUILD)/tests/unit/%: $(BUILD)/tests/unit/%.o $(help_obj) $(lib)
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $< $(help_obj) $(lib) $$(pkg-config --libs check) $(LIBS)
 
 $(BUILD)/tests/accuracy/%.o: FLAGS += -iquote src -iquote tests/lib
@@ -165,7 +167,7 @@ $(BUILD)/tests/fuzz/fuzz $(BUILD)/tests/fuzz/replay: $(BUILD)/tests/fuzz/fuzz_re
   $(BUILD)/tests/lib/scratch.o $(lib)
 
 $(BUILD)/tests/bench/%.o: FLAGS += -iquote tests/lib
-$(BUILD)/bench/%: $(BUILD)/tests/bench/%.o $(BUILD)/tests/lib/decimals.o $(lib)
+$(benches): $(BUILD)/bench/%: $(BUILD)/tests/bench/%.o $(BUILD)/tests/lib/decimals.o $(lib)
 	@mkdir -p $(@D)
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBS)
 
@@ -362,7 +364,6 @@ clean:
   deps-all lint \
   sanitize fuzz faults check-seeds mutate coverage nc-faults safety static windows portability deb completions \
   install uninstall dist distcheck clean
-.SECONDARY:
 
 # Not those of other builds, in folders of their own.
 -include $(shell find $(BUILD) $(foreach other,deb distcheck portable static windows sanitize coverage fuzz,\

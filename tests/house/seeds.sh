@@ -22,7 +22,8 @@ for source in $with; do
 	while [ $seed -lt "${SEEDS:-20}" ]; do
 		seed=$((seed + 1))
 		runs=$((runs + 1))
-		SEED=$seed CK_DEFAULT_TIMEOUT=${CK_DEFAULT_TIMEOUT:-60} "$unit" >"$unit.seed" 2>&1 && continue
+		SEED=$seed CK_DEFAULT_TIMEOUT=${CK_DEFAULT_TIMEOUT:-60} \
+			CK_TIMEOUT_MULTIPLIER=${CK_TIMEOUT_MULTIPLIER:-10} "$unit" >"$unit.seed" 2>&1 && continue
 		bad=$((bad + 1))
 		echo "${source#tests/unit/}, SEED=$seed: $(grep -m 1 -E ':[FE]:' "$unit.seed")"
 	done
