@@ -48,6 +48,37 @@ START_TEST(top_of_a_wall)
 }
 END_TEST
 
+/* One scan line runs along the top of a wall 5 mm high: more of its points are near than a strip
+ * takes. */
+static double wall_on_a_line(double x, double y)
+{
+    return fabs(y + 0.4) < 0.3 ? 5 + 0.1 * x : 0;
+}
+
+START_TEST(top_with_many_points)
+{
+    struct edge_trial trial;
+    struct vec3 normal;
+    size_t top = 0;
+
+    edge_trial_make(&trial, wall_on_a_line, true, 0);
+    for (size_t i = 0; i < trial.grid.n; i++) {
+        struct vec3 p = trial.grid.point[i];
+        if (p.z < 1 || fabs(p.x) > 3)
+            continue;
+        top++;
+        edge_along_find(&trial.work, i);
+        ck_assert(trial.work.flank[i].along);
+        for (double off = -0.3; off <= 0.3; off += 0.3)
+            ck_assert_double_eq_tol(
+                edge_flank_above(&trial.work.flank[i], vec_add(p, vec(0, off, 0)), &normal), 0,
+                0.01);
+    }
+    ck_assert_uint_ge(top, 30);
+    edge_trial_free(&trial);
+}
+END_TEST
+
 START_TEST(rounded)
 {
     struct edge_trial trial;
@@ -102,6 +133,7 @@ int main(void)
     TCase *tests = tcase_create("edge_along");
     SRunner *runner = srunner_create(suite);
     tcase_add_loop_test(tests, top_of_a_wall, 0, 2);
+    tcase_add_test(tests, top_with_many_points);
     tcase_add_test(tests, rounded);
     tcase_add_loop_test(tests, no_other_side, 0, 2);
     suite_add_tcase(suite, tests);

@@ -97,6 +97,38 @@ START_TEST(noise_is_none)
 }
 END_TEST
 
+/* A tip of 33 degrees, its top rising along x: ahead of it the flank goes on rising. */
+static double tip(double x, double y)
+{
+    return x < -0.1 && fabs(y) < -0.3 * x ? 4 + 0.3 * x : -3;
+}
+
+START_TEST(corner_goes_on_along_its_flank)
+{
+    struct edge_trial trial;
+    size_t corners = 0;
+
+    edge_trial_make(&trial, tip, false, 0);
+    edge_flanks_find(&trial.work);
+    for (size_t i = 0; i < trial.grid.n; i++) {
+        struct vec3 p = trial.grid.point[i], ahead;
+        if (p.z < 0 || p.x < -8)
+            continue;
+        double depth = edge_cliff_corner(&trial.work, i, &ahead);
+        if (depth <= 0)
+            continue;
+        corners++;
+        ck_assert_double_gt(p.x, -2);
+        ck_assert_double_eq_tol(hypot(ahead.x, ahead.y), 1, 1e-12);
+        ck_assert_double_gt(ahead.x, 0.5);
+        ck_assert_double_eq_tol(ahead.z, 0.3 * ahead.x, 1e-6);
+        ck_assert_double_le(depth, 2);
+    }
+    ck_assert_uint_ge(corners, 1);
+    edge_trial_free(&trial);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("edge_cliff");
@@ -105,6 +137,7 @@ int main(void)
     tcase_add_test(tests, mesa_goes_on);
     tcase_add_loop_test(tests, roof_has_none, 0, 2);
     tcase_add_loop_test(tests, noise_is_none, 0, 2);
+    tcase_add_test(tests, corner_goes_on_along_its_flank);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);
     int failed = srunner_ntests_failed(runner);

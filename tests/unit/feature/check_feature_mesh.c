@@ -170,6 +170,50 @@ START_TEST(walls_tried)
 }
 END_TEST
 
+static size_t walls_of(const struct mesh *m, const struct vec3s *p, size_t flat)
+{
+    return feature_mesh_walls(m, &(struct feature_scan){p->item, p->n, flat, 0.43, 0, NULL}, 1, 2)
+        .found;
+}
+
+/* A facet across a step counts as any other if it is the first; and where it is there twice, so that
+ * its edges have three, no wall is found at these. */
+START_TEST(walls_at_a_facet)
+{
+    struct vec3s p = {0};
+    size_t flat, looked = 0;
+    rectangle(&p, 3000, vec(0, 0, 0), vec(-20, 0, 0), vec(0, 25, 0), 0);
+    rectangle(&p, 3000, vec(0, 0, 6), vec(20, 0, 0), vec(0, 25, 0), 0);
+    rectangle(&p, 900, vec(0, 0, 0), vec(0, 25, 0), vec(0, 0, 6), 0);
+    struct mesh m = mesh_of(&p, 1.3, &flat);
+    size_t walls = walls_of(&m, &p, flat);
+    for (size_t f = 1; f < m.face.n && looked < 3; f++) {
+        struct face face = m.face.item[f];
+        double low = HUGE_VAL, high = -HUGE_VAL, y = 0;
+        for (int k = 0; k < 3; k++) {
+            struct vec3 v = m.vertex.item[face.v[k]];
+            low = fmin(low, v.z);
+            high = fmax(high, v.z);
+            y += v.y / 3;
+        }
+        if (high - low < 5 || fabs(y - 12.5) > 8)
+            continue;
+        looked++;
+        m.face.item[f] = m.face.item[0];
+        m.face.item[0] = face;
+        ck_assert_uint_eq(walls_of(&m, &p, flat), walls);
+        *array_push(&m.face) = face;
+        ck_assert_uint_lt(walls_of(&m, &p, flat), walls);
+        m.face.n--;
+        m.face.item[0] = m.face.item[f];
+        m.face.item[f] = face;
+    }
+    ck_assert_uint_eq(looked, 3);
+    mesh_free(&m);
+    array_free(&p);
+}
+END_TEST
+
 /* A box 6 mm high, its corner at the origin. */
 static double from_box(struct vec3 p)
 {
@@ -239,6 +283,7 @@ int main(void)
     tcase_add_test(tests, roof);
     tcase_add_test(tests, a_step);
     tcase_add_test(tests, walls_tried);
+    tcase_add_test(tests, walls_at_a_facet);
     tcase_add_test(tests, a_corner);
     tcase_add_test(tests, waves_stay);
     suite_add_tcase(suite, tests);

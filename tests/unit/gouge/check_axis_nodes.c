@@ -85,6 +85,36 @@ START_TEST(at_the_pole)
 }
 END_TEST
 
+/* None where there is no way from one side to the other that is planned: a side without an axis, one
+ * that begins, or both as their rule has them. */
+START_TEST(no_way_through_the_pole)
+{
+    struct axis_bench b;
+    size_t poles = 0;
+
+    axis_bench_begin(&b, RADIANS(15), through);
+    axis_bench_nodes(&b);
+    struct nodes *nodes = &b.work.nodes;
+    for (size_t i = 0; i < nodes->n; i++) {
+        struct node *node = &nodes->item[i];
+        bool before = node->along < 12.65, bare = _i == 0 ? before : _i == 1 && !before;
+        node->axis = node->rule;
+        if (bare) {
+            node->open = 0;
+            node->rule_open = false;
+        }
+        node->begins = _i == 2 && !before;
+        node->by_rule = _i == 3 || (_i == 4 && before);
+        node->angles = (struct rotary_angles){through((int)(node->along * 2 + 0.5)), 0};
+    }
+    axis_nodes_add_poles(&b.work);
+    for (size_t i = 0; i < nodes->n; i++)
+        poles += nodes->item[i].pole;
+    ck_assert_uint_eq(poles, _i == 4);
+    axis_bench_free(&b);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("axis_nodes");
@@ -93,6 +123,7 @@ int main(void)
     tcase_add_test(tests, evenly_and_open);
     tcase_add_test(tests, one_in_a_place);
     tcase_add_test(tests, at_the_pole);
+    tcase_add_loop_test(tests, no_way_through_the_pole, 0, 5);
     suite_add_tcase(suite, tests);
     SRunner *runner = srunner_create(suite);
     srunner_run_all(runner, CK_ENV);

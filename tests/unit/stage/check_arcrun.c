@@ -100,6 +100,29 @@ START_TEST(a_corner_is_kept)
 }
 END_TEST
 
+/* At the second point, and at the last but one. */
+START_TEST(a_corner_beside_an_end_is_kept)
+{
+    struct run run = {.radius = 0};
+    size_t corner = _i == 0 ? 1 : 4;
+    for (size_t i = 0; i <= 5; i++) {
+        double x = i < corner ? (double)i - (double)corner : 0;
+        struct vec3 p = vec(2 * x, i > corner ? 2 * (double)(i - corner) : 0, 0);
+        *array_push(&run) =
+            (struct run_point){.tip = p, .ball = p, .axis = vec(0, 0, 1), .given = true};
+    }
+    struct arcrun_options options = {.tolerance = 0.01, .axis = 0.02};
+    struct arcrun_report report = {0};
+    struct path out = {0};
+    arcrun_fit(&run, &options, NULL, &out, &report);
+    ck_assert_uint_eq(report.lines, 2);
+    ck_assert_uint_eq(report.arcs, 0);
+    ck_assert_double_lt(vec_length(out.item.item[0].to.p), 1e-12);
+    path_free(&out);
+    array_free(&run);
+}
+END_TEST
+
 START_TEST(chords_keep_the_tolerance)
 {
     struct run run = coil();
@@ -197,6 +220,7 @@ int main(void)
     tcase_add_test(t, sparse_points_are_fitted_as_the_smooth_path_they_mean);
     tcase_add_test(t, paper_makes_two_arcs_an_interval);
     tcase_add_test(t, a_corner_is_kept);
+    tcase_add_loop_test(t, a_corner_beside_an_end_is_kept, 0, 2);
     tcase_add_test(t, chords_keep_the_tolerance);
     tcase_add_test(t, a_lift_refits_what_it_moved);
     Suite *s = suite_create("arcrun");
