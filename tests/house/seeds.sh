@@ -1,11 +1,13 @@
 #!/bin/sh
-# seeds.sh - the unit tests with random numbers (tests/lib/seed.h) under SEEDS other seeds each (20);
-# run by `make check-seeds`.  Prints a line for each that fails, with its seed, and the number of runs.
+# seeds.sh - the unit tests with random numbers (tests/lib/seed.h) under SEEDS other seeds each
+# (20); run by `make check-seeds`.  Prints a line for each that fails, with its seed, and the
+# number of runs.
 cd "$(dirname "$0")/../.." || exit 1
 UNITS=${UNITS:-build/tests/unit}
 runs=0
 bad=0
-# those that include seed.h, or a header of tests/lib that does or whose source does, by however many steps
+# those that include seed.h, or a header of tests/lib that does or whose source does, by however
+# many steps
 names=seed
 known=
 while [ "$known" != "$names" ]; do
@@ -28,7 +30,8 @@ for source in $with; do
 		echo "${source#tests/unit/}, SEED=$seed: $(grep -m 1 -E ':[FE]:' "$unit.seed")"
 	done
 done
-# the tool tests whose clouds and paths take SEED, under TOOL_SEEDS others (none, for they take long)
+# the tool tests whose clouds and paths take SEED, under TOOL_SEEDS others (none, for they take
+# long)
 seed=0
 while [ $seed -lt "${TOOL_SEEDS:-0}" ]; do
 	seed=$((seed + 1))

@@ -176,8 +176,8 @@ static size_t walls_of(const struct mesh *m, const struct vec3s *p, size_t flat)
         .found;
 }
 
-/* A facet across a step counts as any other if it is the first; and where it is there twice, so that
- * its edges have three, no wall is found at these. */
+/* A facet across a step counts as any other if it is the first; and where it is there twice, so
+ * that its edges have three, no wall is found at these. */
 START_TEST(walls_at_a_facet)
 {
     struct vec3s p = {0};

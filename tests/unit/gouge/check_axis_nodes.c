@@ -85,8 +85,8 @@ START_TEST(at_the_pole)
 }
 END_TEST
 
-/* None where there is no way from one side to the other that is planned: a side without an axis, one
- * that begins, or both as their rule has them. */
+/* None where there is no way from one side to the other that is planned: a side without an axis,
+ * one that begins, or both as their rule has them. */
 START_TEST(no_way_through_the_pole)
 {
     struct axis_bench b;

@@ -230,8 +230,8 @@ START_TEST(lines_within_an_error)
         double off = p.z - surface[_i](p.x, p.y), part = mesh_face_cross(&mesh, f).z / 2;
         area += part;
         off2 += part * off * off;
-        /* Vertices on a surface no steeper than that, two lines away at most; and an edge is known to
-         * half the distance of lines. */
+        /* Vertices on a surface no steeper than that, two lines away at most; and an edge is known
+         * to half the distance of lines. */
         ck_assert_double_lt(fabs(off), slope * (fmin(far, 2) + 0.5) + 4 * noise);
     }
     ck_assert_double_eq_tol(area, 80 * 60, 0.01 * 80 * 60);
