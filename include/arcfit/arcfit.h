@@ -157,6 +157,11 @@ void arcfit_calm(const struct reference *reference, const struct deviation *with
 size_t arcfit_bridge(const struct reference *reference, const struct deviation *within, int digits,
                      double least, struct pieces *pieces);
 
+/* The same by a line with a kink at either end, for those that arcfit_bridge leaves: an arc that
+ * turns within a few hundredths of a millimetre is no smoother. */
+size_t arcfit_cut(const struct reference *reference, const struct deviation *within, int digits,
+                  double least, struct pieces *pieces);
+
 /*
  * Fits the pieces [from, to) anew where their part of the reference has moved a little, between the
  * directions of those beside them: as many pieces, or up to `more` more, proven as by

@@ -5,11 +5,12 @@
 
 #include "curve/biarc.h"
 
-enum { WINDOWS = 7 };
+enum { WINDOWS = 7, JOINT_PLACES = 4 }; /* places between two points of the reference */
 
-static const double FIRST = 2.6; /* times the least length: the first way that is tried, ... */
-static const double WIDER = 1.5; /* ... and how much longer each next one is */
-static const double SPARE = 1.1; /* times the least length: no leg is shorter, so that digits are
+static const double FIRST = 2.6;    /* times the least length: the first way that is tried, ... */
+static const double WIDER = 1.5;    /* ... and how much longer each next one is */
+static const double JOINT_NEAR = 4; /* times the least length: so far a joint is moved, no more */
+static const double SPARE = 1.1;    /* times the least length: no leg is shorter, so that digits are
                                     left to round */
 
 /* The chain about a short piece, and what replaces it. */
@@ -21,6 +22,7 @@ struct bridge {
     const struct pieces *old;
     size_t at;       /* the short piece */
     bool from, past; /* there is one before it, one after it, that goes on in its direction */
+    bool straight;   /* the way is a line, with kinks at its ends */
     struct arc_piece some[4];
     size_t first, end, n; /* of the old pieces these are replaced, by so many */
 };
@@ -124,16 +126,27 @@ static void add_arc(struct bridge *b, struct arc arc, const struct place_on *fro
         .arc = arc, .from = from->place, .to = to->place, .axis = from->axis, .axis_to = to->axis};
 }
 
+/* With this direction an arc from one place comes to the other in the direction there: it is
+ * mirrored on the chord. */
+static struct vec3 tangent_to_meet(const struct place_on *from, const struct place_on *to)
+{
+    struct vec3 chord = vec_unit(vec_sub(to->p, from->p));
+
+    return vec_along(vec_scale(-1, to->tangent), 2 * vec_dot(to->tangent, chord), chord);
+}
+
 /* One arc where an end's direction is free or met anyway, else a biarc.  False: there is none. */
 static bool add_way(struct bridge *b, const struct place_on *from, const struct place_on *to)
 {
-    struct vec3 tangent = from->tangent, chord = vec_unit(vec_sub(to->p, from->p));
+    struct vec3 tangent = b->from ? from->tangent : tangent_to_meet(from, to);
     struct biarc biarc;
 
     if (vec_distance(from->p, to->p) < b->least)
         return false;
-    if (!b->from) /* mirrored on the chord */
-        tangent = vec_along(vec_scale(-1, to->tangent), 2 * vec_dot(to->tangent, chord), chord);
+    if (b->straight) {
+        add_arc(b, arc_line(from->p, to->p), from, to);
+        return true;
+    }
     struct arc one = arc_to(from->p, tangent, to->p);
     if (!b->past || vec_angle(arc_tangent(&one, 1), to->tangent) < ARCFIT_KINK / 2) {
         add_arc(b, one, from, to);
@@ -156,7 +169,7 @@ static bool turns(const struct arc_piece *before, const struct arc_piece *after)
     return vec_angle(arc_tangent(&before->arc, 1), after->arc.tangent) > ARCFIT_KINK;
 }
 
-/* The new pieces are long enough, keep the tolerance, and bring no kink. */
+/* The new pieces are long enough, keep the tolerance, and bring no kink but those of a line. */
 static bool is_good(const struct bridge *b)
 {
     const struct arc_piece *old = b->old->item;
@@ -164,9 +177,11 @@ static bool is_good(const struct bridge *b)
     for (size_t i = 0; i < b->n; i++) {
         struct deviation off = arc_piece_deviation(b->reference, &b->some[i], 4, b->within);
         if (ends_apart(&b->some[i]) < b->least || !deviation_within(&off, b->within) ||
-            (i > 0 && turns(&b->some[i - 1], &b->some[i])))
+            (i > 0 && !b->straight && turns(&b->some[i - 1], &b->some[i])))
             return false;
     }
+    if (b->straight)
+        return true;
     if (b->first > 0 && turns(&old[b->first - 1], b->some) && goes_on(b->old, b->first))
         return false;
     return b->end == b->old->n || !turns(&b->some[b->n - 1], &old[b->end]) ||
@@ -220,34 +235,87 @@ static bool find_ways(struct bridge *b)
     return good;
 }
 
-size_t arcfit_bridge(const struct reference *reference, const struct deviation *within, int digits,
-                     double least, struct pieces *pieces)
+/* The joint of the short piece and its neighbour after it (`past`) or before it is put onto another
+ * place of the reference near it: a line to there in place of the short one, and an arc that meets
+ * the other end of its neighbour as that does. */
+static bool move_joint(struct bridge *b, bool past)
+{
+    const struct arc_piece *a = &b->old->item[past ? b->at : b->at - 1], *z = a + 1;
+    struct place_on ends[3] = {place_on(b, a, 0), {.place = a->to}, place_on(b, z, 1)};
+    double by = 1.0 / JOINT_PLACES, near = JOINT_NEAR * b->least;
+
+    b->first = past ? b->at : b->at - 1;
+    b->end = b->first + 2;
+    for (double at = a->from + by; at < z->to; at += by) {
+        struct place_on *joint = &ends[1];
+        *joint = (struct place_on){.p = vec_round(reference_point(b->reference, at), b->digits),
+                                   .axis = reference_axis(b->reference, at),
+                                   .place = at};
+        if (vec_distance(joint->p, a->arc.to) > near)
+            continue;
+        b->n = 0;
+        struct vec3 tangent = past ? tangent_to_meet(joint, &ends[2]) : ends[0].tangent;
+        for (int k = 0; k < 2; k++) {
+            struct vec3 from = ends[k].p, to = ends[k + 1].p;
+            bool line = (k == 0) == past;
+            add_arc(b, line ? arc_line(from, to) : arc_to(from, tangent, to), &ends[k],
+                    &ends[k + 1]);
+        }
+        if (is_good(b))
+            return true;
+    }
+    return false;
+}
+
+/* On each side the way goes on, or there is a kink where `straight` or nothing else is found. */
+static bool find_any(struct bridge *b, bool straight)
+{
+    const struct pieces *pieces = b->old;
+    bool before = b->at > 0, after = b->at + 1 < pieces->n;
+
+    b->straight = straight;
+    b->from = before && (straight || goes_on(pieces, b->at));
+    b->past = after && (straight || goes_on(pieces, b->at + 1));
+    bool good = find_ways(b);
+    for (int side = 0; side < 2 && !good; side++) {
+        b->past = side == 0 && after;
+        b->from = side == 1 && before;
+        good = find_ways(b);
+    }
+    return good ||
+           (straight && ((after && move_joint(b, true)) || (before && move_joint(b, false))));
+}
+
+static size_t bridge_all(struct bridge *b, bool straight, struct pieces *pieces)
 {
     size_t left = 0;
 
-    for (size_t i = 0; i < pieces->n; i++) {
-        if (ends_apart(&pieces->item[i]) >= least)
+    b->old = pieces;
+    for (b->at = 0; b->at < pieces->n; b->at++) {
+        if (ends_apart(&pieces->item[b->at]) >= b->least)
             continue;
-        bool before = i > 0, after = i + 1 < pieces->n;
-        struct bridge b = {.reference = reference,
-                           .within = within,
-                           .digits = digits,
-                           .least = least,
-                           .old = pieces,
-                           .at = i,
-                           .from = before && goes_on(pieces, i),
-                           .past = after && goes_on(pieces, i + 1)};
-        bool good = find_ways(&b);
-        for (int side = 0; side < 2 && !good; side++) { /* over a kink */
-            b.past = side == 0 && after;
-            b.from = side == 1 && before;
-            good = find_ways(&b);
-        }
+        bool good = find_any(b, straight);
         if (good) {
-            replace(pieces, &b);
-            i = b.first + b.n - 1;
+            replace(pieces, b);
+            b->at = b->first + b->n - 1;
         }
         left += !good;
     }
     return left;
+}
+
+size_t arcfit_bridge(const struct reference *reference, const struct deviation *within, int digits,
+                     double least, struct pieces *pieces)
+{
+    struct bridge b = {.reference = reference, .within = within, .digits = digits, .least = least};
+
+    return bridge_all(&b, false, pieces);
+}
+
+size_t arcfit_cut(const struct reference *reference, const struct deviation *within, int digits,
+                  double least, struct pieces *pieces)
+{
+    struct bridge b = {.reference = reference, .within = within, .digits = digits, .least = least};
+
+    return bridge_all(&b, true, pieces);
 }

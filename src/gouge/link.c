@@ -200,20 +200,51 @@ static bool is_at_pole(const struct link_options *options, const struct run_poin
     return options->frame && vec_length(vec_cross(options->frame->pole, p->axis)) < 1e-9;
 }
 
+/* The straight motion is clear of ball and whole tool, and turns no faster than it may. */
+static bool is_way_clear(const struct link_options *options, const struct run_point *from,
+                         const struct run_point *to)
+{
+    const struct run straight = {.radius = options->radius};
+
+    return gouge_depth_along(options->lift->guard, from->ball, to->ball, options->lift->offset) <=
+               LINK_FEED * options->lift->tolerance &&
+           is_link_free(options, from, to, &straight, 0);
+}
+
 /* The point may be left out between two others: it is no further than `off` beside the straight
  * motion past it, on which the tool is clear. */
 static bool is_spare(const struct link_options *options, const struct run_point *before,
                      const struct run_point *p, const struct run_point *after, double off)
 {
-    const struct run straight = {.radius = options->radius};
-
     if (vec_distance(p->tip, after->tip) + vec_distance(p->axis, after->axis) < SAME)
         return true;
     return !is_at_pole(options, p) &&
            vec_segment_distance(before->ball, after->ball, p->ball) <= off &&
-           gouge_depth_along(options->lift->guard, before->ball, after->ball,
-                             options->lift->offset) <= LINK_FEED * options->lift->tolerance &&
-           is_link_free(options, before, after, &straight, 0);
+           is_way_clear(options, before, after);
+}
+
+/* A point that is too near to `fixed` goes on towards its other neighbour, `away`, until its tip is
+ * `least` from it; at the pole it keeps its axis.  It touches nothing then.  False, and it stays:
+ * it would come too near to `away`, or the tool would not be clear on both sides of it. */
+static bool slide(const struct link_options *options, const struct run_point *fixed,
+                  const struct run_point *away, double least, struct run_point *p)
+{
+    struct vec3 along = vec_sub(away->tip, p->tip), off = vec_sub(p->tip, fixed->tip);
+    double a = vec_dot(along, along), b = vec_dot(along, off);
+    double c = vec_dot(off, off) - least * least; /* a s^2 + 2 b s + c = 0, c < 0 */
+    double s = a > 0 ? (sqrt(b * b - a * c) - b) / a : 1;
+    struct run_point q = {.axis = p->axis, .given = p->given, .straight = p->straight};
+
+    if (!(s < 1) || (1 - s) * sqrt(a) < least)
+        return false;
+    if (!is_at_pole(options, p))
+        q.axis = vec_unit(vec_mix(p->axis, away->axis, s));
+    q.tip = vec_along(p->tip, s, along);
+    q.ball = vec_along(q.tip, options->radius, q.axis);
+    if (!is_way_clear(options, fixed, &q) || !is_way_clear(options, &q, away))
+        return false;
+    *p = q;
+    return true;
 }
 
 void link_thin(const struct link_options *options, const struct run_point *from,
@@ -222,7 +253,8 @@ void link_thin(const struct link_options *options, const struct run_point *from,
     size_t kept = 0;
 
     for (size_t i = 0; i < link->n; i++) {
-        const struct run_point p = link->item[i], *next = i + 1 < link->n ? &link->item[i + 1] : to;
+        struct run_point p = link->item[i];
+        const struct run_point *next = i + 1 < link->n ? &link->item[i + 1] : to;
         const struct run_point *before = kept > 0 ? &link->item[kept - 1] : from;
         bool near = vec_distance(p.tip, before->tip) < least;
         bool ends = i + 1 == link->n && vec_distance(p.tip, to->tip) < least;
@@ -230,6 +262,10 @@ void link_thin(const struct link_options *options, const struct run_point *from,
             continue;
         if (near && kept > 0 && is_spare(options, kept > 1 ? before - 1 : from, before, &p, off))
             kept--;
+        else if (near)
+            slide(options, before, next, least, &p);
+        else if (ends)
+            slide(options, to, before, least, &p);
         link->item[kept++] = p;
     }
     link->n = kept;

@@ -285,6 +285,18 @@ static bool has_short(const struct fit *f)
     return nearest_ends(&f->pieces) < fmin(f->options->least, ARC_SHORTEST);
 }
 
+/* What is short in spite of all that is cut off by a line. */
+static void cut_short(struct fit *f, const struct deviation *within)
+{
+    struct deviation less = part_of(*within, 1 - ARC_PRINTED / within->point);
+    struct pieces some = {0};
+
+    copy_pieces(&f->pieces, &some);
+    arcfit_cut(&f->reference, &less, PATH_COORDINATE, fmin(f->options->least, ARC_SHORTEST), &some);
+    is_better(f, within, &some);
+    array_free(&some);
+}
+
 /*
  * Fits within less and less of the tolerance until the printed digits keep all of it, and up to
  * twice more where a piece is so short that no control likes it: with a little less there may be
@@ -323,6 +335,8 @@ static void fit_within(struct fit *f, double tolerance, const struct arcrun_part
         swap_pieces(&f->pieces, &kept);
     array_free(&kept);
     print_pieces(f);
+    if (has_short(f))
+        cut_short(f, &within);
 }
 
 /* The printed pieces become items of a path. */

@@ -52,6 +52,20 @@ static void thin_touch(const struct link_options *options, const struct run *a, 
     part->from += first.n == 0;
 }
 
+/* A part that ends so near to its last point but one ends there, or goes on a little on its way to
+ * the next. */
+static void thin_end(const struct link_options *options, const struct run *a, const struct run *b,
+                     struct toolpath_part *part)
+{
+    const struct run_point *next = part->link.n > 0 ? part->link.item : b->item;
+    struct run end = {.n = 1, .item = a->item + a->n - 1, .radius = a->radius};
+
+    if (a->n < 3 || vec_distance(end.item->tip, end.item[-1].tip) >= LEAST)
+        return;
+    link_thin(options, end.item - 1, next, LEAST, options->lift->tolerance, &end);
+    part[-1].to -= end.n == 0;
+}
+
 void toolpath_thin(const struct toolpath *t, struct toolpath_parts *parts)
 {
     struct link_options options = toolpath_link_options(t);
@@ -69,6 +83,8 @@ void toolpath_thin(const struct toolpath *t, struct toolpath_parts *parts)
             link_thin(&options, &a.item[a.n - 1], &b.item[0], LEAST, HUGE_VAL, &part->link);
         }
         if (k > 0 && part->low && t->lift.between) {
+            thin_end(&options, &a, &b, part);
+            a = toolpath_part_run(t, part - 1);
             thin_joint(&options, &a, &b, part);
             thin_touch(&options, &a, &b, part);
         }

@@ -1,4 +1,4 @@
-/* Tests of arcfit_bridge: short pieces put into a chain that keeps the tolerance are gone round. */
+/* Tests of arcfit_bridge and arcfit_cut: short pieces put into a chain that keeps the tolerance are gone round. */
 #include "arcfit/arcfit.h"
 
 #include <check.h>
@@ -165,6 +165,52 @@ START_TEST(long_pieces_stay)
 }
 END_TEST
 
+/* The way turns by 130 degrees 0.023 mm behind its start, or turned round before its end: no smooth
+ * chain has room there, a line to the corner and an arc from there on does. */
+START_TEST(cut_by_a_line)
+{
+    static const struct deviation within = {0.0093, 0.0093, 0.0199};
+    for (int back = 0; back < 2; back++) {
+        struct run run = {.radius = 3};
+        struct pieces p = {0};
+        const double corner = 0.0231, side = RADIANS(130), first = 0.0187;
+        for (int i = 0; i <= 40; i++) {
+            double s = i < 2 ? 0 : 0.01 * (i - 1), u = i < 1 ? 0 : corner;
+            struct vec3 at = vec(u + s * cos(side), s * sin(side), 0);
+            struct run_point point = {.ball = at, .axis = vec(0, 0, 1), .given = true};
+            point.tip = vec_along(at, -3, point.axis);
+            *array_push(&run) = point;
+        }
+        if (back)
+            for (size_t i = 0; i < run.n / 2; i++) {
+                struct run_point one = run.item[i];
+                run.item[i] = run.item[run.n - 1 - i];
+                run.item[run.n - 1 - i] = one;
+            }
+        struct reference t = reference_of(&run, 0, run.n, true, false);
+        struct vec3 from = run.item[0].ball, to = run.item[run.n - 1].ball;
+        struct vec3 joint = vec(first * cos(0.45), first * sin(0.45), 0);
+        double at = back ? (double)t.n - 1.9 : 0.9;
+        *array_push(&p) = arc_piece_of(&t, arc_line(from, joint), 0, at);
+        *array_push(&p) = arc_piece_of(&t, arc_line(joint, to), at, (double)(t.n - 1));
+        ck_assert_uint_eq(arcfit_bridge(&t, &within, 6, LEAST, &p), 1);
+        ck_assert_uint_eq(arcfit_cut(&t, &within, 6, LEAST, &p), 0);
+        ck_assert_double_ge(shortest(&p), LEAST);
+        for (size_t i = 0; i < p.n; i++) {
+            struct deviation off = arc_piece_deviation(&t, &p.item[i], 16, &within);
+            ck_assert(deviation_within(&off, &within));
+            if (i > 0)
+                ck_assert_double_eq(vec_distance(p.item[i - 1].arc.to, p.item[i].arc.from), 0);
+        }
+        ck_assert_double_eq(vec_distance(p.item[0].arc.from, from), 0);
+        ck_assert_double_eq(vec_distance(p.item[p.n - 1].arc.to, to), 0);
+        array_free(&p);
+        array_free(&run);
+        reference_free(&t);
+    }
+}
+END_TEST
+
 /* Zigzags of 0.01 mm with no room beside them: they are told, and stay. */
 START_TEST(no_room)
 {
@@ -191,6 +237,7 @@ int main(void)
     tcase_add_test(t, several_in_a_row);
     tcase_add_test(t, a_bent_one);
     tcase_add_test(t, long_pieces_stay);
+    tcase_add_test(t, cut_by_a_line);
     tcase_add_test(t, no_room);
     Suite *s = suite_create("arc_bridge");
     suite_add_tcase(s, t);

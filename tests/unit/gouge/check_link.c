@@ -606,6 +606,55 @@ START_TEST(one_of_two_in_a_place)
 }
 END_TEST
 
+/* A sharp turn, and beside it a point that can't be left out: it goes on along the path until it
+ * is far enough off, with its axis where that is at the pole; the last one of all goes back. */
+START_TEST(one_too_near_goes_on)
+{
+    enum { INNER, AT_POLE, LAST, NO_ROOM, CASES };
+    static const double LEAST = 0.021;
+    struct gouge_check *guard = floor_with_wall(2);
+    struct gouge_lift_options rule = {.guard = guard, .offset = R, .tolerance = 0.01};
+    const struct holder none = {0};
+    const struct rotary_frame frame = {.pole = {0, 0, 1}, .x = {1, 0, 0}, .y = {0, 1, 0}};
+    struct link_options options = {
+        .lift = &rule, .holder = &none, .radius = R, .limit = R, .frame = &frame};
+    for (int k = 0; k < CASES; k++) { /* along -x, at -18 a bit back, then up at 45 degrees */
+        const struct vec3 lean = vec(0.02, 0, sqrt(1 - 0.02 * 0.02));
+        struct run_point p[4] = {point_at(-18.4, 2 * R), point_at(-18, 2 * R),
+                                 point_at(-18.01, 2 * R + 0.003), point_at(-17, 2 * R + 1)};
+        if (k == NO_ROOM)
+            p[3] = point_at(-18.001, 2 * R + 0.01);
+        for (int i = 0; i < 4; i++) {
+            p[i].axis = k == AT_POLE && (i == 1 || i == 2) ? vec(0, 0, 1) : lean;
+            p[i].tip = vec_along(p[i].ball, -R, p[i].axis);
+        }
+        if (k == LAST) { /* turned round: the near one is before the end */
+            struct run_point first = p[0], second = p[1];
+            p[0] = p[3], p[1] = p[2], p[2] = second, p[3] = first;
+        }
+        size_t near = k == LAST ? 1 : 2;
+        struct run_point was = p[near];
+        struct run link = {.radius = R};
+        *array_push(&link) = p[near];
+        const struct run_point *from = &p[near - 1], *to = &p[near + 1];
+        link_thin(&options, from, to, LEAST, 0, &link);
+        ck_assert_uint_eq(link.n, 1);
+        const struct run_point *q = link.item, *fixed = k == LAST ? to : from;
+        if (k == NO_ROOM)
+            ck_assert_double_eq(vec_distance(q->tip, was.tip), 0);
+        else
+            ck_assert_double_eq_tol(vec_distance(q->tip, fixed->tip), LEAST, 1e-9);
+        ck_assert_double_eq_tol(vec_distance(q->tip, q->ball), R, 1e-9);
+        ck_assert_double_le(vec_segment_distance(was.tip, k == LAST ? from->tip : to->tip, q->tip),
+                            1e-9);
+        if (k == AT_POLE)
+            ck_assert_double_eq(vec_length(vec_cross(q->axis, frame.pole)), 0);
+        array_free(&link);
+    }
+    gouge_free(guard);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("link");
@@ -613,6 +662,7 @@ int main(void)
     tcase_add_test(tests, over_a_floor_it_is_an_arch);
     tcase_add_test(tests, thinned);
     tcase_add_test(tests, one_of_two_in_a_place);
+    tcase_add_test(tests, one_too_near_goes_on);
     tcase_add_test(tests, over_a_low_wall_it_is_lifted);
     tcase_add_test(tests, no_low_link_over_a_high_wall);
     tcase_add_test(tests, from_row_to_row_it_turns_with_a_radius);
