@@ -133,6 +133,90 @@ static void fit_piece(const struct run *run, const struct spline_run_options *op
     array_free(&dense);
 }
 
+/* ---- where a piece has no curve */
+
+enum {
+    FEW_LINES = 4,  /* a polyline of no more is not divided */
+    DIVISIONS = 12, /* of a piece: what has trouble everywhere is meant as a polyline */
+};
+
+static bool has_no_curve(const struct spline_run_piece *piece)
+{
+    return !piece->still && piece->fit.kind == SPLINEFIT_POLYLINE &&
+           piece->to - piece->from > FEW_LINES;
+}
+
+static void push_piece(const struct run *run, const struct spline_run_options *options, size_t from,
+                       size_t to, struct spline_run *pieces)
+{
+    struct spline_run_piece piece = {.from = from, .to = to};
+
+    fit_piece(run, options, NULL, &piece);
+    *array_push(pieces) = piece;
+}
+
+static bool is_polyline(const struct run *run, const struct spline_run_options *options,
+                        size_t from, size_t to)
+{
+    struct spline_run_piece piece = {.from = from, .to = to};
+
+    fit_piece(run, options, NULL, &piece);
+    bool none = has_no_curve(&piece);
+    piece_free(&piece);
+    return none;
+}
+
+/* Halves a piece that has no curve until a few lines are left that have none; *from and *to the
+ * same: both halves have one, and it is the place between them. */
+static void find_trouble(const struct run *run, const struct spline_run_options *options,
+                         size_t *from, size_t *to)
+{
+    while (*to - *from > FEW_LINES) {
+        size_t middle = *from + (*to - *from) / 2;
+        if (is_polyline(run, options, *from, middle))
+            *to = middle;
+        else if (is_polyline(run, options, middle, *to))
+            *from = middle;
+        else
+            *from = *to = middle;
+    }
+}
+
+/* The last piece gives way to curves before and behind the lines that have none, as when the tip
+ * turns back while the axis goes over, as long as there are divisions `left`. */
+static void divide_last(const struct run *run, const struct spline_run_options *options, int *left,
+                        struct spline_run *pieces)
+{
+    struct spline_run_piece *last = &pieces->item[pieces->n - 1];
+    size_t from = last->from, to = last->to, lo = from, hi = to;
+
+    if (options->paper || options->through || !has_no_curve(last) || (*left)-- <= 0)
+        return;
+    piece_free(last);
+    pieces->n--;
+    find_trouble(run, options, &lo, &hi);
+    if (lo > from) {
+        push_piece(run, options, from, lo, pieces);
+        divide_last(run, options, left, pieces);
+    }
+    if (hi > lo)
+        push_piece(run, options, lo, hi, pieces);
+    if (to > hi) {
+        push_piece(run, options, hi, to, pieces);
+        divide_last(run, options, left, pieces);
+    }
+}
+
+/* Other pieces in place of piece k. */
+static void replace_piece(struct spline_run *pieces, size_t k, const struct spline_run *by)
+{
+    array_reserve(pieces, pieces->n + by->n);
+    memmove(&pieces->item[k + by->n], &pieces->item[k + 1],
+            (pieces->n - k - 1) * sizeof *pieces->item);
+    memcpy(&pieces->item[k], by->item, by->n * sizeof *by->item);
+    pieces->n += by->n - 1;
+}
+
 static void keep_points(const struct run *run, struct spline_run *pieces)
 {
     pieces->fitted.n = 0;
@@ -151,9 +235,9 @@ void spline_run_fit(const struct run *run, const struct spline_run_options *opti
         end = piece_ends(run, options->fit.tolerance);
     size_t from = 0;
     for (size_t k = 0; k < end.n; k++) {
-        struct spline_run_piece *piece = array_push(pieces);
-        *piece = (struct spline_run_piece){.from = from, .to = end.item[k]};
-        fit_piece(run, options, NULL, piece);
+        int left = DIVISIONS;
+        push_piece(run, options, from, end.item[k], pieces);
+        divide_last(run, options, &left, pieces);
         from = end.item[k];
     }
     array_free(&end);
@@ -214,14 +298,20 @@ void spline_run_refit(const struct run *run, const struct spline_run_options *op
     struct doubles moved = {0};
 
     again.fit.moved = &moved;
-    for (size_t k = 0; k < pieces->n; k++) {
-        struct spline_run_piece *piece = &pieces->item[k], before = *piece;
-        if (!has_moved(run, pieces, piece))
+    for (size_t k = pieces->n; k-- > 0;) { /* a piece that is divided grows upwards */
+        struct spline_run_piece before = pieces->item[k], piece = {.from = before.from};
+        struct spline_run parts = {0};
+        int left = DIVISIONS;
+        if (!has_moved(run, pieces, &before))
             continue;
         moved.n = 0;
-        find_moved(run, pieces, piece, options->centre, &moved);
-        *piece = (struct spline_run_piece){.from = before.from, .to = before.to};
-        fit_piece(run, &again, before.still ? NULL : &before.fit, piece);
+        find_moved(run, pieces, &before, options->centre, &moved);
+        piece.to = before.to;
+        fit_piece(run, &again, before.still ? NULL : &before.fit, &piece);
+        *array_push(&parts) = piece;
+        divide_last(run, options, &left, &parts);
+        replace_piece(pieces, k, &parts);
+        array_free(&parts);
         piece_free(&before);
     }
     array_free(&moved);
@@ -235,19 +325,16 @@ void spline_run_refit(const struct run *run, const struct spline_run_options *op
 static void split_piece(const struct run *run, const struct spline_run_options *options, size_t k,
                         size_t i, struct spline_run *pieces)
 {
-    struct spline_run_piece whole = pieces->item[k], part[3] = {{0}};
-    size_t end[] = {whole.from, i, i + 1, whole.to}, n = 0;
+    struct spline_run_piece whole = pieces->item[k];
+    size_t end[] = {whole.from, i, i + 1, whole.to};
+    struct spline_run parts = {0};
 
     for (size_t e = 0; e < 3; e++)
-        if (end[e] < end[e + 1]) {
-            part[n] = (struct spline_run_piece){.from = end[e], .to = end[e + 1]};
-            fit_piece(run, options, NULL, &part[n++]);
-        }
+        if (end[e] < end[e + 1])
+            push_piece(run, options, end[e], end[e + 1], &parts);
+    replace_piece(pieces, k, &parts);
+    array_free(&parts);
     piece_free(&whole);
-    array_reserve(pieces, pieces->n + n - 1);
-    memmove(&pieces->item[k + n], &pieces->item[k + 1], (pieces->n - k - 1) * sizeof *part);
-    memcpy(&pieces->item[k], part, n * sizeof *part);
-    pieces->n += n - 1;
 }
 
 /* ---- kept clear of the part */

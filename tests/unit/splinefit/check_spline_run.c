@@ -69,6 +69,50 @@ START_TEST(noise_is_no_corner)
 }
 END_TEST
 
+/* In the middle of 100 mm of a wave 0.1 mm of a zigzag that no curve follows with spans of the
+ * least length: that stays a few lines, before and behind it are curves.  And the same where the
+ * zigzag comes only when points are moved. */
+START_TEST(lines_only_where_no_curve_is)
+{
+    struct spline_run_options options = {.fit = FIT};
+    struct run run = {.radius = 8}, smooth = {.radius = 8};
+
+    options.fit.tolerance = 0.001;
+    options.fit.least = 0.06;
+    options.fit.work = 0.01;
+    for (int k = 0; k <= 400; k++) {
+        int last = k == 200 ? 10 : 0; /* points of the zigzag */
+        for (int j = 0; j <= last; j++) {
+            double x = 0.25 * k + 0.01 * j, z = 3 * sin(x / 8);
+            add(&smooth, x, 0, z);
+            add(&run, x, j % 2 == 1 ? 0.0025 : 0, z);
+        }
+    }
+    for (int moved = 0; moved < 2; moved++) {
+        struct spline_run pieces = {0};
+        size_t lines = 0, at = 0;
+        spline_run_fit(moved ? &smooth : &run, &options, &pieces);
+        if (moved) {
+            ck_assert_uint_eq(pieces.n, 1);
+            spline_run_refit(&run, &options, &pieces);
+        }
+        ck_assert_uint_ge(pieces.n, 3);
+        for (size_t i = 0; i < pieces.n; i++) {
+            const struct spline_run_piece *p = &pieces.item[i];
+            ck_assert_uint_eq(p->from, at);
+            at = p->to;
+            ck_assert(p->fit.within);
+            lines += p->fit.kind == SPLINEFIT_POLYLINE ? p->to - p->from : 0;
+        }
+        ck_assert_uint_eq(at, run.n - 1);
+        ck_assert_uint_le(lines, 16); /* those of the zigzag, and what halves are more */
+        spline_run_free(&pieces);
+    }
+    array_free(&run);
+    array_free(&smooth);
+}
+END_TEST
+
 /* Points every 15 degrees of a circle of 30 mm: the curve follows the circle, not the chords. */
 START_TEST(sparse_points_make_a_smooth_curve)
 {
@@ -303,6 +347,7 @@ int main(void)
     TCase *t = tcase_create("spline_run");
     tcase_add_test(t, a_corner_parts);
     tcase_add_test(t, noise_is_no_corner);
+    tcase_add_test(t, lines_only_where_no_curve_is);
     tcase_add_test(t, sparse_points_make_a_smooth_curve);
     tcase_add_test(t, fallback_keeps_the_tolerance);
     tcase_add_test(t, one_place_has_no_curve);
