@@ -182,29 +182,58 @@ static void find_trouble(const struct run *run, const struct spline_run_options 
     }
 }
 
-/* The last piece gives way to curves before and behind the lines that have none, as when the tip
- * turns back while the axis goes over, as long as there are divisions `left`. */
+static size_t poles_of(const struct spline_run *pieces)
+{
+    size_t n = 0;
+
+    for (size_t i = 0; i < pieces->n; i++)
+        n += pieces->item[i].fit.curve.poles;
+    return n;
+}
+
+static void divide_last(const struct run *run, const struct spline_run_options *options, int *left,
+                        struct spline_run *pieces);
+
+/* Pieces before and behind the lines from..to that have no curve, and these. */
+static void divide_at(const struct run *run, const struct spline_run_options *options, int *left,
+                      const struct spline_run_piece *whole, struct spline_run *parts)
+{
+    size_t from = whole->from, to = whole->to;
+
+    find_trouble(run, options, &from, &to);
+    if (from > whole->from) {
+        push_piece(run, options, whole->from, from, parts);
+        divide_last(run, options, left, parts);
+    }
+    if (to > from)
+        push_piece(run, options, from, to, parts);
+    if (whole->to > to) {
+        push_piece(run, options, to, whole->to, parts);
+        divide_last(run, options, left, parts);
+    }
+}
+
+/* The last piece, if it has no curve, gives way to curves before and behind a few lines that have
+ * none, as where the tip turns back while the axis goes over: as long as there are divisions
+ * `left`, and if they have fewer poles. */
 static void divide_last(const struct run *run, const struct spline_run_options *options, int *left,
                         struct spline_run *pieces)
 {
+    bool asked = options->fit.params >= 0 || options->fit.knots >= 0; /* for this very way */
     struct spline_run_piece *last = &pieces->item[pieces->n - 1];
-    size_t from = last->from, to = last->to, lo = from, hi = to;
+    struct spline_run parts = {0};
 
-    if (options->paper || options->through || !has_no_curve(last) || (*left)-- <= 0)
+    if (options->paper || options->through || asked || !has_no_curve(last) || (*left)-- <= 0)
         return;
-    piece_free(last);
-    pieces->n--;
-    find_trouble(run, options, &lo, &hi);
-    if (lo > from) {
-        push_piece(run, options, from, lo, pieces);
-        divide_last(run, options, left, pieces);
+    divide_at(run, options, left, last, &parts);
+    if (poles_of(&parts) < last->fit.curve.poles) {
+        piece_free(last);
+        pieces->n--;
+        for (size_t i = 0; i < parts.n; i++)
+            *array_push(pieces) = parts.item[i];
+        parts.n = 0;
     }
-    if (hi > lo)
-        push_piece(run, options, lo, hi, pieces);
-    if (to > hi) {
-        push_piece(run, options, hi, to, pieces);
-        divide_last(run, options, left, pieces);
-    }
+    spline_run_free(&parts);
 }
 
 /* Other pieces in place of piece k. */
