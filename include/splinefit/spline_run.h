@@ -42,16 +42,16 @@ struct spline_run {
  * point and over SPLINE_CORNER (so that noise makes no corners).  Where straight lines between the
  * points would leave the smooth path (run_densify) by more than SPLINE_SPARSE, the curve follows
  * the smooth path, sampled to SPLINE_DENSE, and keeps the rest; but not where the axis is fixed and
- * every tenth point turns by more than 30 degrees, which is noise.  A piece that has no curve within
- * the tolerance (splinefit.h, SPLINEFIT_POLYLINE) is divided, so that but a few lines stay lines.
+ * every tenth point turns by more than 30 degrees, which is noise.  A piece that has no curve
+ * within the tolerance (splinefit.h, SPLINEFIT_POLYLINE) is divided, so that but a few lines stay.
  */
 void spline_run_fit(const struct run *run, const struct spline_run_options *options,
                     struct spline_run *pieces);
 
 /*
- * The same after some of the run's points were moved a little: pieces end where they did, unless one
- * has no curve now; one whose points all stay is kept as it is, and the curves of the others are
- * moved (splinefit_again).
+ * The same after some of the run's points were moved a little: pieces end where they did, unless
+ * one has no curve now; one whose points all stay is kept as it is, and the curves of the others
+ * are moved (splinefit_again).
  */
 void spline_run_refit(const struct run *run, const struct spline_run_options *options,
                       struct spline_run *pieces);

@@ -1,4 +1,5 @@
-/* Tests of arcfit_bridge and arcfit_cut: short pieces put into a chain that keeps the tolerance are gone round. */
+/* Tests of arcfit_bridge and arcfit_cut: short pieces put into a chain that keeps the tolerance are
+ * gone round. */
 #include "arcfit/arcfit.h"
 
 #include <check.h>
