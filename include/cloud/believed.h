@@ -23,8 +23,8 @@ struct believed_options {
 struct believed {
     struct noise noise; /* as measured, of the points that are there once */
     double sigma;       /* what points may be off their surface by: what the user says, or the noise
-                           measured where it is the scanner's and there are no two sheets (or of
-                           the even places, noise.h); else 0 */
+                           measured where it is the scanner's and there are no two sheets but at
+                           a few places (or of the even places, noise.h); else 0 */
     size_t outliers;
     struct sheets sheets;
 };

@@ -5,8 +5,9 @@
  * where the distances from it fall into two groups (the best split of them in two, after Otsu
  * 1979), each of at least a quarter, whose means are more than APART times as far apart as the
  * points of a group are spread, and which lie among each other: a point's nearest neighbour is of
- * the other group about as often as by chance, as it is not at a step or a crease.  Steep places
- * are left out, where the two sides of a thin wall are no sheets.
+ * the other group about as often as by chance, as it is not at a step or a crease; and the nearest
+ * of the other group are round most points of both, as they are not about a rib or a pocket.  Steep
+ * places are left out, where the two sides of a thin wall are no sheets.
  */
 #ifndef CLOUDMILL_SHEETS_H
 #define CLOUDMILL_SHEETS_H

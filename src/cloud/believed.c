@@ -8,6 +8,9 @@
 #include "cloud/outliers.h"
 #include "cloud/plan_extent.h"
 
+/* Of the places looked at: where no more are of two sheets, these tell nothing of the noise. */
+static const double FEW = 0.02;
+
 struct believed believed_in_grid(const struct point_grid *point_grid,
                                  const struct believed_options *options, unsigned char *out)
 {
@@ -17,10 +20,8 @@ struct believed believed_in_grid(const struct point_grid *point_grid,
     b.sheets = sheets_find(point_grid, options->threads);
     if (!measured)
         b.sigma = options->noise;
-    else if (b.noise.alike && b.sheets.places == 0)
-        b.sigma = b.noise.sigma;
-    else if (b.sheets.places == 0)
-        b.sigma = b.noise.even;
+    else if ((double)b.sheets.places <= FEW * (double)b.sheets.looked)
+        b.sigma = b.noise.alike ? b.noise.sigma : b.noise.even;
     double sigma = measured ? b.noise.sigma : options->noise;
     if (measured && !b.noise.alike && sigma >= NOISE_NONE * point_grid->cell)
         b.outliers = outliers_floating(point_grid, sigma, options->threads, out);

@@ -38,7 +38,8 @@ static struct flank_patch find_patch(const struct edge_work *work, const struct 
         const struct edge_flank *other = &work->flank[near->index[k]];
         double h = edge_flank_above(patch.flank, near->point[k], &normal);
         patch.on[k] = fabs(h) <= least;
-        patch.hollow[k] = h > least && edge_flank_known(other) &&
+        patch.hollow[k] = (h > least || (patch.on[k] && edge_flank_certain(work, other))) &&
+                          edge_flank_known(other) &&
                           edge_flank_above(other, near->point[0], &normal) > least;
         if (patch.on[k])
             *array_push(&patch.side) = near->point[k];
@@ -72,7 +73,7 @@ static bool is_on_patch(const struct edge_work *work, const struct edge_hood *ne
     for (size_t k = 1; k < near->n; k++) {
         const struct edge_flank *other = &work->flank[near->index[k]];
         double far = vec_distance(at, near->point[k]);
-        if (patch->on[k] && other->valid && far < out)
+        if (patch->on[k] && !patch->hollow[k] && other->valid && far < out)
             return false;
         if (far >= reach || patch->hollow[k] ||
             (patch->on[k] && far > out && bends_away(patch, other)))

@@ -21,7 +21,14 @@ static const double EVEN = 3;     /* spread of the roughest tenth by that of the
  * a third is: above 6 times it lies one of a thousand of these, and another group from 24 on (twice
  * as far off), with no more than a tenth of all between.  A quarter of noise is above 1.25 of
  * the true one, and one below 0.67: 1.86 times, and more by chance. */
-static const double GROUP = 6, APART = 24, BETWEEN = 0.1, LEAST = 0.2, OTHERS = 0.1, QUARTERS = 2.2;
+static const double GROUP = 6, APART = 24, BETWEEN = 0.1, LEAST = 0.12, OTHERS = 0.1, QUARTERS = 2.2;
+
+/* Of noise alone a quarter of the variances is below 0.72 of the true one (which is taken as the
+ * median), a twentieth below 0.42, and where noise is half of all, below 0.93 and 0.52: 1.92 times at
+ * most; two fifths are below 2.76 times at most; over twice the points a quarter is 1.14 times as
+ * large.  And by chance a fifth more.  The quarter is 0.82 of the true one where noise is three
+ * quarters of all, and a tenth more or less otherwise. */
+static const double PART_QUARTER = 2.3, PART_MORE = 3.3, PART_TWICE = 1.4, PART_THIRD = 0.82;
 
 static const double CELL = 3; /* width of a cell in mean spacings of the points */
 
@@ -118,12 +125,22 @@ static double lower_group(const double *variance, size_t n)
     double tenth = variance[n / 10];
     size_t low = count_below(variance, n, GROUP * tenth);
     size_t high = n - count_below(variance, n, APART * tenth);
-    bool parted = (double)(n - low - high) <= BETWEEN * (double)n;
+    bool parted = (double)(n - low - high) <= fmin(BETWEEN * (double)n, (double)low / 2);
     bool even = variance[3 * low / 4] <= QUARTERS * variance[low / 4];
 
     return (double)low >= LEAST * (double)n && (double)high >= OTHERS * (double)n && parted && even
                ? variance[low / 2]
                : 0;
+}
+
+/* Of variances in order, of places and over twice their points: the noise of the lower ones, where
+ * two fifths and more of them are as noise alone lets them be, whatever the others are; else 0. */
+static double lower_part(const double *variance, size_t n, const double *twice, size_t m)
+{
+    double least = variance[n / 20], quarter = variance[n / 4], more = variance[2 * n / 5];
+    bool even = quarter <= PART_QUARTER * least && more <= PART_MORE * least;
+
+    return even && twice[m / 4] <= PART_TWICE * quarter ? quarter / PART_THIRD : 0;
 }
 
 struct noise noise_measure(const struct point_grid *point_grid, int threads)
@@ -139,7 +156,10 @@ struct noise noise_measure(const struct point_grid *point_grid, int threads)
         noise.sigma = sqrt(fmax((GROWTH * narrow - wide) / (GROWTH - 1), 0));
         noise.alike = noise.sigma < point_grid->cell / CELL && wide <= WHITE * WHITE * narrow &&
                       m.fewer[9 * fewer / 10] <= EVEN * EVEN * m.fewer[fewer / 10];
-        noise.even = noise.alike ? 0 : sqrt(lower_group(m.fewer, fewer));
+        double lower = lower_group(m.fewer, fewer);
+        if (!(lower > 0))
+            lower = lower_part(m.fewer, fewer, m.twice, twice);
+        noise.even = noise.alike ? 0 : sqrt(lower);
         if (noise.even < NOISE_NONE * point_grid->cell)
             noise.even = 0;
     }

@@ -9,6 +9,7 @@
 #include "math/quadric.h"
 
 enum { PLACES = 2000, NEAR = 48, FEWEST_PLACES = 3 };
+enum { MIDDLE = NEAR / 2, ROUND = 6 }; /* those nearest to the place; to a point */
 
 static const double APART = 4.5;    /* spreads of a group */
 static const double PART = 0.25;    /* of the points in each group */
@@ -79,6 +80,69 @@ static double mixed_part(const struct vec3 *point, const bool *upper, size_t n, 
     return (double)mixed / (double)n;
 }
 
+/* Whether the nearest points of the other group, seen along the normal, are round point i, and not
+ * to one side of it as at a step. */
+static bool is_among(const struct vec3 *point, const bool *upper, size_t i, struct vec3 normal)
+{
+    struct quadric q = quadric_frame(point[i], normal);
+    double turn[NEAR], last = HUGE_VAL, far[ROUND];
+    size_t n = 0;
+
+    for (size_t k = 0; k < NEAR; k++) {
+        struct vec3 to = quadric_local(&q, point[k]);
+        double r = hypot(to.x, to.y);
+        if (upper[k] == upper[i] || (n == ROUND && r >= last))
+            continue;
+        size_t at = n < ROUND ? n++ : ROUND - 1;
+        for (; at > 0 && far[at - 1] > r; at--) {
+            far[at] = far[at - 1];
+            turn[at] = turn[at - 1];
+        }
+        far[at] = r;
+        turn[at] = atan2(to.y, to.x);
+        last = far[n - 1];
+    }
+    doubles_sort(turn, n);
+    double widest = n > 0 ? turn[0] + 2 * PI - turn[n - 1] : 2 * PI;
+    for (size_t k = 0; k + 1 < n; k++)
+        widest = fmax(widest, turn[k + 1] - turn[k]);
+    return widest < PI;
+}
+
+/* Of the points in the middle of both groups two fifths and more are among the other one. */
+static bool are_among(const struct vec3 *point, const bool *upper, struct vec3 normal)
+{
+    size_t all[2] = {0, 0}, among[2] = {0, 0};
+
+    for (size_t i = 0; i < MIDDLE; i++) {
+        all[upper[i]]++;
+        among[upper[i]] += is_among(point, upper, i, normal);
+    }
+    return 5 * among[0] > 2 * all[0] && 5 * among[1] > 2 * all[1];
+}
+
+/* The surfaces of both groups do not meet: hardly a point of one is nearer to the other's, as the
+ * foot of a rib is to that of the points beside. */
+static bool are_parallel(const struct vec3 *point, const bool *upper, struct vec3 normal,
+                         double apart)
+{
+    const double half = 0.5, most = 0.85;
+    struct vec3 group[2][NEAR];
+    struct quadric q[2];
+    size_t n[2] = {0, 0}, off = 0;
+
+    for (size_t i = 0; i < NEAR; i++)
+        group[upper[i]][n[upper[i]]++] = point[i];
+    for (int k = 0; k < 2; k++)
+        if (quadric_settle(group[k], n[k], group[k][0], normal, &q[k]) < 0)
+            return false;
+    for (size_t i = 0; i < NEAR; i++) {
+        double above = quadric_off(&q[!upper[i]], point[i]);
+        off += (upper[i] ? above : -above) > half * apart;
+    }
+    return (double)off > most * NEAR;
+}
+
 /* Distance of the two sheets at a place, 0: there is one. */
 static double look_at(const struct point_grid *b, struct vec3 place)
 {
@@ -110,7 +174,9 @@ static double look_at(const struct point_grid *b, struct vec3 place)
     for (size_t i = 0; i < NEAR; i++)
         upper[i] = off[i] >= sorted[n];
     double chance = 2 * (double)n * (double)rest / (double)(NEAR * NEAR);
-    return mixed_part(point, upper, NEAR, normal) < MIXED * chance ? 0 : apart;
+    if (mixed_part(point, upper, NEAR, normal) < MIXED * chance)
+        return 0;
+    return are_among(point, upper, normal) && are_parallel(point, upper, normal, apart) ? apart : 0;
 }
 
 static struct vec3 place_of(const struct search *s, size_t i)

@@ -247,7 +247,7 @@ static void add_edges(const struct guard_work *work, struct guard_points *surfac
                                         .along = sqrt(8 * rule->radius * rule->sink),
                                         .sink = rule->sink,
                                         /* flanks of few points are as rough as these */
-                                        .fill = work->filled && rule->noise == 0,
+                                        .fill = work->filled,
                                         .threads = rule->threads,
                                         .near = &work->lists};
     size_t before = surface->point.n;

@@ -2,7 +2,8 @@
  * edges - sharp and thin shapes that are known exactly, to measure how deep a ball goes into them:
  *
  *	edges                              their names
- *	edges SHAPE grid|lines|random STEP SEED    a scan of it, points about STEP apart
+ *	edges SHAPE grid|lines|random STEP SEED [SIGMA]    a scan of it, points about STEP apart,
+ *	                                   moved by normal noise along z
  *	edges SHAPE truth STEP SEED        the surface itself, STEP apart, without the outermost mm,
  *	                                   where scans of points anywhere may end; on its edges closer,
  *	                                   by an eighth, and down upright walls
@@ -171,6 +172,125 @@ static double gable(double x, double y)
     return fabs(y) < 7 ? positive(5 - 0.8 * fabs(x)) : 0;
 }
 
+/* Four steps of 0.5 mm and more of them, 2.2 mm wide; of 1.5 mm, 4 mm wide. */
+static double terraces(double x, double y)
+{
+    (void)y;
+    return 0.5 * floor((x + 20) / 2.2);
+}
+
+static double terraces_high(double x, double y)
+{
+    (void)y;
+    return 1.5 * floor((x + 20) / 4);
+}
+
+/* Risers of 0.9 mm, rings of 1.5 mm. */
+static double stepped_cone(double x, double y)
+{
+    return 0.9 * positive(6 - floor(hypot(x, y) / 1.5));
+}
+
+/* Pockets with upright walls, 0.4 deep, in a dome. */
+static double pockets(double x, double y)
+{
+    double u = x - 5 * floor(x / 5 + 0.5), v = y - 5 * floor(y / 5 + 0.5);
+    return sqrt(900 - x * x - y * y) - 20 - (fmax(fabs(u), fabs(v)) < 1.5 ? 0.4 : 0);
+}
+
+/* An upright disc with twelve pointed teeth, 2 mm high. */
+static double toothed(double x, double y)
+{
+    double t = fabs(fmod(atan2(y, x) + PI2, PI2 / 12) - PI2 / 24) * 24 / PI2;
+    return hypot(x, y) < 8.5 - 2 * t ? 2 : 0;
+}
+
+/* A star that stands on a slope, its top as steep. */
+static double star_on_slope(double x, double y)
+{
+    return 0.35 * x + 0.1 * y + 0.6 * star(x, y);
+}
+
+/* A hexagon nut, its upper edge turned off by a cone of 30 degrees, with a hole. */
+static double nut(double x, double y)
+{
+    double most = 0, r = hypot(x, y);
+    for (int k = 0; k < 3; k++)
+        most = fmax(most, fabs(x * cos(k * PI2 / 6) + y * sin(k * PI2 / 6)));
+    return most < 6.5 && r > 3 ? 4 - 0.577 * positive(r - 6.3) : 0;
+}
+
+/* A ramp that steps go up beside. */
+static double ramp(double x, double y)
+{
+    double slope = 0.4 * (x + 12);
+    return y < 0 ? slope : 1.2 * floor(slope / 1.2);
+}
+
+/* A dome of tangent planes at places anywhere. */
+static double facets(double x, double y)
+{
+    double z = 1e9;
+    for (int k = 0; k < 60; k++) {
+        double r = 13 * sqrt((k + 0.5) / 60), t = 2.39996 * k, u = r * cos(t), v = r * sin(t);
+        double h = sqrt(400 - u * u - v * v);
+        z = fmin(z, h + (u * (u - x) + v * (v - y)) / h);
+    }
+    return z - 10;
+}
+
+/* Crossed grooves of 90 degrees, 2.5 mm apart, that leave pyramids. */
+static double knurl(double x, double y)
+{
+    double u = x - 2.5 * floor(x / 2.5 + 0.5), v = y - 2.5 * floor(y / 2.5 + 0.5);
+    return 1.25 - fmax(fabs(u), fabs(v));
+}
+
+/* The upper side of a bolt of 16 mm, its thread 4 mm a turn, 60 degrees. */
+static double thread(double x, double y)
+{
+    double u = fabs(y) < 7.9 ? y : 7.9, a = asin(u / 8) / PI2, t = x / 4 + a;
+    double r = 8 - 1.732 * 4 * 0.5 * fabs(2 * (t - floor(t)) - 1) * 0.5;
+    return fabs(y) < r ? sqrt(r * r - y * y) : 0;
+}
+
+/* Two planes that make 150 degrees. */
+static double obtuse(double x, double y)
+{
+    return 5 - 0.268 * fabs(x) + 0.05 * y;
+}
+
+/* A block with upright sides and a chamfer of 1 mm. */
+static double chamfered(double x, double y)
+{
+    double d = fmax(fabs(x) - 6, fabs(y) - 5);
+    return d < 0 ? fmin(4, 3 - d) : 0;
+}
+
+/* Two ribs that cross, 2 mm wide, one higher. */
+static double cross(double x, double y)
+{
+    return fabs(x) < 1 ? 3 : fabs(y) < 1 ? 2 : 0;
+}
+
+/* Three planes that are hardly off each other, 10 degrees, and one that is steep. */
+static double gem(double x, double y)
+{
+    double z = 6;
+    for (int k = 0; k < 7; k++) {
+        double along = x * cos(k * PI2 / 7) + y * sin(k * PI2 / 7);
+        z = fmin(z, fmin(7 - 0.25 * along, 9 - 0.9 * along));
+    }
+    return z;
+}
+
+/* A round boss with an upright wall, on a cone. */
+static double boss(double x, double y)
+{
+    double r = hypot(x, y);
+    return r < 4 ? 5 : 3 - 0.25 * r;
+}
+
 static const struct shape {
     const char *name;
     height *z;
@@ -196,7 +316,23 @@ static const struct shape {
               {"saw", saw},
               {"fin", fin},
               {"tetrahedron", tetrahedron},
-              {"gable", gable}};
+              {"gable", gable},
+              {"terraces", terraces},
+              {"terraces_high", terraces_high},
+              {"stepped_cone", stepped_cone},
+              {"pockets", pockets},
+              {"toothed", toothed},
+              {"star_on_slope", star_on_slope},
+              {"nut", nut},
+              {"ramp", ramp},
+              {"facets", facets},
+              {"knurl", knurl},
+              {"thread", thread},
+              {"obtuse", obtuse},
+              {"chamfered", chamfered},
+              {"cross", cross},
+              {"gem", gem},
+              {"boss", boss}};
 
 /* A uniform number, -1 to 1: splitmix64. */
 static double uniform(uint64_t *seed)
@@ -219,7 +355,17 @@ static double height_at(const struct part *part, double x, double y)
     return part->z(u * c + v * s, v * c - u * s);
 }
 
-static void scan(const struct part *part, const char *pattern, double step, uint64_t *seed)
+/* Of standard deviation 1, near enough: the sum of twelve. */
+static double normal(uint64_t *seed)
+{
+    double sum = 0;
+    for (int i = 0; i < 12; i++)
+        sum += uniform(seed) / 2;
+    return sum;
+}
+
+static void scan(const struct part *part, const char *pattern, double step, double sigma,
+                 uint64_t *seed)
 {
     bool lines = strcmp(pattern, "lines") == 0, anywhere = strcmp(pattern, "random") == 0;
     double along = lines ? step / 2 : step, across = lines ? 2 * step : step;
@@ -233,7 +379,8 @@ static void scan(const struct part *part, const char *pattern, double step, uint
                 u += 0.6 * along * right;
                 v += 0.4 * along * up;
             }
-            printf("%.4f %.4f %.4f\n", u, v, height_at(part, u, v));
+            double z = height_at(part, u, v);
+            printf("%.4f %.4f %.4f\n", u, v, sigma > 0 ? z + sigma * normal(seed) : z);
         }
 }
 
@@ -335,7 +482,7 @@ int main(int argc, char *argv[])
 
     for (size_t i = 0; i < n && argc == 1; i++)
         printf("%s\n", shapes[i].name);
-    for (size_t i = 0; i < n && argc == 5; i++) {
+    for (size_t i = 0; i < n && argc >= 5; i++) {
         if (strcmp(argv[1], shapes[i].name) != 0)
             continue;
         uint64_t seed = strtoull(argv[4], NULL, 10) * 1000;
@@ -345,11 +492,11 @@ int main(int argc, char *argv[])
         if (strcmp(argv[2], "truth") == 0)
             truth(&part, atof(argv[3]));
         else
-            scan(&part, argv[2], atof(argv[3]), &seed);
+            scan(&part, argv[2], atof(argv[3]), argc > 5 ? atof(argv[5]) : 0, &seed);
         return 0;
     }
     if (argc == 1)
         return 0;
-    fprintf(stderr, "usage: edges [SHAPE grid|lines|random|truth STEP SEED]\n");
+    fprintf(stderr, "usage: edges [SHAPE grid|lines|random|truth STEP SEED [SIGMA]]\n");
     return 2;
 }
