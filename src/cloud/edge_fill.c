@@ -13,6 +13,7 @@ struct flank_patch {
     size_t edges;      /* of these, places of edges */
     size_t sharp;      /* neighbours in a hollow that is sharp */
     bool certain;      /* where it goes on it is where its points tell */
+    bool above_wall;   /* a point on it is above a wall */
 };
 
 /* The flank of a point in a hollow turns up sharply from this one. */
@@ -41,6 +42,7 @@ static struct flank_patch find_patch(const struct edge_work *work, const struct 
         patch.hollow[k] = (h > least || (patch.on[k] && edge_flank_certain(work, other))) &&
                           edge_flank_known(other) &&
                           edge_flank_above(other, near->point[0], &normal) > least;
+        patch.above_wall = patch.above_wall || (patch.on[k] && work->gap[near->index[k]] > 0);
         if (patch.on[k])
             *array_push(&patch.side) = near->point[k];
         for (size_t e = 0; e < edge->n; e++)
@@ -167,7 +169,8 @@ void edge_fill_add(const struct edge_work *work, const struct edge_hood *near, s
     struct flank_patch patch = find_patch(work, near, i);
 
     if (patch.edges > 0 || patch.sharp >= EDGE_FEWEST || patch.flank->along ||
-        patch.certain) /* elsewhere it is rough */
+        (patch.certain && (!(work->options->noise > 0) || patch.above_wall)))
+        /* elsewhere it is rough, or by noise */
         fill_patch(work, near, &patch, to);
     array_free(&patch.side);
 }

@@ -37,11 +37,13 @@ void edge_trial_make(struct edge_trial *trial, double (*height)(double x, double
                                      .lines = scan_lines_found(&trial->grid),
                                      .flank = mem_alloc(n, sizeof *trial->work.flank),
                                      .chosen = mem_alloc(n, sizeof *trial->work.chosen),
-                                     .found = mem_alloc(n, sizeof *trial->work.found)};
+                                     .found = mem_alloc(n, sizeof *trial->work.found),
+                                     .gap = mem_alloc(n, sizeof *trial->work.gap)};
     ck_assert(trial->work.lines == lines);
     for (size_t i = 0; i < n; i++) {
         trial->work.flank[i] = (struct edge_flank){.valid = false};
         trial->work.found[i] = (struct vec3s){0};
+        trial->work.gap[i] = 0;
     }
 }
 
@@ -50,6 +52,7 @@ void edge_trial_free(struct edge_trial *trial)
     for (size_t i = 0; i < trial->grid.n; i++)
         array_free(&trial->work.found[i]);
     free(trial->work.found);
+    free(trial->work.gap);
     if (trial->work.chosen != trial->work.flank) /* it takes its place where flanks are chosen */
         free(trial->work.chosen);
     free(trial->work.flank);
