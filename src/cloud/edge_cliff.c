@@ -12,7 +12,10 @@ static const double TIP = 2;       /* the same of a square corner's tip */
 static const double LEVEL = 0.35;  /* least z of a flank that has corners */
 static const double FACING = 0.12; /* least z of a flank that is continued over its wall */
 static const double FAIR = 0.1;    /* spacings: so far off its points a flank tells of a wall yet */
-static const double FARTHER = 4;   /* spacings: farther than that a flank is a plane */
+static const double STEEP_STEP = 0.35; /* of the way: so high over it no surface is the same */
+static const double EVEN_SINKS =
+    2.5;                         /* sinkings of the ball: a flank that is even is off by less */
+static const double FARTHER = 4; /* spacings: farther than that a flank is a plane */
 
 /* Seen from above the flank is open about a point of a corner by more: its sides make less than 75
  * degrees.  Before blunter ones a ball is held off by the walls of both sides. */
@@ -74,10 +77,26 @@ static bool is_fair(const struct edge_flank *flank)
     return edge_flank_known(flank) && flank->rms <= FAIR * flank->spacing;
 }
 
-/* A wall stands on the flank: one that is only fair may, nearer, be the same surface. */
-static bool is_sure(const struct edge_work *work, const struct edge_flank *flank, double far)
+/* A flank that is only even, where most about are certain: its points are off it by no more than a
+ * part of what a place may be. */
+static bool is_even(const struct edge_work *work, size_t i)
 {
-    return edge_flank_certain(work, flank) || (far > EDGE_FOOT * flank->spacing && is_fair(flank));
+    const struct edge_flank *flank = &work->flank[i];
+
+    return edge_flank_known(flank) && flank->rms <= EVEN_SINKS * work->options->sink &&
+           flank->rms <= EDGE_EVEN * flank->spacing && edge_on_known(work, i);
+}
+
+/* A wall stands on the flank of point k, so far from the rim, which is so high over it and it over
+ * the rim's: one that is only fair may, nearer, be the same surface, unless it is even, and the
+ * step so steep that it is none. */
+static bool is_sure(const struct edge_work *work, size_t k, double far, double step)
+{
+    const struct edge_flank *flank = &work->flank[k];
+
+    return edge_flank_certain(work, flank) ||
+           (far > EDGE_FOOT * flank->spacing && is_fair(flank)) ||
+           (step > STEEP_STEP * far && is_even(work, k));
 }
 
 /* Points below the flank whose own surface the point is not above are beyond an edge. */
@@ -98,7 +117,7 @@ static void sort_by_height(const struct edge_work *work, size_t i, size_t k, str
     if (edge_flank_known(other) && down <= least)
         *array_push(&cliff->beyond) = k;
     else if (off < -WALL * far ||
-             (off < -STEP * far && down > STEP * far && is_sure(work, other, far)))
+             (off < -STEP * far && down > STEP * far && is_sure(work, k, far, fmin(-off, down))))
         *array_push(&cliff->below) = p;
 }
 
@@ -343,7 +362,7 @@ static void add_edges(const struct edge_work *work, size_t i, const struct cliff
 double edge_cliff_add(const struct edge_work *work, size_t i, struct vec3s *edge, struct vec3s *to)
 {
     const struct edge_flank *flank = &work->flank[i];
-    bool certain = edge_flank_certain(work, flank);
+    bool certain = edge_flank_certain(work, flank) || is_even(work, i);
 
     if (!(certain || is_fair(flank)) || quadric_normal(&flank->q).z < EDGE_UPRIGHT)
         return 0;

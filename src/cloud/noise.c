@@ -21,7 +21,8 @@ static const double EVEN = 3;     /* spread of the roughest tenth by that of the
  * a third is: above 6 times it lies one of a thousand of these, and another group from 24 on (twice
  * as far off), with no more than a tenth of all between.  A quarter of noise is above 1.25 of
  * the true one, and one below 0.67: 1.86 times, and more by chance. */
-static const double GROUP = 6, APART = 24, BETWEEN = 0.1, LEAST = 0.12, OTHERS = 0.1, QUARTERS = 2.2;
+static const double GROUP = 6, APART = 24, BETWEEN = 0.1, LEAST = 0.12, OTHERS = 0.1,
+                    QUARTERS = 2.2;
 
 /* Of noise alone a quarter of the variances is below 0.72 of the true one (which is taken as the
  * median), a twentieth below 0.42, and where noise is half of all, below 0.93 and 0.52: 1.92 times at
