@@ -66,12 +66,13 @@ struct edge_points_options {
  * apart from them. */
 bool edge_flank_holds(const struct point_grid *point_grid, double noise, size_t i);
 
-/* Points of flanks that were continued to the points below, and the widest way to these; and the
- * foremost points of sharp edges whose sides are not known. */
+/* Points of flanks that were continued to the points below, and the widest way to these; points
+ * whose own surface is certain; and the foremost points of sharp edges whose sides are not known. */
 struct edge_gaps {
     size_t n;
     double widest; /* mm, seen from above */
     struct vec3 at;
+    size_t certain; /* points whose surface is */
     size_t unknown;
     double depth; /* the edges may stand so far in front of these, mm, ... */
     struct vec3 unknown_at;

@@ -162,6 +162,7 @@ static struct edge_gaps sum_gaps(const struct edge_work *work)
 
     for (size_t i = 0; i < work->options->point_grid->n; i++) {
         gaps.n += work->gap[i] > 0;
+        gaps.certain += edge_flank_certain(work, &work->flank[i]);
         if (work->gap[i] > gaps.widest) {
             gaps.widest = work->gap[i];
             gaps.at = work->options->point_grid->point[i];

@@ -126,10 +126,10 @@ static bool are_among(const struct vec3 *point, const bool *upper, struct vec3 n
 static bool are_parallel(const struct vec3 *point, const bool *upper, struct vec3 normal,
                          double apart)
 {
-    const double half = 0.5, most = 0.85;
+    const double half = 0.5, most = 0.9;
     struct vec3 group[2][NEAR];
     struct quadric q[2];
-    size_t n[2] = {0, 0}, off = 0;
+    size_t n[2] = {0, 0}, off[2] = {0, 0};
 
     for (size_t i = 0; i < NEAR; i++)
         group[upper[i]][n[upper[i]]++] = point[i];
@@ -138,9 +138,9 @@ static bool are_parallel(const struct vec3 *point, const bool *upper, struct vec
             return false;
     for (size_t i = 0; i < NEAR; i++) {
         double above = quadric_off(&q[!upper[i]], point[i]);
-        off += (upper[i] ? above : -above) > half * apart;
+        off[upper[i]] += (upper[i] ? above : -above) > half * apart;
     }
-    return (double)off > most * NEAR;
+    return (double)off[0] > most * (double)n[0] && (double)off[1] > most * (double)n[1];
 }
 
 /* Distance of the two sheets at a place, 0: there is one. */

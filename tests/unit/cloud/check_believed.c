@@ -116,6 +116,26 @@ START_TEST(two_sheets)
 }
 END_TEST
 
+/* A second scan of a part so small that it tells nothing of the noise. */
+START_TEST(few_sheets)
+{
+    const double sigma = 0.01;
+    noisy_seed(15);
+    noisy_scan(&scan, panel_height, POINTS, NOISY_RANDOM, sigma);
+    struct vec3s second = {0};
+    noisy_scan(&second, panel_height, POINTS, NOISY_RANDOM, sigma);
+    for (size_t i = 0; i < second.n; i++)
+        if (hypot(second.item[i].x, second.item[i].y) < 3) {
+            second.item[i].z += 0.2;
+            *array_push(&scan) = second.item[i];
+        }
+    array_free(&second);
+    believe(-1);
+    ck_assert_uint_gt(found.sheets.places, 3);
+    ck_assert_double_eq_tol(found.sigma, sigma, 0.1 * sigma);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("believed");
@@ -125,6 +145,7 @@ int main(void)
     tcase_add_loop_test(tests, strays, 0, 2);
     tcase_add_loop_test(tests, one_sheet, 0, 27);
     tcase_add_loop_test(tests, two_sheets, 0, 8);
+    tcase_add_test(tests, few_sheets);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);
     int failed = srunner_ntests_failed(runner);

@@ -696,6 +696,118 @@ START_TEST(thin_parts)
 }
 END_TEST
 
+/* The foot of a pyramid on a grid as wide as its points are 1 mm apart: some of the floor's points
+ * lie within a hundredth of its side. */
+static double low_pyramid(double x, double y)
+{
+    turned(&x, &y);
+    return fmax(0, 8 - fmax(fabs(x), fabs(y)));
+}
+
+/* A ball that lies on the floor and touches a side goes in no deeper, anywhere along it. */
+START_TEST(feet_of_pyramids)
+{
+    enum { PLACES = 200, POINTS = 4000 };
+    struct guarded g = {0};
+    int deeper = 0;
+
+    turn = 0.1 + 0.07 * _i;
+    noisy_seed(190 + (unsigned)_i);
+    noisy_scan(&g.scan, low_pyramid, POINTS, NOISY_GRID, 0);
+    crop(&g.scan, 14, 14);
+    guarded_make(&g, 1, 0);
+    struct gouge_check *guard = guarded_gouge(&g);
+    for (int i = 0; i < PLACES; i++) {
+        double v = 12 * noisy_uniform() - 6, side = i % 4 * PI / 2 + turn, deep = 1.5 * TOLERANCE;
+        double x = 8 + RADIUS * tan(PI / 8) - deep * sqrt(2);
+        struct vec3 c = vec(x * cos(side) - v * sin(side), x * sin(side) + v * cos(side), RADIUS);
+        deeper += gouge_depth(guard, c, RADIUS) <= 0;
+    }
+    ck_assert_int_le(deeper, PLACES / 50);
+    gouge_free(guard);
+    guarded_free(&g);
+}
+END_TEST
+
+/* A knife of 30 degrees, scanned with noise: on its sides points are far apart. */
+static double noisy_knife(double x, double y)
+{
+    turned(&x, &y);
+    return fmax(0, 6 - 3.7320508 * fabs(x));
+}
+
+/* A ball that touches a side goes in by no more than noise may bring its few points in. */
+START_TEST(noisy_flanks)
+{
+    enum { PLACES = 200, POINTS = 12000 };
+    const double noise = 0.005, deep = TOLERANCE + 4 * noise;
+    struct guarded g = {0};
+    int deeper = 0;
+
+    turn = 0.2 + 0.2 * _i;
+    noisy_seed(200 + (unsigned)_i);
+    noisy_scan(&g.scan, noisy_knife, POINTS, _i % 2 ? NOISY_GRID : NOISY_RANDOM, noise);
+    crop(&g.scan, 14, 14);
+    guarded_make(&g, 0.57, noise);
+    struct gouge_check *guard = guarded_gouge(&g);
+    for (int i = 0; i < PLACES; i++) {
+        double v = 16 * noisy_uniform() - 8, z = 2.5 + 2.5 * noisy_uniform();
+        double side = i % 2 * PI + turn, x = (6 - z) / 3.7320508;
+        x += (RADIUS - deep) * cos(PI / 12);
+        struct vec3 c = vec(x * cos(side) - v * sin(side), x * sin(side) + v * cos(side),
+                            z + (RADIUS - deep) * sin(PI / 12));
+        deeper += gouge_depth(guard, c, RADIUS) <= 0;
+    }
+    ck_assert_int_le(deeper, PLACES / 20);
+    gouge_free(guard);
+    guarded_free(&g);
+}
+END_TEST
+
+/* Pockets 0.4 deep in a dome, whose floors and ribs are even, but not so that a plane is certain. */
+static double dome(double x, double y)
+{
+    return sqrt(400 - x * x - y * y) - 10;
+}
+
+static double pockets(double x, double y)
+{
+    double u = x, v = y;
+    turned(&u, &v);
+    u -= 4 * floor(u / 4 + 0.5);
+    v -= 4 * floor(v / 4 + 0.5);
+    return dome(x, y) - (fabs(u) < 1.2 && fabs(v) < 1.2 ? 0.4 : 0);
+}
+
+/* A ball over a rim goes in by no more than a part of the spacing lets the wall be elsewhere. */
+START_TEST(rims_of_pockets)
+{
+    enum { PLACES = 400, POINTS = 17000 };
+    struct guarded g = {0};
+    int deeper = 0;
+
+    turn = 0.2 + 0.3 * _i;
+    noisy_seed(210 + (unsigned)_i);
+    noisy_scan(&g.scan, pockets, POINTS, NOISY_RANDOM, 0);
+    crop(&g.scan, 13, 13);
+    guarded_make(&g, 0.48, 0);
+    struct gouge_check *guard = guarded_gouge(&g);
+    for (int i = 0; i < PLACES; i++) {
+        double u = 4 * (i % 5 - 2) + 1.2, v = 4 * (i / 5 % 5 - 2) + 2 * noisy_uniform() - 1;
+        double x = u * cos(turn) - v * sin(turn), y = u * sin(turn) + v * cos(turn), level = 0.35;
+        struct vec3 rim = vec(x, y, dome(x, y)),
+                    up = vec_unit(vec(x, y, sqrt(400 - x * x - y * y)));
+        struct vec3 out = vec(-cos(turn), -sin(turn), 0);
+        struct vec3 way = vec_unit(vec_along(up, level, out));
+        if (hypot(x, y) < 10)
+            deeper += gouge_depth(guard, vec_along(rim, RADIUS - 2 * TOLERANCE, way), RADIUS) <= 0;
+    }
+    ck_assert_int_le(deeper, 2);
+    gouge_free(guard);
+    guarded_free(&g);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("edge_points");
@@ -713,6 +825,9 @@ int main(void)
     tcase_add_loop_test(tests, corners_between_points, 0, 24);
     tcase_add_loop_test(tests, unseen_walls, 0, 3);
     tcase_add_loop_test(tests, thin_parts, 0, 6);
+    tcase_add_loop_test(tests, feet_of_pyramids, 0, 6);
+    tcase_add_loop_test(tests, noisy_flanks, 0, 4);
+    tcase_add_loop_test(tests, rims_of_pockets, 0, 3);
     suite_add_tcase(suite, tests);
     tcase_set_timeout(tests, 60);
     srunner_run_all(runner, CK_ENV);

@@ -106,6 +106,27 @@ START_TEST(over_steps)
 }
 END_TEST
 
+/* Pyramids 16 mm wide: many places lie over an edge, some by little. */
+static double pyramids(double x, double y)
+{
+    double u = x - 16 * floor(x / 16), v = y - 16 * floor(y / 16);
+    return 8 - fmax(fabs(u - 8), fabs(v - 8));
+}
+
+/* What edges leave at some places runs on into what noise leaves at others. */
+START_TEST(over_edges)
+{
+    const double sigma[] = {0.02, 0.03, 0.04};
+    for (int s = 0; s < 3; s++) {
+        noisy_seed((unsigned)(5 + s));
+        noisy_scan(&scan, pyramids, 17000, NOISY_RANDOM, sigma[s]);
+        struct noise noise = measured_all();
+        ck_assert(!noise.alike);
+        ck_assert_double_eq_tol(noise.even / sigma[s], 1, 0.15);
+    }
+}
+END_TEST
+
 /* A rough half beside an even one: the even one's.  What is rough here and there, or has edges at
  * few places, has none. */
 START_TEST(no_even_places)
@@ -140,6 +161,7 @@ int main(void)
     tcase_add_loop_test(tests, none, 0, 3);
     tcase_add_test(tests, a_few_outliers_do_not_count);
     tcase_add_test(tests, over_steps);
+    tcase_add_test(tests, over_edges);
     tcase_add_test(tests, no_even_places);
     tcase_add_test(tests, fewer_points_than_it_takes);
     suite_add_tcase(suite, tests);

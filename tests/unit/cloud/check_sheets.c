@@ -102,6 +102,24 @@ START_TEST(a_part)
 }
 END_TEST
 
+/* Ribs 0.8 mm wide, on which there are one or two rows of points. */
+static double ribs(double x, double y)
+{
+    double u = 0.9 * x + 0.44 * y;
+    return fabs(u - 12 * floor(u / 12 + 0.5)) < 0.4 ? 0.8 : 0;
+}
+
+START_TEST(no_ribs)
+{
+    struct vec3s scan = {0};
+    noisy_seed(4);
+    noisy_scan(&scan, ribs, 17000, NOISY_GRID, 0.005);
+    struct sheets sheets = look(&scan, 1);
+    ck_assert_uint_le(sheets.places, sheets.looked / 100);
+    array_free(&scan);
+}
+END_TEST
+
 START_TEST(few)
 {
     struct vec3s scan = {0};
@@ -122,6 +140,7 @@ int main(void)
     tcase_add_test(tests, one_surface);
     tcase_add_test(tests, two_sheets);
     tcase_add_test(tests, a_part);
+    tcase_add_test(tests, no_ribs);
     tcase_add_test(tests, few);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);
