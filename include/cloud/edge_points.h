@@ -67,7 +67,8 @@ struct edge_points_options {
 bool edge_flank_holds(const struct point_grid *point_grid, double noise, size_t i);
 
 /* Points of flanks that were continued to the points below, and the widest way to these; points
- * whose own surface is certain; and the foremost points of sharp edges whose sides are not known. */
+ * whose own surface is certain; and the foremost points of sharp edges whose sides are not
+ * known. */
 struct edge_gaps {
     size_t n;
     double widest; /* mm, seen from above */

@@ -199,8 +199,8 @@ static void say_bounded(const struct guard_points *surface, const struct guard_r
 }
 
 /* Of `points`.  Where they are no more than one in two thousand they are said alone: of any scan of
- * a real thing a few stand out of what is about them; but not of one whose surface is certain nearly
- * everywhere. */
+ * a real thing a few stand out of what is about them; but not of one whose surface is certain
+ * nearly everywhere. */
 static void say_edges(const struct edge_gaps *gaps, size_t points, struct unmets *unmet)
 {
     const double even = 0.6, few = (double)gaps->certain > even * (double)points ? 0 : 0.0005;

@@ -764,7 +764,7 @@ START_TEST(noisy_flanks)
 }
 END_TEST
 
-/* Pockets 0.4 deep in a dome, whose floors and ribs are even, but not so that a plane is certain. */
+/* Pockets 0.4 deep in a dome, whose floors and ribs are even, but no plane of them is certain. */
 static double dome(double x, double y)
 {
     return sqrt(400 - x * x - y * y) - 10;
