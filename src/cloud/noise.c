@@ -26,8 +26,8 @@ static const double GROUP = 6, APART = 24, BETWEEN = 0.1, LEAST = 0.12, OTHERS =
 
 /* Of noise alone a quarter of the variances is below 0.72 of the true one (which is taken as the
  * median), a twentieth below 0.42, and where noise is half of all, below 0.93 and 0.52: 1.92 times
- * at most; two fifths are below 2.76 times at most; over twice the points a quarter is 1.14 times as
- * large.  And by chance a fifth more.  The quarter is 0.82 of the true one where noise is three
+ * at most; two fifths are below 2.76 times at most; over twice the points a quarter is 1.14 times
+ * as large.  And by chance a fifth more.  The quarter is 0.82 of the true one where noise is three
  * quarters of all, and a tenth more or less otherwise. */
 static const double PART_QUARTER = 2.3, PART_MORE = 3.3, PART_TWICE = 1.4, PART_THIRD = 0.82;
 
