@@ -138,6 +138,8 @@ START_TEST(segments_as_one_by_one)
             ck_assert(kdtree_nearest_segment(tree, a, b, found / 2, &none) == found / 2);
             ck_assert(none == N || found == 0);
             ck_assert(kdtree_nearest_segment(tree, a, b, found * 1.01 + 1e-9, &none) == found);
+            ck_assert(kdtree_nearest_among(point, N, a, b, 1e9) == found); /* the same digits */
+            ck_assert(kdtree_nearest_among(point, N, a, b, found / 2) == found / 2);
         }
         kdtree_free(tree);
     }
