@@ -12,10 +12,14 @@
 #include "interpolate.h"
 #include "spline_bound.h"
 #include "spline_lsq.h"
+#include "thin_lines.h"
 
 enum { PARAMS = 3, KNOTS = 2, START = 5, STEP = 5, WIDER = 40 };
 
 static const double HURRIED = 0.5; /* of the usual work: searches would take minutes */
+
+static const double LINE = 0.021;     /* mm: the next block is read before a shorter one is over */
+static const double LINE_ROOM = 0.75; /* of the tolerance: for the points left out for it */
 
 /* More poles than EVEN_MOST with fewer points for each than EVEN_POINTS follow noise. */
 enum { EVEN_MOST = 24, EVEN_POINTS = 12 };
@@ -201,17 +205,24 @@ static bool try_straight(const struct search *s, struct splinefit *fit)
     return fit->within;
 }
 
-/* What always serves: the data's own polyline.  Between two points the ball goes as it does on the
- * path, where a straight way of the tip swings it off its own: no deviation of the curve's. */
+/* What always serves: the data's own polyline, less what would be lines below LINE mm.  Between two
+ * points the ball goes as it does on the path, where a straight way of the tip swings it off its
+ * own: no deviation of the curve's. */
 static void set_polyline(const struct search *s, struct splinefit *fit)
 {
-    struct deviation made;
+    const struct deviation room = {LINE_ROOM * s->within.point, LINE_ROOM * s->within.other,
+                                   LINE_ROOM * s->within.axis};
+    struct deviation made, off;
+    struct reference t =
+        thin_lines(s->reference, &room, s->options->least > 0 && !s->paper ? LINE : 0, &off);
 
-    *fit = (struct splinefit){.curve = spline_polyline(s->reference), .kind = SPLINEFIT_POLYLINE};
+    *fit = (struct splinefit){.curve = spline_polyline(&t), .kind = SPLINEFIT_POLYLINE};
     spline_bound_print(&fit->curve);
-    spline_bound_polyline(&fit->curve, s->reference, &fit->proof);
+    spline_bound_polyline(&fit->curve, &t, &fit->proof);
+    fit->proof = deviation_worst(fit->proof, off);
     made = (struct deviation){fit->proof.point, 0, fit->proof.axis};
     fit->within = deviation_within(&made, &s->within);
+    reference_free(&t);
 }
 
 /* False: nothing was found. */
@@ -309,9 +320,9 @@ static void set_paper_error(struct search *s, struct splinefit *fit)
 {
     const struct reference *t = s->reference;
 
-    if (fit->kind == SPLINEFIT_POLYLINE)
+    if (fit->kind == SPLINEFIT_POLYLINE && fit->curve.poles == t->n)
         memcpy(s->scaled, fit->curve.knot + 1, t->n * sizeof *s->scaled);
-    else if (fit->kind == SPLINEFIT_FREE)
+    else if (fit->kind == SPLINEFIT_FREE || fit->kind == SPLINEFIT_POLYLINE)
         spline_bound_feet(&fit->curve, t, s->options->tolerance * SPLINE_RESOLUTION, s->scaled);
     else if (fit->kind == SPLINEFIT_STRAIGHT || fit->kind == SPLINEFIT_GROWN)
         scale_params(s, s->u[PARAMS_CHORD], &fit->curve);
