@@ -11,8 +11,8 @@
 
 static const double LEAST = 0.021;
 
-/* 4 mm of a circle of 5 mm whose points are `step` apart and up to `noise` off it, with an axis that
- * turns. */
+/* 4 mm of a circle of 5 mm whose points are `step` apart and up to `noise` off it, with an axis
+ * that turns. */
 static struct reference circle(double step, double noise)
 {
     struct run run = {.radius = 3};
