@@ -10,6 +10,7 @@
 #include "stage/path_options.h"
 #include "stage/plane_passes.h"
 #include "toolpath/scallop.h"
+#include "mesh/mesh_repair.h"
 #include "io/nurbs/surfaces.h"
 
 /* Of a path; a point takes some 300 bytes while it is made. */
@@ -17,7 +18,7 @@
 /* By the longest edge of the mesh: how far beyond its trimming a surface counts. */
 static const double BESIDE = 0.002;
 
-/* mm: of points between those of a mesh of a CAD model, without -e. */
+/* mm: of points between those of a mesh of no scan, without -e. */
 static const double TOLERANCE = 0.01;
 
 static double step, scallop, plane[3], gap = 0.1;
@@ -187,6 +188,17 @@ static const struct mesh *take_region(const struct mesh *mesh, struct mesh *part
     return part;
 }
 
+/* Facets of CAD models are as long as the surface is straight: a fit through their corners alone
+ * would swing out between them, and where they bend, a straight line go through the part. */
+static void set_tolerance(const struct mesh *mesh)
+{
+    bool foreign = mesh->origin.scan.n == 0 && mesh_is_coarse(mesh);
+
+    if (path_options.tolerance == 0 && !path_options.paper &&
+        (mesh->origin.surface.n > 0 || mesh->normals_made || foreign))
+        path_options.tolerance = TOLERANCE;
+}
+
 int main(int argc, char **argv)
 {
     struct cli cli = {.tool = "planecut",
@@ -215,16 +227,13 @@ int main(int argc, char **argv)
         die_error(&error);
     if (path_options_scan(&mesh, &error) != 0)
         die_error(&error);
-    /* Facets of CAD models are as long as the surface is straight: a fit through their corners
-     * alone would swing out between them. */
-    if (path_options.tolerance == 0 && !path_options.paper &&
-        (mesh.origin.surface.n > 0 || mesh.normals_made))
-        path_options.tolerance = TOLERANCE;
+    set_tolerance(&mesh);
     const struct mesh *region = take_region(&mesh, &part);
     check_radius(cli.file[0], region);
     set_pass_options(&t.lift.axis, region, closed, &planes);
     find_planes(region, &planes);
     read_surfaces(&mesh, &patches, &planes);
+    path_options.on_surfaces = planes.on != NULL;
     const struct mesh_edges *edges = region == &mesh ? slice_edges(planes.cut) : NULL;
     if (path_options_guard(&mesh, edges, fmax(planes.widest, path_options.radius), cli.threads,
                            &guard, &error) != 0)
@@ -232,10 +241,9 @@ int main(int argc, char **argv)
     if (path_options_rules(&mesh, guard, planes.widest, &t, &error) != 0)
         die_given(&error);
 
-    bool scan = path_options.certain.n + path_options.doubtful.n > 0;
-    bool whole = region == &mesh && (scan || mesh.normals_made);
-    struct path_coverage coverage =
-        whole ? path_coverage_new(&mesh, &t) : (struct path_coverage){.scallop = 0};
+    struct path_coverage coverage = {.scallop = 0};
+    if (region == &mesh)
+        coverage = path_coverage_new(&mesh, &t);
     t.coverage = coverage.coverage;
     path_options_begin(&mesh, "planecut", cli.output, &t);
     planes.region = region != &mesh;

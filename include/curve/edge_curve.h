@@ -28,6 +28,10 @@ struct vec3 edge_handle(struct vec3 p, struct vec3 normal, struct vec3 q);
 struct edge_curve edge_curve(struct vec3 p, struct vec3 p_normal, struct vec3 q,
                              struct vec3 q_normal);
 
+/* How far the curve is off the chord, mm, at most: an eighth of how far the ends are off each
+ * other's tangent planes. */
+double edge_bulge(struct vec3 p, struct vec3 p_normal, struct vec3 q, struct vec3 q_normal);
+
 /* The point at s from 0 to 1, and the derivative. */
 struct vec3 edge_curve_at(const struct edge_curve *curve, double s);
 struct vec3 edge_curve_slope(const struct edge_curve *curve, double s);

@@ -10,19 +10,34 @@
 #include "mesh/mesh.h"
 #include "mesh/mesh_edges.h"
 
+/* What of a facet and the curved triangle over it is the part. */
+enum guard_facets {
+    GUARD_CURVED, /* the curved triangle: the mesh is of a surface, and is judged by that */
+    GUARD_NEAR,   /* that, and the facet less GUARD_OFF, where that is above: judged by either */
+    GUARD_UPPER,  /* the upper of both: the normals were made from the facets */
+    GUARD_FLAT    /* the facets, as who judges by the mesh alone takes them */
+};
+
+/* mm: so far a ball may be below a facet whose normals say that the surface is below it. */
+#define GUARD_OFF 0.01
+
+struct guard_mesh_options {
+    double spacing; /* of the points, mm, at most ... */
+    double most;    /* ... unless that makes more than so many beside the vertices */
+    enum guard_facets facets;
+    int threads;
+};
+
 /*
  * Appends the points of a mesh with vertex normals: each facet as the curved triangle that its
  * vertices and normals span (PN triangle, Vlachos et al. 2001, but with handles that make edges of
- * a sphere circular to the sixth order), sampled no coarser than `spacing` mm.  The flat facet
+ * a sphere circular to the sixth order), sampled no coarser than the spacing.  The flat facet alone
  * would not do: in a hollow it is above the surface by its sagitta.  Only a facet that is more
  * than 30 degrees off one of its vertices' normals, as at a step or an edge, is sampled flat.
- * Where the normals were made from the facets (normals_made), these are all that is known of the
- * part, and who judges takes them: of facet and curved triangle the upper one counts.
- * Where that would be more than `most` points beside the vertices, they are further apart.
- * Returns how far, mm.  `edges`: those of the mesh, if they are known already; or NULL.
+ * Returns the spacing, mm.  `edges`: those of the mesh, if they are known already; or NULL.
  */
-double guard_points_of_mesh(const struct mesh *mesh, const struct mesh_edges *edges, double spacing,
-                            double most, int threads, struct vec3s *points);
+double guard_points_of_mesh(const struct mesh *mesh, const struct mesh_edges *edges,
+                            const struct guard_mesh_options *options, struct vec3s *points);
 
 /*
  * Appends points no further than `spacing` mm apart on the convex edges of a mesh: those between

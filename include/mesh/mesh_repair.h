@@ -29,9 +29,13 @@ struct mesh_repair_report {
  * tenth of its area does not cancel: a mesh that has normals is turned as a whole, its normals with
  * it, and one without piece by piece.  Without normals, vertices at one place become one, facets
  * that meet at more than 30 degrees get vertices of their own, and normals are the mean of the
- * facets', each weighted by its angle at the vertex.  Rows and columns are
+ * facets', each weighted by its angle at the vertex; but a facet that these would bend by more than
+ * 0.01 mm stays flat, with vertices and a normal of its own.  Rows and columns are
  * dropped, and kmax where normals were made.  A mesh that loses all its facets is left without.
  */
 struct mesh_repair_report mesh_repair(struct mesh *mesh, struct vec3 up, int threads);
+
+/* A smooth surface by the normals of the vertices is more than 0.01 mm off some facet. */
+bool mesh_is_coarse(const struct mesh *mesh);
 
 #endif

@@ -34,6 +34,7 @@ struct path_options {
     const char *region; /* file, NULL: none */
     struct tool_options body;
     struct guard_choice guard;
+    bool on_surfaces;        /* those that the mesh was made from are at hand, and cut */
     bool guarded;            /* by a scan: path_options_scan */
     struct unmets unguarded; /* sharp edges that it does not know (path_options_guard) */
 };

@@ -24,6 +24,13 @@ struct edge_curve edge_curve(struct vec3 p, struct vec3 p_normal, struct vec3 q,
     return (struct edge_curve){{p, edge_handle(p, p_normal, q), edge_handle(q, q_normal, p), q}};
 }
 
+double edge_bulge(struct vec3 p, struct vec3 p_normal, struct vec3 q, struct vec3 q_normal)
+{
+    struct vec3 chord = vec_sub(q, p);
+
+    return (fabs(vec_dot(chord, p_normal)) + fabs(vec_dot(chord, q_normal))) / 8;
+}
+
 struct vec3 edge_curve_at(const struct edge_curve *curve, double s)
 {
     const struct vec3 *p = curve->p;

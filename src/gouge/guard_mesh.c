@@ -18,7 +18,7 @@ struct patch {
     struct vec3 middle;
     bool flat;
     bool shared[3]; /* the edge is sampled with the patch on its other side */
-    bool judged;    /* by its facet: where that lies above the patch, it counts */
+    double below;   /* the facet counts where it is further than this above; HUGE_VAL: nowhere */
     struct vec3 normal[3];
 };
 
@@ -54,7 +54,7 @@ static struct vec3 patch_at(const struct patch *patch, const double b[3])
     return sum;
 }
 
-/* The same, or the place on the facet where that is above. */
+/* The same, or the place on the facet, or `below` it, where that is above. */
 static struct vec3 upper_at(const struct patch *patch, const double b[3])
 {
     struct vec3 curved = patch_at(patch, b), flat = vec(0, 0, 0), up = vec(0, 0, 0);
@@ -63,6 +63,7 @@ static struct vec3 upper_at(const struct patch *patch, const double b[3])
         flat = vec_along(flat, b[i], patch->corner[i]);
         up = vec_along(up, b[i], patch->normal[i]);
     }
+    flat = vec_along(flat, -patch->below, vec_unit(up));
     return vec_dot(vec_sub(flat, curved), up) > 0 ? flat : curved;
 }
 
@@ -121,7 +122,7 @@ static void sample_at(const struct patch *patch, const double b[3], struct vec3s
         if (b[i] <= 0 && patch->shared[(i + 1) % 3])
             return;
     }
-    *array_push(points) = patch->judged ? upper_at(patch, b) : patch_at(patch, b);
+    *array_push(points) = patch->below < HUGE_VAL ? upper_at(patch, b) : patch_at(patch, b);
 }
 
 static void sample_rows(const struct patch *patch, const struct raster *r, struct vec3s *points)
@@ -170,7 +171,7 @@ static bool is_flat(const struct mesh *mesh, size_t facet)
     return flat;
 }
 
-static struct patch patch_of_facet(const struct mesh *mesh, size_t facet)
+static struct patch patch_of_facet(const struct mesh *mesh, size_t facet, enum guard_facets facets)
 {
     struct vec3 p[3], normal[3];
 
@@ -179,7 +180,7 @@ static struct patch patch_of_facet(const struct mesh *mesh, size_t facet)
         p[i] = mesh->vertex.item[v];
         normal[i] = mesh->normal.item[v];
     }
-    return patch_of(p, normal, is_flat(mesh, facet));
+    return patch_of(p, normal, facets == GUARD_FLAT || is_flat(mesh, facet));
 }
 
 /* The raster of a facet's patch, for which its corners are enough. */
@@ -210,6 +211,7 @@ enum { PIECE = 4096 }; /* facets that one thread takes */
 struct sampling {
     const struct mesh *mesh;
     double spacing;
+    enum guard_facets facets;
     unsigned char *mark; /* [facet] */
     double *count;       /* [piece] of points beside the corners */
     const struct mesh_edges *edges;
@@ -259,8 +261,12 @@ static bool has_points_along(const struct sampling *s, int facet, int edge)
 
 static void sample_facet(const struct sampling *s, size_t f, struct vec3s *points)
 {
-    struct patch patch = patch_of_facet(s->mesh, f);
-    patch.judged = s->mesh->normals_made && !patch.flat;
+    static const double below[] = {[GUARD_CURVED] = HUGE_VAL,
+                                   [GUARD_NEAR] = GUARD_OFF,
+                                   [GUARD_UPPER] = 0,
+                                   [GUARD_FLAT] = HUGE_VAL};
+    struct patch patch = patch_of_facet(s->mesh, f, s->facets);
+    patch.below = patch.flat ? HUGE_VAL : below[s->facets];
     for (int i = 0; i < 3; i++)
         patch.normal[i] = s->mesh->normal.item[s->mesh->face.item[f].v[i]];
     struct raster raster = raster_of(&patch, s->spacing);
@@ -331,11 +337,13 @@ static void join_pieces(struct vec3s *piece, size_t n, size_t more, int threads,
     free(first);
 }
 
-double guard_points_of_mesh(const struct mesh *mesh, const struct mesh_edges *edges, double spacing,
-                            double most, int threads, struct vec3s *points)
+double guard_points_of_mesh(const struct mesh *mesh, const struct mesh_edges *edges,
+                            const struct guard_mesh_options *options, struct vec3s *points)
 {
     size_t pieces = (mesh->face.n + PIECE - 1) / PIECE;
-    struct sampling s = {.mesh = mesh, .spacing = spacing};
+    int threads = options->threads;
+    double most = options->most;
+    struct sampling s = {.mesh = mesh, .spacing = options->spacing, .facets = options->facets};
 
     s.mark = mem_alloc(mesh->face.n + 1, sizeof *s.mark);
     s.count = mem_alloc(pieces + 1, sizeof *s.count);

@@ -5,6 +5,7 @@
 #include "mesh_repair_steps.h"
 #include "base/array.h"
 #include "base/parallel.h"
+#include "curve/edge_curve.h"
 #include "mesh/mesh_edges.h"
 #include "mesh/mesh_repair.h"
 #include "mesh/mesh_weld.h"
@@ -124,6 +125,13 @@ size_t mesh_clean_doubled(struct mesh *mesh)
 
 static const double SHARP = 0.8660254037844386; /* cos 30 degrees */
 
+/* mm: a smooth surface through the corners of a facet may be so far off it.  Beyond that, without
+ * normals, nothing says that the part is curved there, and who judges takes the facet as it is. */
+static const double OFF_FACET = 0.01;
+
+static const double ALIKE = 1e-6; /* radians: such facets are of one plane */
+enum { ROUNDS = 3 };
+
 /* Corners of facets, number 3 * facet + corner, joined to the same vertex: a forest of parents. */
 static int root_of(int *parent, int corner)
 {
@@ -152,9 +160,10 @@ static int corner_at(const struct mesh *mesh, int facet, int vertex)
     return 3 * facet + (v[0] == vertex ? 0 : v[1] == vertex ? 1 : 2);
 }
 
-/* unit[]: the facets' normals. */
+/* unit[]: the facets' normals.  flat[]: those that a smooth surface would leave too far join what
+ * is in their own plane alone. */
 static int *join_corners(const struct mesh *mesh, const struct mesh_edges *edges,
-                         const struct vec3 *unit)
+                         const struct vec3 *unit, const bool *flat)
 {
     int *parent = mem_alloc(3 * mesh->face.n, sizeof *parent);
 
@@ -165,7 +174,9 @@ static int *join_corners(const struct mesh *mesh, const struct mesh_edges *edges
         int f = edge->facet[0], g = edge->facet[1];
         if (f < 0 || g < 0)
             continue;
-        for (int i = 0; i < 2 && vec_dot(unit[f], unit[g]) >= SHARP; i++)
+        bool smooth = flat[f] || flat[g] ? vec_angle(unit[f], unit[g]) <= ALIKE
+                                         : vec_dot(unit[f], unit[g]) >= SHARP;
+        for (int i = 0; i < 2 && smooth; i++)
             join_corners_of(parent, corner_at(mesh, f, edge->v[i]), corner_at(mesh, g, edge->v[i]));
     }
     return parent;
@@ -198,45 +209,107 @@ static void measure_facets(void *context, size_t from, size_t to)
     }
 }
 
-/* With its edges, found before any facet was flipped or since. */
-static void make_normals(struct mesh *mesh, const struct mesh_edges *edges, int threads)
-{
-    struct vec3 *unit = mem_alloc(mesh->face.n, sizeof *unit);
-    double *angle = mem_alloc(3 * mesh->face.n, sizeof *angle);
-    struct measuring measuring = {mesh, unit, angle};
+/* The corners of facets as vertices, and the normals of these. */
+struct numbered {
+    int *number; /* [3 facet + corner] */
+    struct vec3s vertex, normal;
+};
 
-    parallel_for(threads, mesh->face.n, measure_facets, &measuring);
-    int *parent = join_corners(mesh, edges, unit);
-    int *number = mem_alloc(3 * mesh->face.n, sizeof *number);
-    struct vec3s vertex = {0}, normal = {0};
+static struct numbered number_corners(const struct mesh *mesh, int *parent,
+                                      const struct measuring *measured)
+{
+    struct numbered all = {.number = mem_alloc(3 * mesh->face.n, sizeof *all.number)};
 
     for (size_t f = 0; f < mesh->face.n; f++) {
         for (int i = 0; i < 3; i++) {
             int corner = 3 * (int)f + i, root = root_of(parent, corner);
             if (root == corner) {
-                number[root] = (int)vertex.n;
-                *array_push(&vertex) = mesh->vertex.item[mesh->face.item[f].v[i]];
-                *array_push(&normal) = vec(0, 0, 0);
+                all.number[root] = (int)all.vertex.n;
+                *array_push(&all.vertex) = mesh->vertex.item[mesh->face.item[f].v[i]];
+                *array_push(&all.normal) = vec(0, 0, 0);
             }
-            struct vec3 *sum = &normal.item[number[root]];
-            *sum = vec_along(*sum, angle[corner], unit[f]);
+            all.number[corner] = all.number[root];
+            struct vec3 *sum = &all.normal.item[all.number[root]];
+            *sum = vec_along(*sum, measured->angle[corner], measured->unit[f]);
         }
     }
+    for (size_t v = 0; v < all.normal.n; v++) {
+        struct vec3 *n = &all.normal.item[v];
+        *n = vec_length(*n) > 0 ? vec_unit(*n) : vec(0, 0, 1);
+    }
+    return all;
+}
+
+static void numbered_free(struct numbered *all)
+{
+    free(all->number);
+    array_free(&all->vertex);
+    array_free(&all->normal);
+}
+
+/* How far a smooth surface is off the facet with these corners, at most, by its edges. */
+static double bulge_of(const struct vec3 *vertex, const struct vec3 *normal, const int v[3])
+{
+    double most = 0;
+
+    for (int i = 0; i < 3; i++) {
+        int a = v[i], b = v[(i + 1) % 3];
+        most = fmax(most, edge_bulge(vertex[a], normal[a], vertex[b], normal[b]));
+    }
+    return most;
+}
+
+bool mesh_is_coarse(const struct mesh *mesh)
+{
+    for (size_t f = 0; f < mesh->face.n; f++)
+        if (bulge_of(mesh->vertex.item, mesh->normal.item, mesh->face.item[f].v) > OFF_FACET)
+            return true;
+    return false;
+}
+
+/* Marks the facets that the normals would make leave their plane too far; true if there are any
+ * more than before. */
+static bool mark_flat(const struct mesh *mesh, const struct numbered *all, bool *flat)
+{
+    bool more = false;
+
+    for (size_t f = 0; f < mesh->face.n; f++) {
+        if (flat[f] ||
+            bulge_of(all->vertex.item, all->normal.item, &all->number[3 * f]) <= OFF_FACET)
+            continue;
+        flat[f] = more = true;
+    }
+    return more;
+}
+
+/* With its edges, found before any facet was flipped or since. */
+static void make_normals(struct mesh *mesh, const struct mesh_edges *edges, int threads)
+{
+    struct measuring measured = {mesh, mem_alloc(mesh->face.n, sizeof *measured.unit),
+                                 mem_alloc(3 * mesh->face.n, sizeof *measured.angle)};
+    bool *flat = mem_alloc(mesh->face.n + 1, sizeof *flat);
+    struct numbered all = {.number = NULL};
+
+    parallel_for(threads, mesh->face.n, measure_facets, &measured);
+    for (int round = 0; round == 0 || (round < ROUNDS && mark_flat(mesh, &all, flat)); round++) {
+        numbered_free(&all);
+        int *parent = join_corners(mesh, edges, measured.unit, flat);
+        all = number_corners(mesh, parent, &measured);
+        free(parent);
+    }
     for (size_t i = 0; i < 3 * mesh->face.n; i++)
-        mesh->face.item[i / 3].v[i % 3] = number[root_of(parent, (int)i)];
-    for (size_t v = 0; v < normal.n; v++)
-        normal.item[v] = vec_length(normal.item[v]) > 0 ? vec_unit(normal.item[v]) : vec(0, 0, 1);
-    free(unit);
-    free(angle);
-    free(parent);
-    free(number);
+        mesh->face.item[i / 3].v[i % 3] = all.number[i];
+    free(measured.unit);
+    free(measured.angle);
+    free(flat);
+    free(all.number);
     array_free(&mesh->row);
     array_free(&mesh->col);
     array_free(&mesh->kmax);
     array_free(&mesh->vertex);
     array_free(&mesh->normal);
-    mesh->vertex = vertex;
-    mesh->normal = normal;
+    mesh->vertex = all.vertex;
+    mesh->normal = all.normal;
 }
 
 void crease_normals(struct mesh *mesh)

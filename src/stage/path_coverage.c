@@ -37,11 +37,14 @@ static const double SHORT = 1;
 /* Points on a mesh that are looked at, at most. */
 static const double MOST = 300000;
 
-/* The points that are to be cut: those of the scan, or points on the mesh half a row apart.  False
- * for these. */
+/* The points that are to be cut: those of the scan, or points on the mesh half a row apart, where
+ * nobody knows more than its facets.  False for these. */
 static bool add_points(const struct mesh *mesh, double spacing, int threads, struct vec3s *to)
 {
     const struct path_options *c = &path_options;
+    bool facets = mesh->origin.scan.n == 0 && mesh->origin.surface.n == 0;
+    const struct guard_mesh_options how = {spacing, MOST, facets ? GUARD_FLAT : GUARD_CURVED,
+                                           threads};
 
     for (size_t i = 0; i < c->certain.n; i++)
         *array_push(to) = c->certain.item[i];
@@ -49,7 +52,7 @@ static bool add_points(const struct mesh *mesh, double spacing, int threads, str
         *array_push(to) = c->doubtful.item[i];
     if (to->n > 0)
         return true;
-    guard_points_of_mesh(mesh, NULL, spacing, MOST, threads, to);
+    guard_points_of_mesh(mesh, NULL, &how, to);
     return false;
 }
 
@@ -242,14 +245,16 @@ static void say_left(const struct coverage_report *r, double limit, struct unmet
             path_options.left_share, r->left.area, limit, r->left.highest, at.x, at.y, at.z);
 }
 
-static void say_judged(size_t judged, const struct coverage_report *r,
-                       const struct coverage_point *worst, struct unmets *unmet)
+static void say_judged(const struct path_coverage *c, size_t judged,
+                       const struct coverage_report *r, const struct coverage_point *worst,
+                       struct unmets *unmet)
 {
     if (judged > 0)
         unmet_say(unmet,
-                  "who judges by the points of the scan alone takes %zu of these for left though "
+                  "who judges by the %s alone takes %zu of these for left though "
                   "within reach, beside %zu that are: up to %.3f mm, worst at %.3f %.3f %.3f",
-                  judged, r->left.n, worst->height, worst->p.x, worst->p.y, worst->p.z);
+                  c->scan ? "points of the scan" : "facets of the mesh", judged, r->left.n,
+                  worst->height, worst->p.x, worst->p.y, worst->p.z);
 }
 
 int path_coverage_conclude(const struct path_coverage *c, struct unmets *unmet)
@@ -267,7 +272,7 @@ int path_coverage_conclude(const struct path_coverage *c, struct unmets *unmet)
     say_kept(&r, unmet);
     say_left(&r, c->options.limit, unmet);
     if (unmet_left)
-        say_judged(judged, &r, &worst, unmet);
+        say_judged(c, judged, &r, &worst, unmet);
     if (r.left.n == 0)
         note("all of %zu points within reach are cut to %.3f mm; %zu rest passes in %zu rounds",
              r.points, c->options.limit, c->strips, c->rounds);

@@ -222,13 +222,22 @@ int path_options_scan(const struct mesh *mesh, struct error *error)
     return 0;
 }
 
+/* A mesh of no scan is judged by its facets, too, unless its surfaces are at hand. */
+static enum guard_facets facets_of(const struct mesh *mesh)
+{
+    if (mesh->normals_made)
+        return GUARD_UPPER;
+    return mesh->origin.scan.n > 0 || path_options.on_surfaces ? GUARD_CURVED : GUARD_NEAR;
+}
+
 /* NULL: so many points would be needed that it is no guard. */
 static struct gouge_check *guard_of_mesh(const struct mesh *mesh, const struct mesh_edges *edges,
                                          int threads, struct error *error)
 {
     struct vec3s points = {0};
     double wanted = sqrt(6 * SINK * path_options.radius);
-    double spacing = guard_points_of_mesh(mesh, edges, wanted, MOST_GUARD_POINTS, threads, &points);
+    const struct guard_mesh_options how = {wanted, MOST_GUARD_POINTS, facets_of(mesh), threads};
+    double spacing = guard_points_of_mesh(mesh, edges, &how, &points);
     double sink = spacing * spacing / (6 * path_options.radius);
 
     if (spacing > wanted && sink > DEEP) {

@@ -144,7 +144,8 @@ END_TEST
 static struct gouge_check *guard_of_mesh(const struct mesh *mesh, double spacing)
 {
     struct vec3s points = {0};
-    guard_points_of_mesh(mesh, NULL, spacing, HUGE_VAL, 1, &points);
+    const struct guard_mesh_options how = {spacing, HUGE_VAL, GUARD_CURVED, 1};
+    guard_points_of_mesh(mesh, NULL, &how, &points);
     return gouge_new(points, 1);
 }
 

@@ -122,7 +122,8 @@ START_TEST(slivers_have_points_everywhere)
         *array_push(&m.face) = (struct face){{0, k, k + 1}};
     for (size_t i = 0; i < m.vertex.n; i++)
         *array_push(&m.normal) = vec(0, 0, 1);
-    ck_assert_double_eq(guard_points_of_mesh(&m, NULL, spacing, 1e6, 1, &points), spacing);
+    const struct guard_mesh_options how = {spacing, 1e6, GUARD_CURVED, 1};
+    ck_assert_double_eq(guard_points_of_mesh(&m, NULL, &how, &points), spacing);
     for (int i = 0; i < 2000; i++) {
         double far = uniform(0, 8), turn = uniform(0, 0.015 * FACETS), nearest = HUGE_VAL;
         struct vec3 at = vec(far * cos(turn), far * sin(turn), 0);
@@ -135,9 +136,10 @@ START_TEST(slivers_have_points_everywhere)
 }
 END_TEST
 
-/* A hollow of facets: the curved triangles lie below them, and where the normals are the facets'
- * own means no point does. */
-START_TEST(facets_count_where_normals_are_theirs)
+/* A hollow of facets: the curved triangle lies below.  Where the normals are the facets' own means
+ * no point does, nor where facets alone count, and where both are judged by, none does by more than
+ * GUARD_OFF. */
+START_TEST(facets_count_as_they_are_judged)
 {
     const double radius = 5, size = 2;
     struct mesh m = {0};
@@ -148,18 +150,18 @@ START_TEST(facets_count_where_normals_are_theirs)
         *array_push(&m.normal) = vec_unit(vec(-p.x, -p.y, sqrt(radius * radius - size * size)));
     }
     *array_push(&m.face) = (struct face){{0, 1, 2}};
-    for (int made = 0; made < 2; made++) {
+    for (int facets = GUARD_CURVED; facets <= GUARD_FLAT; facets++) {
+        const struct guard_mesh_options how = {0.2, 1e6, facets, 1};
         struct vec3s points = {0};
         double lowest = 0;
-        m.normals_made = made;
-        guard_points_of_mesh(&m, NULL, 0.2, 1e6, 1, &points);
+        guard_points_of_mesh(&m, NULL, &how, &points);
         for (size_t i = 0; i < points.n; i++)
             lowest = fmin(lowest, points.item[i].z);
         ck_assert_uint_gt(points.n, 100);
-        if (made)
-            ck_assert_double_eq(lowest, 0);
-        else
+        if (facets == GUARD_CURVED)
             ck_assert_double_lt(fabs(lowest + radius - sqrt(radius * radius - size * size)), 0.02);
+        else
+            ck_assert_double_eq_tol(lowest, facets == GUARD_NEAR ? -GUARD_OFF : 0, 1e-6);
         array_free(&points);
     }
     mesh_free(&m);
@@ -176,7 +178,7 @@ int main(void)
     tcase_add_test(tcase, roof_and_valley);
     tcase_add_test(tcase, crease_that_ends);
     tcase_add_test(tcase, slivers_have_points_everywhere);
-    tcase_add_test(tcase, facets_count_where_normals_are_theirs);
+    tcase_add_test(tcase, facets_count_as_they_are_judged);
     suite_add_tcase(suite, tcase);
     SRunner *runner = srunner_create(suite);
     srunner_run_all(runner, CK_NORMAL);

@@ -1,0 +1,81 @@
+#!/bin/sh
+# planecut-facets.t - meshes of long facets: what planecut ends with 0 for, who judges by the mesh
+# accepts.
+. "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
+cd "$TMP" || exit 1
+
+# cap SIGN NORMALS: a sphere of 20 down to 40 degrees from its top (1) or its bottom (-1), facets
+# of 15 degrees; STL, or with NORMALS a PLY that has those of the sphere.
+cap() {
+	awk -v s="$1" -v normals="$2" 'function at(i, j, k, p, t) {
+			t = 13.333333333 * i / 57.29577951; p = (j + i % 2 / 2) * 15 / 57.29577951
+			k = i == 0 ? 0 : 24 * (i - 1) + j % 24 + 1
+			x[k] = sin(t) * cos(p); y[k] = sin(t) * sin(p); z[k] = s * cos(t)
+			return k
+		}
+		function facet(a, b, c) { face[f++] = s > 0 ? a " " b " " c : a " " c " " b }
+		BEGIN {
+		for (i = 0; i < 3; i++) for (j = 0; j < 24; j++) {
+			a = at(i, j); b = at(i, j + 1); c = at(i + 1, j + i % 2); d = at(i + 1, j + 1 + i % 2)
+			if (i == 0) { facet(a, c, d); continue }
+			if (i % 2) { facet(a, at(i + 1, j), at(i + 1, j + 1)); facet(a, at(i + 1, j + 1), b) }
+			else { facet(a, at(i + 1, j), b); facet(at(i + 1, j), at(i + 1, j + 1), b) }
+		}
+		if (normals) {
+			print "ply\nformat ascii 1.0\nelement vertex 73"
+			split("x y z nx ny nz", name, " ")
+			for (k = 1; k <= 6; k++) print "property double " name[k]
+			print "element face " f "\nproperty list uchar int vertex_indices\nend_header"
+			for (k = 0; k < 73; k++)
+				printf "%.9f %.9f %.9f %.9f %.9f %.9f\n", 20 * x[k], 20 * y[k], 20 * z[k],
+					s * x[k], s * y[k], s * z[k]
+			for (k = 0; k < f; k++) print 3, face[k]
+			exit
+		}
+		print "solid cap"
+		for (k = 0; k < f; k++) {
+			split(face[k], v, " "); print "facet normal 0 0 0\nouter loop"
+			for (i = 1; i <= 3; i++) printf "vertex %.9f %.9f %.9f\n", 20 * x[v[i]], 20 * y[v[i]], 20 * z[v[i]]
+			print "endloop\nendfacet"
+		}
+		print "endsolid"
+	}'
+}
+
+cap 1 "" >dome.stl
+cap -1 "" >bowl.stl
+cap 1 1 >dome.ply
+cap -1 1 >bowl.ply
+
+# program MESH STATUS: its path ends with that, and the program of it is left in MESH.mpf.
+program() {
+	status "$2" "$1: a path" planecut -r 4 --scallop 0.03 --avoid -o "$1.cl" "$1"
+	biarcfit -q -e 0.01 -o "$1.arc" "$1.cl"
+	ncpost -q -c siemens -o "$1.mpf" "$1.arc"
+}
+
+# Facets of an STL are all that is known of the part: smooth between them, 0.3 mm of a dome stayed.
+for mesh in dome.stl bowl.stl; do
+	program $mesh 0
+	status 0 "$mesh: by the mesh the program is accepted" ncverify -g $mesh $mesh.mpf
+done
+
+# By its normals a hollow is below its facets: the ball went 0.4 mm into these.
+program bowl.ply 0
+status 0 "bowl.ply: by the mesh the program is accepted" ncverify -g bowl.ply bowl.ply.mpf
+
+# A dome is above them, and both cannot be: what stays is told.
+program dome.ply 3
+has "dome.ply: what stays is told" 'who judges by the facets of the mesh alone takes' err
+
+# The same of surfaces: what their facets are off is in the ledger, and no more than 0.05 mm deep.
+status 0 "a hollow model of long facets" \
+	nurbs2mesh -q -e 0.1 -o long.ply "$SRC/samples/paper2_s1_a.igs"
+status 0 "its path" planecut -q -r 4 -s 2 -o long.cl long.ply
+biarcfit -q -e 0.01 -o long.arc long.cl
+ncpost -q -c siemens -o long.mpf long.arc
+for judge in long.ply "$SRC/samples/paper2_s1_a.igs"; do
+	status 0 "accepted by $(basename "$judge")" ncverify -g "$judge" long.mpf
+done
+
+done_testing
