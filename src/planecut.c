@@ -259,7 +259,8 @@ int main(int argc, char **argv)
         status = EXIT_UNMET;
     if (path_coverage_conclude(&coverage, &path.head.unmet) != EXIT_DONE)
         status = EXIT_UNMET;
-    if (planes.steep && scallop_given) {
+    bool measured = coverage.coverage && scallop > 0; /* rest passes cut what planes cannot */
+    if (planes.steep && scallop_given && !measured) {
         unmet_say(&path.head.unmet,
                   "on slopes steeper than the planes can follow, scallops are "
                   "higher than %g mm (--scallop)",

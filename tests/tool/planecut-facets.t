@@ -78,4 +78,42 @@ for judge in long.ply "$SRC/samples/paper2_s1_a.igs"; do
 	status 0 "accepted by $(basename "$judge")" ncverify -g "$judge" long.mpf
 done
 
+# Walls that planes cannot follow are cut by rest passes, and measured.
+cat >block.off <<'END'
+OFF
+8 12 0
+0 0 0
+10 0 0
+10 8 0
+0 8 0
+0 0 3
+10 0 3
+10 8 3
+0 8 3
+3 0 2 1
+3 0 3 2
+3 4 5 6
+3 4 6 7
+3 0 1 5
+3 0 5 4
+3 1 2 6
+3 1 6 5
+3 2 3 7
+3 2 7 6
+3 3 0 4
+3 3 4 7
+END
+status 0 "a block with walls along the planes" \
+	planecut -r 2 --scallop 0.05 --avoid -o block.cl block.off
+biarcfit -q -e 0.01 -o block.arc block.cl
+ncpost -q -c siemens -o block.mpf block.arc
+status 0 "accepted by its mesh" ncverify -g block.off block.mpf
+
+# So are those of a model, whose mesh has normals.
+status 0 "a box with a chamfer" nurbs2mesh -q -e 0.01 -o box.ply "$SRC/tests/data/cad/chamfer-ap214.step"
+status 0 "its path" planecut -q -r 2 --scallop 0.2 --avoid -o box.cl box.ply
+biarcfit -q -e 0.01 -o box.arc box.cl
+ncpost -q -c siemens -o box.mpf box.arc
+status 0 "accepted by its surfaces" ncverify -g "$SRC/tests/data/cad/chamfer-ap214.step" box.mpf
+
 done_testing
