@@ -8,11 +8,13 @@
 #include "base/parallel.h"
 #include "math/box_tree.h"
 #include "math/kdtree.h"
+#include "math/plane_fit.h"
 
 enum {
     GROUP = 32,    /* segments of which those close to one another share a look at the part */
     SAMPLES = 200, /* points by which the spacing of a cloud is estimated ... */
     BESIDE = 5,    /* ... each by its neighbours, itself the first */
+    ABOUT = 12,    /* points that tell the normal at one of them */
     SECTORS = 16,  /* of a turn, around a point */
     GAP = 6        /* sectors in a row without a cut: the point is beside the region */
 };
@@ -164,6 +166,19 @@ static bool visit_segment(void *context, size_t item)
     return all_around(s->marks);
 }
 
+/* The normal of the part at its i-th point, to either side; with points along a line the direction
+ * from there to the ball.  Who looked from the ball at a point beside a region, from which that is
+ * to one side, would see cuts above and below. */
+static struct vec3 view_on(const struct rolling *r, size_t i, struct vec3 centre)
+{
+    size_t index[ABOUT], n = kdtree_nearest(r->part, r->point[i], ABOUT, index, NULL);
+    struct vec3 near[ABOUT];
+    struct plane_fit plane;
+    for (size_t k = 0; k < n; k++)
+        near[k] = r->point[index[k]];
+    return plane_fit(near, n, &plane) == 0 ? plane.normal : vec_unit(vec_sub(centre, r->point[i]));
+}
+
 /* Seen along the unit vector n: do cuts within `reach` lie around p? */
 static bool is_surrounded(const struct rolling *r, struct vec3 p, struct vec3 n, double reach)
 {
@@ -191,7 +206,7 @@ static void roll_points(void *context, size_t from, size_t to)
         r->map->segment[i] = found ? (unsigned)nearest : UINT_MAX;
         if (reached && deviation > options->tolerance) {
             struct vec3 centre = nearest_centre(&r->path->item[nearest], p);
-            reached = is_surrounded(r, p, vec_unit(vec_sub(centre, p)), within);
+            reached = is_surrounded(r, p, view_on(r, i, centre), within);
         }
         r->map->region[i] = reached;
     }
@@ -237,20 +252,20 @@ void deviation_map_run(struct centre_path *path, const struct vec3 *point, size_
                        const struct deviation_map_options *options, struct deviation_map *map)
 {
     struct box_tree *tree = tree_of(path);
+    struct kdtree *part = NULL;
     *map = (struct deviation_map){.points = n};
     map->deviation = mem_alloc(n, sizeof *map->deviation);
     map->segment = mem_alloc(n, sizeof *map->segment);
     map->region = mem_alloc(n, sizeof *map->region);
     struct rolling r = {path, tree, NULL, point, options, 0, map};
     if (!options->gouges && n > 0) {
-        struct kdtree *part = kdtree_new(point, n);
-        r.part = part;
+        r.part = part = kdtree_new(point, n);
         r.near = touching_distance(&r, n);
         map->touch = r.near - options->radius;
         parallel_for(options->threads, (path->n + GROUP - 1) / GROUP, mark_touching, &r);
-        kdtree_free(part);
     }
     parallel_for(options->threads, n, roll_points, &r);
+    kdtree_free(part);
     box_tree_free(tree);
     deviation_map_sum(options, map);
 }

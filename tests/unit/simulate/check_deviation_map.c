@@ -329,6 +329,53 @@ START_TEST(among_passes_and_beside_them)
 }
 END_TEST
 
+/* Rows along x on a plane, two by two joined by a half circle beyond the border, turned about Z and
+ * leaned: a point between two of these, further out than all of them, is beside the cuts. */
+START_TEST(beside_loops_of_rows)
+{
+    enum { ARC = 8 };
+    const double turn = _i * 0.41, lean = 0.2 * (_i % 4), step = 1.4, radius = 3;
+    const struct vec3 u = vec(cos(turn), sin(turn), 0);
+    const struct vec3 v = vec(-sin(turn) * cos(lean), cos(turn) * cos(lean), sin(lean));
+    const struct vec3 n = vec_cross(u, v);
+    struct deviation_map_options options = {radius, 0.05, 0.75, 1, false};
+    struct centre_path path = {0};
+    struct vec3s points = {0}, place = {0};
+    struct deviation_map map;
+    for (int row = -6; row <= 6; row++) {
+        double y = row * step, way = row % 2 ? -1 : 1;
+        for (double x = 0; x <= 10; x += 0.5)
+            *array_push(&place) = vec(way > 0 ? x : 10 - x, y, radius);
+        for (int k = 1; k < ARC; k++) {
+            double a = PI * k / ARC;
+            *array_push(&place) = vec((way > 0 ? 10 : 0) + way * step / 2 * sin(a),
+                                      y + step / 2 * (1 - cos(a)), radius);
+        }
+    }
+    for (size_t i = 1; i < place.n; i++) {
+        struct vec3 p = place.item[i - 1], q = place.item[i];
+        struct vec3 a = vec_along(vec_along(vec_scale(p.x, u), p.y, v), p.z, n);
+        struct vec3 b = vec_along(vec_along(vec_scale(q.x, u), q.y, v), q.z, n);
+        *array_push(&path) = (struct centre_segment){a, b, {0, 1}, 0, false};
+    }
+    for (double x = -4; x <= 14; x += 0.13)
+        for (double y = -6; y <= 6; y += 0.17)
+            *array_push(&points) = vec_along(vec_scale(x, u), y, v);
+    deviation_map_run(&path, points.item, points.n, &options, &map);
+    for (size_t i = 0; i < points.n; i++) {
+        double x = vec_dot(points.item[i], u);
+        if (x > 0 && x < 10)
+            ck_assert(map.region[i]);
+        if (x < -step / 2 - 0.6 || x > 10 + step / 2 + 0.6)
+            ck_assert(!map.region[i]);
+    }
+    deviation_map_free(&map);
+    array_free(&path);
+    array_free(&points);
+    array_free(&place);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("deviation_map");
@@ -338,6 +385,7 @@ int main(void)
     tcase_add_test(tcase, scallop_of_the_dome);
     tcase_add_loop_test(tcase, beside_is_not_cut, 0, 3);
     tcase_add_loop_test(tcase, among_passes_and_beside_them, 0, 17);
+    tcase_add_loop_test(tcase, beside_loops_of_rows, 0, 12);
     tcase_add_loop_test(tcase, threads_change_nothing, 0, 3);
     tcase_add_loop_test(tcase, figures_are_those_of_the_truth, 0, 12);
     suite_add_tcase(suite, tcase);
