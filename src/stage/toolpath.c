@@ -41,6 +41,7 @@ int toolpath_length_bounded(double length, double radius, const char *said, stru
 
 int toolpath_bounded(const struct toolpath *t, int layers, struct error *error)
 {
+    const double usual = 2e4; /* radii: what is beyond is said before it takes its time */
     double length = 0;
     char said[400];
 
@@ -51,7 +52,13 @@ int toolpath_bounded(const struct toolpath *t, int layers, struct error *error)
     }
     length *= layers;
     snprintf(said, sizeof said, "%.0f m in %zu strips", length / 1e3, t->strip.n * (size_t)layers);
-    return toolpath_length_bounded(length, t->rule.radius, said, error);
+    if (toolpath_length_bounded(length, t->rule.radius, said, error) != 0)
+        return -1;
+    if (length > usual * t->rule.radius)
+        say("%s, much for a ball of radius %g: they are lifted, given axes and joined, which takes "
+            "as much longer; a larger ball, higher scallops or a part of the mesh make less",
+            said, t->rule.radius);
+    return 0;
 }
 
 struct link_options toolpath_link_options(const struct toolpath *t)

@@ -116,4 +116,11 @@ biarcfit -q -e 0.01 -o box.arc box.cl
 ncpost -q -c siemens -o box.mpf box.arc
 status 0 "accepted by its surfaces" ncverify -g "$SRC/tests/data/cad/chamfer-ap214.step" box.mpf
 
+# Where a path takes long, that is said before.
+printf 'OFF\n4 2 0\n0 0 0\n20 0 0\n20 20 0\n0 20 0\n3 0 1 2\n3 0 2 3\n' >flat.off
+status 0 "very many rows" planecut -r 0.4 -s 0.04 --ball-only -o flat.cl flat.off
+has "are said" '10 m in [0-9]* strips, much for a ball of radius 0.4' err
+status 0 "fewer" planecut -r 0.4 -s 0.1 --ball-only -o flat.cl flat.off
+hasnt "are not" 'much for a ball' err
+
 done_testing
