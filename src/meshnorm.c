@@ -317,7 +317,7 @@ int main(int argc, char **argv)
 
     struct path_coverage coverage = {.scallop = 0};
     if (!planes.region)
-        coverage = path_coverage_new(&mesh, &t);
+        coverage = path_coverage_new(&mesh, &mesh, &t);
     t.coverage = coverage.coverage;
     path_options_begin(&mesh, "meshnorm", cli.output, &t);
     if (scallop > 0 && mesh.origin.part.n < 2)

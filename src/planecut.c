@@ -242,8 +242,8 @@ int main(int argc, char **argv)
         die_given(&error);
 
     struct path_coverage coverage = {.scallop = 0};
-    if (region == &mesh)
-        coverage = path_coverage_new(&mesh, &t);
+    if (region == &mesh || !path_options.guarded)
+        coverage = path_coverage_new(&mesh, region, &t);
     t.coverage = coverage.coverage;
     path_options_begin(&mesh, "planecut", cli.output, &t);
     planes.region = region != &mesh;

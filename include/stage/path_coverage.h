@@ -18,15 +18,19 @@ struct path_coverage {
     double
         scallop; /* of the rows, mm; 0: none was asked for, and nothing that is left is a fault */
     bool scan;   /* the points are a scan */
+    const struct mesh *part; /* they are of a part of this; NULL: of all */
+    double spacing;          /* of points on a mesh, mm */
     const struct toolpath_options *rule;
     double tolerance;      /* of the path, mm */
     double allowed;        /* what may be left, with what the mesh is off the scan, mm */
     size_t rounds, strips; /* of rest passes */
 };
 
-/* Of the points of the scan that guards or, without one, of points on the mesh.  Mesh and path must
- * outlive it; when the rules of the path are known and path_options has the scan. */
-struct path_coverage path_coverage_new(const struct mesh *mesh, const struct toolpath *t);
+/* Of the points of the scan that guards or, without one, of points on `region`, the mesh or a part
+ * of it.  Mesh and path must outlive it; when the rules of the path are known and path_options has
+ * the scan. */
+struct path_coverage path_coverage_new(const struct mesh *mesh, const struct mesh *region,
+                                       const struct toolpath *t);
 
 /* Measures what has been cut, and has what is left cut in passes across those of planes of this
  * normal (zero: in none), in ROUNDS rounds at most, as long as they take something off. */
@@ -37,8 +41,8 @@ void path_coverage_measure(struct path_coverage *c, const struct toolpath *t);
 
 /* Tells what is out of reach, what the surface between points keeps the ball off, and what is left.
  * EXIT_UNMET where the last, and what of the others who judges by the points takes for it
- * (coverage_judge.h), are more than path_options.left_share of the points, and rows of a scallop
- * should have cut them. */
+ * (coverage_judge.h), are more than path_options.left_share of the points, or of a part of the mesh
+ * any is more than the next stage may leave, and rows of a scallop should have cut them. */
 int path_coverage_conclude(const struct path_coverage *c, struct unmets *unmet);
 
 void path_coverage_free(struct path_coverage *c);

@@ -37,14 +37,21 @@ static const double SHORT = 1;
 /* Points on a mesh that are looked at, at most. */
 static const double MOST = 300000;
 
-/* The points that are to be cut: those of the scan, or points on the mesh half a row apart, where
- * nobody knows more than its facets.  False for these. */
-static bool add_points(const struct mesh *mesh, double spacing, int threads, struct vec3s *to)
+/* Points on a mesh: on its facets where nobody knows more of it. */
+static void add_mesh(const struct mesh *mesh, double spacing, int threads, struct vec3s *to)
 {
-    const struct path_options *c = &path_options;
     bool facets = mesh->origin.scan.n == 0 && mesh->origin.surface.n == 0;
     const struct guard_mesh_options how = {spacing, MOST, facets ? GUARD_FLAT : GUARD_CURVED,
                                            threads};
+
+    guard_points_of_mesh(mesh, NULL, &how, to);
+}
+
+/* The points that are to be cut: those of the scan, or points on the mesh half a row apart.  False
+ * for these. */
+static bool add_points(const struct mesh *region, double spacing, int threads, struct vec3s *to)
+{
+    const struct path_options *c = &path_options;
 
     for (size_t i = 0; i < c->certain.n; i++)
         *array_push(to) = c->certain.item[i];
@@ -52,7 +59,7 @@ static bool add_points(const struct mesh *mesh, double spacing, int threads, str
         *array_push(to) = c->doubtful.item[i];
     if (to->n > 0)
         return true;
-    guard_points_of_mesh(mesh, NULL, &how, to);
+    add_mesh(region, spacing, threads, to);
     return false;
 }
 
@@ -70,7 +77,8 @@ static struct gouge_check *bare_guard(const struct vec3s *points, int threads)
     return gouge_new(all, threads);
 }
 
-struct path_coverage path_coverage_new(const struct mesh *mesh, const struct toolpath *t)
+struct path_coverage path_coverage_new(const struct mesh *mesh, const struct mesh *region,
+                                       const struct toolpath *t)
 {
     const struct path_options *o = &path_options;
     struct path_coverage c = {.scallop = o->scallop};
@@ -81,7 +89,9 @@ struct path_coverage path_coverage_new(const struct mesh *mesh, const struct too
         return c;
     c.rule = &t->rule;
     c.tolerance = t->lift.tolerance;
-    c.scan = add_points(mesh, scallop_step(h, o->radius, 0) / 2, t->threads, &points);
+    c.part = region == mesh ? NULL : mesh;
+    c.spacing = scallop_step(h, o->radius, 0) / 2;
+    c.scan = add_points(region, c.spacing, t->threads, &points);
     if (c.scan)
         c.bare = bare_guard(&points, t->threads);
     c.coverage = coverage_new(points.item, points.n, t->threads);
@@ -191,18 +201,21 @@ static size_t judged_left(const struct path_coverage *c, struct coverage_point *
                                                    .threads = c->options.threads};
     size_t n, at;
     const struct coverage_point *point = coverage_points(c->coverage, &n);
-    struct vec3 *place = mem_alloc(n + 1, sizeof *place);
-    double *height = mem_alloc(n + 1, sizeof *height);
+    struct vec3s place = {0};
 
+    for (size_t i = 0; i < n; i++)
+        *array_push(&place) = point[i].p;
+    if (c->part) /* what is beside is in the way */
+        add_mesh(c->part, c->spacing, c->options.threads, &place);
+    double *height = mem_alloc(place.n + 1, sizeof *height);
     for (size_t i = 0; i < n; i++) {
         bool asked = point[i].state == COVERAGE_KEPT || point[i].state == COVERAGE_OUT;
-        place[i] = point[i].p;
         height[i] = asked && point[i].height > limit ? point[i].height : 0;
     }
-    size_t found = coverage_judge_left(place, height, n, &options, &at);
+    size_t found = coverage_judge_left(place.item, height, place.n, &options, &at);
     if (found > 0)
         *worst = point[at];
-    free(place);
+    array_free(&place);
     free(height);
     return found;
 }
@@ -265,7 +278,10 @@ int path_coverage_conclude(const struct path_coverage *c, struct unmets *unmet)
     struct coverage_point worst;
     size_t judged = c->scallop > 0 ? judged_left(c, &worst) : 0;
     double left = 100 * ((double)r.left.n + JUDGED * (double)judged), points = (double)r.points;
-    bool unmet_left = c->scallop > 0 && left > path_options.left_share * points;
+    bool much = left > path_options.left_share * points;
+    if (c->part) /* who judges it leaves no share */
+        much = judged > 0 || (r.left.n > 0 && r.left.highest > c->allowed + c->tolerance);
+    bool unmet_left = c->scallop > 0 && much;
 
     unmet = unmet_left ? unmet : NULL;
     say_out(&r);

@@ -116,6 +116,12 @@ biarcfit -q -e 0.01 -o box.arc box.cl
 ncpost -q -c siemens -o box.mpf box.arc
 status 0 "accepted by its surfaces" ncverify -g "$SRC/tests/data/cad/chamfer-ap214.step" box.mpf
 
+# What is left of a part of the mesh is measured, too, and cut: 0.09 mm stayed at its border.
+status 0 "the lid and its chamfer" planecut -q -r 2 --scallop 0.05 --avoid --steep 0:50 -o lid.cl box.ply
+biarcfit -q -e 0.01 -o lid.arc lid.cl
+ncpost -q -c siemens -o lid.mpf lid.arc
+status 0 "accepted by the mesh as a part" ncverify -g box.ply --partial lid.mpf
+
 # Where a path takes long, that is said before.
 printf 'OFF\n4 2 0\n0 0 0\n20 0 0\n20 20 0\n0 20 0\n3 0 1 2\n3 0 2 3\n' >flat.off
 status 0 "very many rows" planecut -r 0.4 -s 0.04 --ball-only -o flat.cl flat.off

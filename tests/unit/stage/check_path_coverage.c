@@ -116,7 +116,7 @@ static int concluded(const struct path_coverage *c, struct unmets *unmet, const 
 START_TEST(what_rows_leave)
 {
     make(false);
-    struct path_coverage c = path_coverage_new(&mesh, &t);
+    struct path_coverage c = path_coverage_new(&mesh, &mesh, &t);
     ck_assert_double_eq(c.options.limit, 0.05 + 0.01);
     ck_assert_double_eq(c.options.tolerance, 0.01);
     ck_assert_double_eq(c.options.radius, R);
@@ -156,7 +156,7 @@ END_TEST
 START_TEST(rest_passes_cut_it)
 {
     make(false);
-    struct path_coverage c = path_coverage_new(&mesh, &t);
+    struct path_coverage c = path_coverage_new(&mesh, &mesh, &t);
     rows(-10, 10, 2.5);
     said_begin();
     path_coverage_rest(&c, vec(0, 1, 0), &t);
@@ -182,7 +182,7 @@ END_TEST
 START_TEST(nothing_is_left)
 {
     make(false);
-    struct path_coverage c = path_coverage_new(&mesh, &t);
+    struct path_coverage c = path_coverage_new(&mesh, &mesh, &t);
     close_rows();
     path_coverage_rest(&c, vec(0, 1, 0), &t);
     ck_assert_uint_eq(c.rounds, 0);
@@ -196,7 +196,7 @@ END_TEST
 START_TEST(out_of_reach)
 {
     make(true);
-    struct path_coverage c = path_coverage_new(&mesh, &t);
+    struct path_coverage c = path_coverage_new(&mesh, &mesh, &t);
     close_rows();
     said_begin();
     path_coverage_rest(&c, vec(0, 1, 0), &t);
@@ -238,7 +238,7 @@ START_TEST(kept_off_is_left)
     array_free(&assumed);
     t.lift.guard = guard;
     t.rule.chain = (struct kinematic_chain){.n = 0, .tool = {0, 0, 1}};
-    struct path_coverage c = path_coverage_new(&mesh, &t);
+    struct path_coverage c = path_coverage_new(&mesh, &mesh, &t);
     ck_assert_double_eq_tol(c.allowed, 0.06, 1e-15);
     ck_assert_double_eq_tol(c.options.near, (0.05 + 0.01 + 2 * 0.01) / 2, 1e-15);
     close_rows();
@@ -267,7 +267,7 @@ START_TEST(of_the_mesh)
 {
     make(false);
     path_options.certain = (struct vec3s){0};
-    struct path_coverage c = path_coverage_new(&mesh, &t);
+    struct path_coverage c = path_coverage_new(&mesh, &mesh, &t);
     ck_assert_ptr_null(c.bare);
     ck_assert_ptr_eq(c.options.guard, guard);
     size_t n;
@@ -277,7 +277,7 @@ START_TEST(of_the_mesh)
     ck_assert_double_le((double)n, 8 * 20 * 20 / (half * half));
     path_coverage_free(&c);
     t.lift.guard = NULL;
-    c = path_coverage_new(&mesh, &t);
+    c = path_coverage_new(&mesh, &mesh, &t);
     ck_assert_ptr_null(c.coverage);
     const char *text;
     ck_assert_int_eq(concluded(&c, NULL, &text), EXIT_DONE);
@@ -291,13 +291,13 @@ START_TEST(noise)
 {
     make(false);
     path_options.noise = 0.04;
-    struct path_coverage c = path_coverage_new(&mesh, &t);
+    struct path_coverage c = path_coverage_new(&mesh, &mesh, &t);
     ck_assert_double_eq_tol(c.options.limit, 0.05 + 0.01 + 0.06, 1e-15);
     ck_assert_double_eq_tol(c.options.tolerance, 0.01 + 0.02, 1e-15);
     path_coverage_free(&c);
     path_options.noise = -1;  /* not measured */
     path_options.scallop = 0; /* rows of the mesh: by 0.02 */
-    c = path_coverage_new(&mesh, &t);
+    c = path_coverage_new(&mesh, &mesh, &t);
     ck_assert_double_eq_tol(c.options.limit, 0.02 + 0.01, 1e-15);
     rows(-10, 10, 2.5);
     path_coverage_rest(&c, vec(0, 1, 0), &t);
