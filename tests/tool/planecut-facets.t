@@ -35,7 +35,8 @@ cap() {
 		print "solid cap"
 		for (k = 0; k < f; k++) {
 			split(face[k], v, " "); print "facet normal 0 0 0\nouter loop"
-			for (i = 1; i <= 3; i++) printf "vertex %.9f %.9f %.9f\n", 20 * x[v[i]], 20 * y[v[i]], 20 * z[v[i]]
+			for (i = 1; i <= 3; i++)
+				printf "vertex %.9f %.9f %.9f\n", 20 * x[v[i]], 20 * y[v[i]], 20 * z[v[i]]
 			print "endloop\nendfacet"
 		}
 		print "endsolid"
@@ -110,7 +111,8 @@ ncpost -q -c siemens -o block.mpf block.arc
 status 0 "accepted by its mesh" ncverify -g block.off block.mpf
 
 # So are those of a model, whose mesh has normals.
-status 0 "a box with a chamfer" nurbs2mesh -q -e 0.01 -o box.ply "$SRC/tests/data/cad/chamfer-ap214.step"
+status 0 "a box with a chamfer" \
+	nurbs2mesh -q -e 0.01 -o box.ply "$SRC/tests/data/cad/chamfer-ap214.step"
 status 0 "its path" planecut -q -r 2 --scallop 0.2 --avoid -o box.cl box.ply
 biarcfit -q -e 0.01 -o box.arc box.cl
 ncpost -q -c siemens -o box.mpf box.arc
