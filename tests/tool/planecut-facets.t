@@ -119,7 +119,8 @@ ncpost -q -c siemens -o box.mpf box.arc
 status 0 "accepted by its surfaces" ncverify -g "$SRC/tests/data/cad/chamfer-ap214.step" box.mpf
 
 # What is left of a part of the mesh is measured, too, and cut: 0.09 mm stayed at its border.
-status 0 "the lid and its chamfer" planecut -q -r 2 --scallop 0.05 --avoid --steep 0:50 -o lid.cl box.ply
+status 0 "the lid and its chamfer" \
+	planecut -q -r 2 --scallop 0.05 --avoid --steep 0:50 -o lid.cl box.ply
 biarcfit -q -e 0.01 -o lid.arc lid.cl
 ncpost -q -c siemens -o lid.mpf lid.arc
 status 0 "accepted by the mesh as a part" ncverify -g box.ply --partial lid.mpf
