@@ -97,7 +97,8 @@ small := io/nurbs/nurbs_text% machine/machine machine/machine_options machine/te
   stage/toolpath_report stage/path_coverage stage/path_check io/nurbs/iges% io/nurbs/step% \
   cloud/edge_unknown cloud/edge_cliff cloud/edge_foot cloud/sheets cloud/holes cloud/roof cloud/edge_points toolpath/rest_% stage/toolpath_shorten \
   stage/toolpath_order simulate/unseen_% io/path/path_cycle \
-  nurbs/construct mesh/mesh_repair io/path/path_tool mesh/mesh_clip nurbs/uv_polygon
+  nurbs/construct mesh/mesh_repair io/path/path_tool mesh/mesh_clip nurbs/uv_polygon \
+  stage/plane_passes stage/mesh_% stage/coverage_judge
 $(small:%=$(BUILD)/src/%.o): CFLAGS := $(patsubst -O2,-Os,$(CFLAGS:-O3=-Os))
 
 # The file VERSION is what `--version`, the tarball and the packages say.
