@@ -242,7 +242,8 @@ int main(int argc, char **argv)
         die_given(&error);
 
     struct path_coverage coverage = {.scallop = 0};
-    if (region == &mesh || !path_options.guarded)
+    bool promised = scallop > 0 && !path_options.guarded;
+    if (promised || (region == &mesh && (path_options.guarded || mesh.normals_made)))
         coverage = path_coverage_new(&mesh, region, &t);
     t.coverage = coverage.coverage;
     path_options_begin(&mesh, "planecut", cli.output, &t);
