@@ -10,6 +10,7 @@
 
 #include "base/array.h"
 #include "base/cli.h"
+#include "base/out.h"
 #include "io/path/path.h"
 #include "machine/machine_options.h"
 #include "post/post.h"
@@ -41,6 +42,10 @@ static void read_limit(struct settings *s, const struct cli *cli)
         die_given(&error);
     if (!cli->output || strcmp(cli->output, "-") == 0)
         die_usage("option --split: found no -o FILE, expected one to name the parts after");
+    if (!out_may_be_file(cli->output))
+        die_usage("option --split: found -o %s, which is no file, expected one to name the parts "
+                  "after",
+                  cli->output);
     if (s->extract.explain >= 0)
         die_usage("found --split and --explain, expected one of them");
 }

@@ -9,6 +9,7 @@
 #ifndef CLOUDMILL_OUT_H
 #define CLOUDMILL_OUT_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 struct out;
@@ -16,6 +17,9 @@ struct out;
 /* From now on a second output to a file that has one ends the process too: for tools, each of whose
  * results is a file of its own. */
 void out_once_each(void);
+
+/* There is nothing of this name, or a regular file. */
+bool out_may_be_file(const char *file);
 
 /* NULL or "-": standard output. */
 struct out *out_open(const char *file);

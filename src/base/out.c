@@ -138,6 +138,13 @@ static int create_beside(struct out *o, const struct stat *older)
     return fd;
 }
 
+bool out_may_be_file(const char *file)
+{
+    struct stat st;
+
+    return stat(file, &st) != 0 || S_ISREG(st.st_mode);
+}
+
 struct out *out_open(const char *file)
 {
     struct out *o = mem_alloc(1, sizeof *o);

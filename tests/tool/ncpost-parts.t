@@ -180,6 +180,10 @@ rm -f part-*
 ncpost -c fanuc --split 60 -o part.nc tools.cl 2>err
 hasnt "parts that are all new" 'was there before' err
 cp part-3.nc part-9.nc
+mkfifo pipe
+status 2 "parts of what is no file" ncpost -c fanuc --split 60 -o pipe tools.cl
+has "are named" 'found -o pipe, which is no file' err
+ok "and none is written" test ! -e pipe-1
 run ncpost -c fanuc --split 400 -o part.nc tools.cl
 has "parts of an earlier run are named" "part-[0-9].nc was there before and is no part of this" err
 
