@@ -3,7 +3,8 @@
 # plane that the whole has at the same place, starts and ends in the clear, and together they cut
 # all.
 . "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
-# Paths here need not name a speed of the spindle and a tool: ncpost-missing.t has those that lack them.
+# Paths here need not name a speed of the spindle and a tool: ncpost-missing.t has those that lack
+# them.
 ncpost() { command ncpost --no-spindle "$@"; }
 cd "$TMP" || exit 1
 
@@ -40,7 +41,8 @@ places='
 		return at ? substr(" " $0 " ", RSTART + 2, RLENGTH - 3) + 0 : now[letter]
 	}
 	/^\(|^;|^[0-9]+ ;/ { next }
-	match($0, /(T|TOOL CALL )[0-9]+( D1)?( M6| Z)/) { tool = substr($0, RSTART); gsub(/[^0-9 ].*D1|[A-Z]|6$/, "", tool)
+	match($0, /(T|TOOL CALL )[0-9]+( D1)?( M6| Z)/) {
+		tool = substr($0, RSTART); gsub(/[^0-9 ].*D1|[A-Z]|6$/, "", tool)
 		match($0, /(T|CALL )[0-9]+/); tool = substr($0, RSTART, RLENGTH); gsub(/[^0-9]/, "", tool) }
 	match($0, / S[0-9]+/) { speed = substr($0, RSTART + 2, RLENGTH - 2) }
 	/ M[345]( |$)/ { match($0, / M[345]( |$)/); sense = substr($0, RSTART + 1, 2) }
@@ -78,7 +80,8 @@ for control in fanuc siemens heidenhain linuxcnc; do
 			done
 			[ $n -gt 3 ] || echo "$control $path $limit: $n parts"
 			left=$(among whole parts)
-			[ "$left" = 0 ] || echo "$control $path --split $limit: $left of $(wc -l <whole) places not there"
+			[ "$left" = 0 ] ||
+				echo "$control $path --split $limit: $left of $(wc -l <whole) places not there"
 		done
 		for pass in 1 2 5 6 8 10 12; do
 			# shellcheck disable=SC2086
@@ -123,7 +126,8 @@ awk 'BEGIN { r = atan2(0, -1) / 180; t = 50 * r
 			if (k == 1) print "FEDRAT/MMPM,700"
 			printf "GOTO/%.6f,%.6f,%.6f,%.9f,%.9f,%.9f\n", 30 * cos(w), 30 * sin(w), (k ? 0 : 60) - k / 9,
 				s * cos(w), s * sin(w), cos(t) }
-		printf "RAPID\nGOTO/%.6f,%.6f,70,%.9f,%.9f,%.9f\n", 40 * cos(w), 40 * sin(w), s * cos(w), s * sin(w), cos(t)
+		printf "RAPID\nGOTO/%.6f,%.6f,70,%.9f,%.9f,%.9f\n", 40 * cos(w), 40 * sin(w),
+			s * cos(w), s * sin(w), cos(t)
 	}
 	for (i = 0; i < 20; i++) printf "RAPID\nGOTO/%d,3,90,0,0,1\n", i
 	print "FINI" }' >wound.cl
@@ -139,7 +143,9 @@ for control in fanuc siemens heidenhain linuxcnc; do
 			n=1
 			while [ -e part-$n.nc ]; do
 				# without tool-centre-point control a rapid alone may be more blocks than a part has
-				[ $control = linuxcnc ] || grep -Eq '(^| )G0?1( |$)|^[0-9]+ L .*F[0-9]' part-$n.nc || echo "$control $path $limit: part $n cuts nothing"
+				[ $control = linuxcnc ] ||
+					grep -Eq '(^| )G0?1( |$)|^[0-9]+ L .*F[0-9]' part-$n.nc ||
+					echo "$control $path $limit: part $n cuts nothing"
 				[ "$(grep -Ec 'G28 *Z|G53.*Z0|SUPA.* Z|Z\+0 .*M91' part-$n.nc)" -ge 2 ] ||
 					echo "$control $path $limit: part $n has no retract at one end"
 				tcp=
@@ -147,7 +153,8 @@ for control in fanuc siemens heidenhain linuxcnc; do
 				set -- --set a.min=-30 --set c.min=-360 --set c.max=360
 				[ $path = planes ] && set -- --set a.min=-120
 				"$READBACK" -c $control -m table-ac $tcp "$@" part-$n.nc >rb 2>&1 || head -n 1 rb
-				[ $path = planes ] || grep -q 'beyond the travel 0' rb || echo "$control $path $limit $n: $(grep axes: rb)"
+				[ $path = planes ] || grep -q 'beyond the travel 0' rb ||
+					echo "$control $path $limit $n: $(grep axes: rb)"
 				n=$((n + 1))
 			done
 			[ $n -gt 2 ] || echo "$control $path $limit: $n parts"
@@ -170,7 +177,8 @@ for control in fanuc siemens heidenhain linuxcnc; do
 	cat part-*.nc | awk '{ for (i = 1; i <= NF; i++) {
 			if ($i ~ /^T[0-9]+$/) tool = substr($i, 2)
 			if ($0 ~ /TOOL CALL/ && $i == "CALL") tool = $(i + 1)
-			if ($i ~ /^S[0-9]+$/ && $i != (tool == 3 ? "S4200" : tool == 7 ? "S9000" : "S1500")) print tool, $0
+			if ($i ~ /^S[0-9]+$/ &&
+				$i != (tool == 3 ? "S4200" : tool == 7 ? "S9000" : "S1500")) print tool, $0
 		} if (/TOOL CALL|M6/) n++ } END { if (n < 4) print n " parts" }'
 done >complaints
 empty "each part has its tool's own speed" complaints

@@ -164,7 +164,7 @@ START_TEST(normals_of_a_ball)
 }
 END_TEST
 
-/* A cylinder lying along y, in strips of 10 degrees: of 0.5 and of 40 mm radius its strips leave the
+/* A cylinder lying along y, in strips of 10 degrees: of 0.5 and of 40 mm radius these leave the
  * surface by 0.002 and 0.15 mm.  The wide ones stay flat, as the facets that a judge takes them
  * for. */
 START_TEST(facets_stay_flat_where_normals_would_bend_them)
