@@ -94,7 +94,7 @@ static bool is_among(const struct vec3 *point, const bool *upper, size_t i, stru
         if (upper[k] == upper[i] || (n == ROUND && r >= last))
             continue;
         size_t at = n < ROUND ? n++ : ROUND - 1;
-        for (; at > 0 && far[at - 1] > r; at--) {
+        for (; at > 0 && far[at - 1] > r; at--) { // cppcheck-suppress uninitvar
             far[at] = far[at - 1];
             turn[at] = turn[at - 1];
         }
