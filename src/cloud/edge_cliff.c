@@ -29,6 +29,7 @@ struct cliff {
     double reach;  /* so far the flank may go on, seen from above, mm */
     double corner; /* and so far between points below */
     const struct quadric *q;
+    bool flanked; /* it is not the surface of all about */
     struct vec3s on, below;
     struct sizes beyond;
 };
@@ -145,7 +146,8 @@ static struct cliff find_cliff(const struct edge_work *work, size_t i)
     struct cliff cliff = {.from = about.grid->point[i],
                           .reach = about.reach,
                           .corner = CORNER * point_grid_spacing(about.grid),
-                          .q = &work->flank[i].q};
+                          .q = &work->flank[i].q,
+                          .flanked = work->flank[i].valid};
 
     if (may_be_off(work, i))
         for (size_t k; edge_about_next(&about, &k);)
@@ -178,12 +180,16 @@ static bool is_before_wall(const struct cliff *cliff, double u, double v)
     return before;
 }
 
-/* The place is no further than the edges that are known. */
+/* The place is no further than the edges that are known.  A cubic through all about a point, that
+ * goes through the upper side's points, too, where these have a flank of their own, goes over the
+ * wall as if it were none. */
 static bool is_before_edges(const struct edge_work *work, const struct cliff *cliff, struct vec3 at)
 {
     for (size_t k = 0; k < cliff->beyond.n; k++) {
         const struct edge_flank *other = &work->flank[cliff->beyond.item[k]];
         struct vec3 own = work->options->point_grid->point[cliff->beyond.item[k]];
+        if (cliff->flanked && other->bent && !other->valid)
+            continue;
         if (above_flank(other, own, at) > edge_within(work, other->spacing))
             return false;
     }
@@ -308,7 +314,7 @@ static void fill_tips(const struct edge_work *work, const struct cliff *cliff, s
 static void fill_wall(const struct edge_work *work, const struct cliff *cliff, bool certain,
                       struct vec3s *to)
 {
-    const double nearly = 0.9;
+    const double nearly = 0.97;
     bool steep = quadric_normal_at(cliff->q, cliff->from).z < FACING;
 
     for (size_t k = 0; k < cliff->below.n; k++) {
@@ -320,8 +326,11 @@ static void fill_wall(const struct edge_work *work, const struct cliff *cliff, b
         double way = hypot(u, v), top = steep ? fmax(at.z, cliff->from.z - EDGE_STEEP * way) : at.z;
         at = vec(cliff->from.x + u, cliff->from.y + v,
                  fmin(top, cliff->from.z + (certain ? way : 0)));
-        if (is_before_edges(work, cliff, at))
-            edge_wall_add(work, at, foot, to);
+        if (!is_before_edges(work, cliff, at))
+            continue;
+        if (certain)
+            *array_push(to) = at; /* its rim: places on the flank end before it */
+        edge_wall_add(work, at, foot, to);
     }
 }
 

@@ -808,6 +808,41 @@ START_TEST(rims_of_pockets)
 }
 END_TEST
 
+/* A stepped cone on a grid, risers of 0.9 mm and rings of five points, or of three, through which
+ * a cubic goes as if there were no steps. */
+static double stepped_cone(double x, double y)
+{
+    return 0.9 * fmax(0, 6 - floor(hypot(x, y - 0.01) / 1.5));
+}
+
+/* A ball over a riser touches its rim, wherever that is between two rows of the grid. */
+START_TEST(rims_of_steps)
+{
+    enum { WAYS = 90, STEPS = 4 };
+    const double pitch = _i % 2 ? 0.5 : 0.3, noise = 0.005, deep = TOLERANCE + 1.5 * noise;
+    struct guarded g = {0};
+    int deeper = 0;
+
+    noisy_seed(220 + (unsigned)_i);
+    for (double y = -12; y < 12; y += pitch)
+        for (double x = -12; x < 12; x += pitch)
+            *array_push(&g.scan) = vec(x, y, stepped_cone(x, y) + noise * noisy_normal());
+    guarded_make(&g, pitch, noise);
+    struct gouge_check *guard = guarded_gouge(&g);
+    for (int i = 0; i < WAYS * STEPS; i++) {
+        int step = i / WAYS + 2;
+        double t = 2 * PI * i / WAYS, far = RADIUS - deep, level = 0.7;
+        double r = 1.5 * step - 1e-6 + far * level;
+        struct vec3 c =
+            vec(r * cos(t), r * sin(t) + 0.01, 0.9 * (7 - step) + far * sqrt(1 - level * level));
+        deeper += gouge_depth(guard, c, RADIUS) <= 0;
+    }
+    ck_assert_int_le(deeper, WAYS * STEPS / 100);
+    gouge_free(guard);
+    guarded_free(&g);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("edge_points");
@@ -828,6 +863,7 @@ int main(void)
     tcase_add_loop_test(tests, feet_of_pyramids, 0, 6);
     tcase_add_loop_test(tests, noisy_flanks, 0, 4);
     tcase_add_loop_test(tests, rims_of_pockets, 0, 3);
+    tcase_add_loop_test(tests, rims_of_steps, 0, 2);
     suite_add_tcase(suite, tests);
     tcase_set_timeout(tests, 60);
     srunner_run_all(runner, CK_ENV);
