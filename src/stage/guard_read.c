@@ -221,6 +221,19 @@ static void say_edges(const struct edge_gaps *gaps, size_t points, struct unmets
             at.x, at.y, at.z, gaps->unknown, gaps->depth);
 }
 
+/* So much noise, measured of the scan: steps and ribs that a few points each are on may be it. */
+static void say_rough(double sigma, double spacing, const struct guard_read_options *rule)
+{
+    const double part = 0.125, many = 5; /* times the tolerance */
+
+    if (sigma > part * spacing && sigma > many * rule->tolerance)
+        unmet_say(
+            rule->unmet,
+            "noise of %.2g mm is much for points that are %.2g mm apart: shapes so small cannot "
+            "be told from it, and are not guarded",
+            sigma, spacing);
+}
+
 /* NULL: more points than can be sorted. */
 static struct gouge_check *gouge_of(struct vec3s *points, const struct mesh *mesh,
                                     struct guard_read_options *rule, struct error *error)
@@ -237,8 +250,10 @@ static struct gouge_check *gouge_of(struct vec3s *points, const struct mesh *mes
         effort_say(EFFORT_GUARD_NOISE, rule->effort, points->n);
     bool removed = noisy && effort_covers(EFFORT_GUARD_NOISE, rule->effort, points->n);
     bool stays = rule->noise < 0 && noisy && !removed; /* points stand out by it alone */
-    if (rule->noise < 0)
+    if (rule->noise < 0) {
+        say_rough(found.sigma, spacing, rule);
         rule->noise = removed ? found.sigma : 0;
+    }
     struct guard_points_options how = {.radius = rule->radius,
                                        .sink = rule->tolerance / 5,
                                        .noise = rule->noise,

@@ -217,6 +217,27 @@ START_TEST(noise_is_taken_out)
 }
 END_TEST
 
+/* Noise, that steps may be as well, is told where the tolerance asks for less; not what the user
+ * says that it is. */
+START_TEST(much_noise_is_told)
+{
+    static const double sigma[] = {0.03, 0.12, 0.12}, said[] = {-1, -1, 0.12};
+    struct mesh mesh = shape_grid(floor_point, -9, -9, 9, 9, 6, 6);
+    for (int k = 0; k < 3; k++) {
+        struct unmets told = {0};
+        struct guard_read_options rule = usual(said[k]);
+        rule.unmet = &told;
+        make_floor(sigma[k]);
+        struct gouge_check *guard = guard_of(&rule, &mesh, 1);
+        ck_assert_ptr_nonnull(guard);
+        ck_assert_int_eq(unmets_status(&told), k == 1 ? 3 : 0);
+        free_guard(guard, &rule);
+        unmets_free(&told);
+    }
+    mesh_free(&mesh);
+}
+END_TEST
+
 /* Where more than half of the mesh is elsewhere, the scan is another one; half is not more. */
 START_TEST(elsewhere)
 {
@@ -277,6 +298,7 @@ int main(void)
     tcase_add_test(tests, another_scan);
     tcase_add_test(tests, a_floor_keeps_the_ball_off);
     tcase_add_test(tests, noise_is_taken_out);
+    tcase_add_test(tests, much_noise_is_told);
     tcase_add_test(tests, elsewhere);
     tcase_add_test(tests, for_a_path);
     suite_add_tcase(suite, tests);
