@@ -148,6 +148,7 @@ struct pose_deviation nc_poly_deviation(const struct nc_spans *spans, const stru
 /* ---- a B-spline as the words of its blocks */
 
 enum { ROUNDS_MAX = 6, CUBIC = 3 };
+static const double WOBBLE = 0.5; /* degrees that an axis may go to and fro on a curve */
 
 void nc_spline_free(struct nc_spline *spline)
 {
@@ -395,6 +396,53 @@ static bool nurbs_in_travel(const struct nc_spline *spline, const struct kinemat
     return true;
 }
 
+/* How much further an axis goes by its poles than from the first to the last of them. */
+static double wobble_of(const double *angle, size_t poles)
+{
+    double way = 0;
+    for (size_t i = 1; i < poles; i++)
+        way += fabs(angle[i] - angle[i - 1]);
+    return way - fabs(angle[poles - 1] - angle[0]);
+}
+
+/* The poles of an angle that is linear on the knots of the curve. */
+static void set_linear(const struct bspline *b, int digits, double *angle)
+{
+    size_t p = (size_t)b->degree, last = b->poles - 1;
+    double from = angle[0], turn = angle[last] - from, range = b->knot[b->poles] - b->knot[0];
+    for (size_t i = 1; i < last; i++) {
+        double place = 0;
+        for (size_t k = 1; k <= p; k++)
+            place += (b->knot[i + k] - b->knot[0]) / (double)p;
+        angle[i] = num_round(from + turn * place / range, digits);
+    }
+}
+
+/* Axes that go to and fro beside the pole, where their turn hardly tells in the tool axis, go
+ * straight from end to end if that keeps what is `allowed`. */
+static void calm_angles(struct nc_spline *spline, int digits, const struct interpolation *f,
+                        const struct bspline *exact, const struct motion *motion,
+                        struct pose_deviation allowed, struct pose_deviation *d)
+{
+    size_t poles = spline->curve.poles;
+    struct doubles more = {0};
+    for (int k = 0; k < ROTARY_MAX; k++) {
+        if (wobble_of(spline->angle[k], poles) < WOBBLE)
+            continue;
+        double *was = spline->angle[k];
+        spline->angle[k] = mem_alloc(poles, sizeof *was);
+        memcpy(spline->angle[k], was, poles * sizeof *was);
+        set_linear(&spline->curve, digits, spline->angle[k]);
+        struct pose_deviation calm = nurbs_deviation(spline, f, exact, motion, allowed, &more);
+        bool good = pose_deviation_within(calm, allowed);
+        if (good)
+            *d = calm;
+        free(good ? was : spline->angle[k]);
+        spline->angle[k] = good ? spline->angle[k] : was;
+    }
+    array_free(&more);
+}
+
 static struct pose_deviation nurbs_words(struct nc_spline *spline, struct nc_spline_digits digits,
                                          const struct interpolation *f,
                                          const struct block_pose *from, const struct motion *motion,
@@ -410,6 +458,8 @@ static struct pose_deviation nurbs_words(struct nc_spline *spline, struct nc_spl
         }
         d = nurbs_deviation(spline, f, &c.curve, motion, allowed, &more);
         bool enough = more.n == 0 || c.curve.poles > 4 * motion->curve->poles + 20;
+        if (enough && pose_deviation_within(d, allowed))
+            calm_angles(spline, digits.angle, f, &c.curve, motion, allowed, &d);
         if (!enough)
             beside_refine(&c, motion->curve, &more);
         array_free(&more);

@@ -176,6 +176,43 @@ START_TEST(within_travel_between_ends)
 }
 END_TEST
 
+/* Past the pole at a little distance, within 0.02 mm: the axis nearest the work would turn to and
+ * fro by tens of degrees, which hardly moves the tool: it goes straight from end to end. */
+START_TEST(beside_the_pole_axes_are_calm)
+{
+    const struct nc_spline_digits mm = {3, 3, 3};
+    const struct pose_deviation allowed = {0.005, RADIANS(0.05)};
+    struct interpolation f = {.mode = INTERPOLATE_ROTARY, .chain = &table_ac, .ball = 0};
+    int turned = 0;
+    for (int i = 0; i < 40; i++) {
+        seed = (uint64_t)i + 77;
+        struct bspline b = any_curve(3, 4, 0.001);
+        for (size_t k = 0; k < b.poles; k++)
+            b.head[k] =
+                vec_along(b.pole[k], 1,
+                          vec_unit(vec(1.5e-5 + 1e-5 * chance(), 1.4e-4 * (double)k - 2.1e-4, 1)));
+        b.length = 1;
+        struct block_pose from = begin(&b, mm), to;
+        struct motion motion = motion_spline((struct pose){b.pole[0], from.a},
+                                             (struct pose){b.pole[b.poles - 1], from.a}, &b);
+        struct pose_deviation d;
+        struct nc_spline s;
+        motion.to.a = motion_at(&motion, 1).a;
+        ck_assert(nc_spline_words(&s, NC_SPLINES_ROTARY, mm, &f, &from, &motion, allowed, &to, &d));
+        expect_near(&s, &motion, 0.00501, RADIANS(0.051), mm.knot);
+        size_t last = s.curve.poles - 1;
+        double way = 0, whole = fabs(s.angle[0][last] - s.angle[0][0]);
+        for (size_t k = 1; k <= last; k++)
+            way += fabs(s.angle[0][k] - s.angle[0][k - 1]);
+        ck_assert_double_lt(way, whole + 0.5);
+        turned += whole > 1;
+        nc_spline_free(&s);
+        bspline_free(&b);
+    }
+    ck_assert_int_gt(turned, 30);
+}
+END_TEST
+
 START_TEST(polynomials)
 {
     const struct nc_spline_digits digits = {5, 5, 5};
@@ -369,6 +406,7 @@ int main(void)
     TCase *tests = tcase_create("splines");
     tcase_add_test(tests, nurbs);
     tcase_add_test(tests, within_travel_between_ends);
+    tcase_add_test(tests, beside_the_pole_axes_are_calm);
     tcase_add_test(tests, polynomials);
     tcase_add_test(tests, none);
     suite_add_tcase(suite, tests);
