@@ -242,7 +242,8 @@ static void replace_piece(struct spline_run *pieces, size_t k, const struct spli
     array_reserve(pieces, pieces->n + by->n);
     memmove(&pieces->item[k + by->n], &pieces->item[k + 1],
             (pieces->n - k - 1) * sizeof *pieces->item);
-    memcpy(&pieces->item[k], by->item, by->n * sizeof *by->item);
+    for (size_t i = 0; i < by->n; i++)
+        pieces->item[k + i] = by->item[i];
     pieces->n += by->n - 1;
 }
 
