@@ -151,8 +151,8 @@ static void read_options(struct settings *s, struct cli *cli, int argc, char **a
         {0, "left", "MM", "most material left, scallop and tolerance together", CLI_NUMBER,
          &s->left, 0, 1e4, 0, &s->left_given},
         {0, "left-share", "PERCENT",
-         "share of the points that may have more than that left, since what the\n"
-         "tool reaches is found by samples (default: 0.5)",
+         "share of the points, with --partial of the region's, that may have\n"
+         "more than that left: what is reached is found by samples (default: 0.5)",
          CLI_NUMBER, &s->left_share, 0, 100, 0, NULL},
         {0, "partial", NULL,
          "the program cuts a part of the scan: what is left is judged in the\n"

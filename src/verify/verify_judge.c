@@ -28,6 +28,7 @@ enum { TURN_STEPS = 4, CURVE_PARTS = 4 };
 #define ALONG 0.7       /* ... that leads up or down the tool by less of its length */
 #define ROLLS 1.5       /* times as fast as the ball rolls over an edge */
 #define THICKER 0.01    /* of the ball's radius: so much thicker than it, a tool is a holder */
+#define BORDER 1.5      /* times what may be left: so much at few points of a region that is cut */
 
 static void add_finding(struct verdict *v, bool fault, size_t piece, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
@@ -96,29 +97,37 @@ static bool comes_near(const struct verdict *v)
     return false;
 }
 
-/* What is left beyond the limit, where the tool could have cut. */
+/* What is left beyond the limit in the region that a part of a program cuts: the points that are
+ * more than that below the ball. */
+static size_t left_in_region(const struct verdict *v)
+{
+    size_t n = 0;
+    for (size_t i = 0; i < v->program.part->n; i++)
+        n += v->map.region[i] && v->map.deviation[i] > v->options.left + v->noise;
+    return n;
+}
+
+/* What is left beyond the limit, where the tool could have cut: a fault where it is a share of the
+ * points that are judged, or at the border of a region far more than that. */
 static void judge_left(struct verdict *v)
 {
     const struct deviation_map *r = &v->map;
     const struct part_coverage_sum *left = &v->coverage.sum[COVERAGE_LEFT];
     bool whole = !v->options.partial;
-    double worst = whole ? left->worst : r->over;
-    size_t at = whole ? left->at : r->over_at;
+    size_t at = whole ? left->at : r->over_at, n = whole ? left->points : left_in_region(v);
+    size_t most = (size_t)(v->options.share * (double)(whole ? v->program.part->n : r->cut));
     struct vec3 p = v->program.part->item[at];
-    if (whole ? left->points == 0 || !isfinite(v->options.left) || !comes_near(v)
-              : r->over <= v->options.left + v->noise)
+    char what[64] = " of the region";
+    if (n == 0 || !isfinite(v->options.left) || (whole && !comes_near(v)))
         return;
     if (whole)
-        add_finding(v, (double)left->points > v->options.share * (double)v->program.part->n,
-                    piece_at(v, at),
-                    "%.4f mm of material is left at %.3f %.3f %.3f, at most %.4g (%zu points, %.1f "
-                    "mm2 that the tool reaches; %zu points may be)",
-                    worst, p.x, p.y, p.z, v->limit, left->points, left->area,
-                    (size_t)(v->options.share * (double)v->program.part->n));
-    else
-        add_finding(v, true, piece_at(v, at),
-                    "%.4f mm of material is left at %.3f %.3f %.3f, at most %g", worst, p.x, p.y,
-                    p.z, v->options.left);
+        snprintf(what, sizeof what, ", %.1f mm2 that the tool reaches", left->area);
+    bool far = !whole && r->over > BORDER * v->options.left + v->noise;
+    add_finding(v, far || n > most, piece_at(v, at),
+                "%.4f mm of material is left at %.3f %.3f %.3f, at most %.4g (%zu points%s; %zu "
+                "points may be)",
+                whole ? left->worst : r->over, p.x, p.y, p.z, whole ? v->limit : v->options.left, n,
+                what, most);
 }
 
 static void judge_surface(struct verdict *v)
