@@ -31,6 +31,7 @@ struct cliff {
     const struct quadric *q;
     bool flanked; /* it is not the surface of all about */
     struct vec3s on, below;
+    struct vec3s under; /* all that are not on it but under it */
     struct sizes beyond;
 };
 
@@ -113,6 +114,7 @@ static void sort_by_height(const struct edge_work *work, size_t i, size_t k, str
     }
     if (!(off < 0))
         return;
+    *array_push(&cliff->under) = p;
     double far = vec_distance(p, cliff->from);
     double down = edge_flank_known(other) ? above_flank(other, p, cliff->from) : 0;
     if (edge_flank_known(other) && down <= least)
@@ -180,15 +182,55 @@ static bool is_before_wall(const struct cliff *cliff, double u, double v)
     return before;
 }
 
+/* A point under the flank is on the way to the place, seen from above: no wall stands up to
+ * there. */
+static bool has_between(const struct cliff *cliff, struct vec3 at, double beside)
+{
+    const double first = 0.1, last = 0.8; /* of the way */
+    double u = at.x - cliff->from.x, v = at.y - cliff->from.y, way = hypot(u, v);
+
+    for (size_t k = 0; k < cliff->under.n; k++) {
+        double x = cliff->under.item[k].x - cliff->from.x;
+        double y = cliff->under.item[k].y - cliff->from.y, t = (u * x + v * y) / (way * way);
+        if (t > first && t < last && fabs(u * y - v * x) < beside * way)
+            return true;
+    }
+    return false;
+}
+
+/* How far a point is under the flank, along z. */
+static double drop_of(const struct cliff *cliff, struct vec3 p)
+{
+    return place_above(cliff, p.x, p.y).z - p.z;
+}
+
+/* What is behind a foot is not much lower: it is no place of a slope. */
+static bool is_level_behind(const struct cliff *cliff, struct vec3 foot, double spacing)
+{
+    const double behind = 2.2, beside = 0.6, lower = 1.3; /* spacings; times as low as the foot */
+    double u = foot.x - cliff->from.x, v = foot.y - cliff->from.y, way = hypot(u, v);
+    double low = drop_of(cliff, foot);
+
+    for (size_t k = 0; k < cliff->under.n; k++) {
+        double x = cliff->under.item[k].x - foot.x, y = cliff->under.item[k].y - foot.y;
+        double ahead = (u * x + v * y) / way, aside = fabs(u * y - v * x) / way;
+        if (ahead > 0.3 * spacing && ahead < behind * spacing && aside < beside * spacing &&
+            drop_of(cliff, cliff->under.item[k]) > lower * low)
+            return false;
+    }
+    return true;
+}
+
 /* The place is no further than the edges that are known.  A cubic through all about a point, that
  * goes through the upper side's points, too, where these have a flank of their own, goes over the
- * wall as if it were none. */
-static bool is_before_edges(const struct edge_work *work, const struct cliff *cliff, struct vec3 at)
+ * wall as if it were none: if `over`, it is no edge. */
+static bool is_before_edges(const struct edge_work *work, const struct cliff *cliff, struct vec3 at,
+                            bool over)
 {
     for (size_t k = 0; k < cliff->beyond.n; k++) {
         const struct edge_flank *other = &work->flank[cliff->beyond.item[k]];
         struct vec3 own = work->options->point_grid->point[cliff->beyond.item[k]];
-        if (cliff->flanked && other->bent && !other->valid)
+        if (over && cliff->flanked && other->bent && !other->valid)
             continue;
         if (above_flank(other, own, at) > edge_within(work, other->spacing))
             return false;
@@ -269,7 +311,7 @@ static void fill_cliff(const struct edge_work *work, const struct cliff *cliff, 
             if (hypot_compare(u, v, cliff->reach) > 0 || !is_before_wall(cliff, u, v))
                 continue;
             struct vec3 at = place_above(cliff, cliff->from.x + u, cliff->from.y + v);
-            if (is_before_edges(work, cliff, at))
+            if (is_before_edges(work, cliff, at, false))
                 *array_push(to) = at;
         }
 }
@@ -314,7 +356,7 @@ static void fill_tips(const struct edge_work *work, const struct cliff *cliff, s
 static void fill_wall(const struct edge_work *work, const struct cliff *cliff, bool certain,
                       struct vec3s *to)
 {
-    const double nearly = 0.97;
+    const double nearly = 0.97, spacing = point_grid_spacing(work->options->point_grid);
     bool steep = quadric_normal_at(cliff->q, cliff->from).z < FACING;
 
     for (size_t k = 0; k < cliff->below.n; k++) {
@@ -326,7 +368,9 @@ static void fill_wall(const struct edge_work *work, const struct cliff *cliff, b
         double way = hypot(u, v), top = steep ? fmax(at.z, cliff->from.z - EDGE_STEEP * way) : at.z;
         at = vec(cliff->from.x + u, cliff->from.y + v,
                  fmin(top, cliff->from.z + (certain ? way : 0)));
-        if (!is_before_edges(work, cliff, at))
+        bool over =
+            !has_between(cliff, foot, spacing) && is_level_behind(cliff, foot, spacing);
+        if (!is_before_edges(work, cliff, at, over))
             continue;
         if (certain)
             *array_push(to) = at; /* its rim: places on the flank end before it */
@@ -395,6 +439,7 @@ double edge_cliff_add(const struct edge_work *work, size_t i, struct vec3s *edge
         width = width_of(&cliff);
     array_free(&cliff.on);
     array_free(&cliff.below);
+    array_free(&cliff.under);
     array_free(&cliff.beyond);
     return width;
 }
@@ -460,6 +505,7 @@ double edge_cliff_corner(const struct edge_work *work, size_t i, struct vec3 *ah
     *ahead = vec(x, y, depth > 0 ? up / depth : 0);
     array_free(&cliff.on);
     array_free(&cliff.below);
+    array_free(&cliff.under);
     array_free(&cliff.beyond);
     return depth;
 }
