@@ -110,10 +110,29 @@ static void deep_by_noise(struct verdict *v)
     v->noise = 0.001;
 }
 
-static void region_left(struct verdict *v)
+static void leave_in_region(struct verdict *v, double over)
 {
     v->options.partial = true;
-    v->map.over = 0.0512;
+    v->map.over = v->map.deviation[0] = over;
+    v->map.cut = 1;
+}
+
+static void region_left(struct verdict *v)
+{
+    leave_in_region(v, 0.0512);
+}
+
+/* All of the points may have more, but not so much more. */
+static void region_left_share(struct verdict *v)
+{
+    leave_in_region(v, 0.0749);
+    v->options.share = 1;
+}
+
+static void region_left_far(struct verdict *v)
+{
+    leave_in_region(v, 0.0751);
+    v->options.share = 1;
 }
 
 static void region_left_by_noise(struct verdict *v)
@@ -298,9 +317,15 @@ static const struct {
      "tolerance 0.01"},
     {deep_by_noise, false, NULL},
     {region_left, true,
-     "N20 (line 2): 0.0512 mm of material is left at 5.000 0.000 0.000, at most "
-     "0.05"},
+     "N20 (line 2): 0.0512 mm of material is left at 5.000 0.000 0.000, at most 0.05 (1 points of "
+     "the region; 0 points may be)"},
     {region_left_by_noise, false, NULL},
+    {region_left_share, false,
+     "N20 (line 2): 0.0749 mm of material is left at 5.000 0.000 0.000, at most 0.05 (1 points of "
+     "the region; 1 points may be)"},
+    {region_left_far, true,
+     "N20 (line 2): 0.0751 mm of material is left at 5.000 0.000 0.000, at most 0.05 (1 points of "
+     "the region; 1 points may be)"},
     {part_left, true,
      "N20 (line 2): 0.4000 mm of material is left at 5.000 0.000 0.000, at most 0.05 (1 points, "
      "2.5 mm2 that the tool reaches; 0 points may be)"},
