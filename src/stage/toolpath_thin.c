@@ -60,7 +60,7 @@ static void thin_end(const struct link_options *options, const struct run *a, co
     const struct run_point *next = part->link.n > 0 ? part->link.item : b->item;
     struct run end = {.n = 1, .item = a->item + a->n - 1, .radius = a->radius};
 
-    if (a->n < 3 || vec_distance(end.item->tip, end.item[-1].tip) >= LEAST)
+    if (a->n < 2 || vec_distance(end.item->tip, end.item[-1].tip) >= LEAST)
         return;
     link_thin(options, end.item - 1, next, LEAST, options->lift->tolerance, &end);
     part[-1].to -= end.n == 0;
