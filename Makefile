@@ -95,7 +95,8 @@ $(once:%=$(BUILD)/src/%.o): CFLAGS := $(CFLAGS:-O3=-O2)
 small := io/nurbs/nurbs_text% machine/machine machine/machine_options machine/template base/cli \
   stage/tool_% stage/nurbs_report stage/path_options stage/gouge_options stage/guard_read \
   stage/toolpath_report stage/path_coverage stage/path_check io/nurbs/iges% io/nurbs/step% \
-  cloud/edge_unknown cloud/edge_cliff cloud/edge_foot cloud/sheets cloud/holes cloud/roof cloud/edge_points toolpath/rest_% stage/toolpath_shorten \
+  cloud/edge_unknown cloud/edge_cliff cloud/edge_foot cloud/sheets cloud/holes cloud/roof \
+  cloud/edge_points toolpath/rest_% stage/toolpath_shorten \
   stage/toolpath_order simulate/unseen_% io/path/path_cycle \
   nurbs/construct mesh/mesh_repair io/path/path_tool mesh/mesh_clip nurbs/uv_polygon \
   stage/plane_passes stage/mesh_% stage/coverage_judge

@@ -230,7 +230,7 @@ static bool is_before_edges(const struct edge_work *work, const struct cliff *cl
     for (size_t k = 0; k < cliff->beyond.n; k++) {
         const struct edge_flank *other = &work->flank[cliff->beyond.item[k]];
         struct vec3 own = work->options->point_grid->point[cliff->beyond.item[k]];
-        if (over && cliff->flanked && other->bent && !other->valid)
+        if (over && other->bent && !other->valid)
             continue;
         if (above_flank(other, own, at) > edge_within(work, other->spacing))
             return false;
@@ -368,8 +368,8 @@ static void fill_wall(const struct edge_work *work, const struct cliff *cliff, b
         double way = hypot(u, v), top = steep ? fmax(at.z, cliff->from.z - EDGE_STEEP * way) : at.z;
         at = vec(cliff->from.x + u, cliff->from.y + v,
                  fmin(top, cliff->from.z + (certain ? way : 0)));
-        bool over =
-            !has_between(cliff, foot, spacing) && is_level_behind(cliff, foot, spacing);
+        bool over = cliff->flanked && cliff->beyond.n > 0 && !has_between(cliff, foot, spacing) &&
+                    is_level_behind(cliff, foot, spacing);
         if (!is_before_edges(work, cliff, at, over))
             continue;
         if (certain)
