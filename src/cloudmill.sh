@@ -104,10 +104,13 @@ doctor() {
 	trap 'rm -rf "$folder"' EXIT
 	cloud2mesh -v ${unit:+-u "$unit"} -o "$folder/mesh.ply" "$scan" 2>"$folder/said"
 	code=$?
+	[ $code -eq 0 ] || [ $code -eq 3 ] || {
+		sed 's/^cloud2mesh: /cloudmill: /' "$folder/said" >&2
+		exit $code
+	}
 	# What the mesh alone is made of is for those who make one.
 	sed -e 's/^cloud2mesh: //' -e '/vert[a-z]* .*\(stand at\|moved\|are off\)/d' -e '/^moved by/d' \
 		-e '/edges.*, more than/d' -e '/^left out .*facet/d' -e '/ points in, /d' "$folder/said"
-	[ $code -eq 0 ] || [ $code -eq 3 ] || exit $code
 	describe "$folder/mesh.ply" >"$folder/found"
 	spacing=$(sed -n 's/^comment spacing //p' "$folder/mesh.ply")
 	move=$(sed -n 's/.*--origin moves it there$/ -O/p' "$folder/said")
@@ -194,6 +197,21 @@ arcs | splines | points) ;;
 *) die 2 "option -f: found \`$fit', expected arcs, splines or points" ;;
 esac
 [ -r "$scan" ] || die 1 "$scan: cannot open"
+[ -f "$scan" ] || die 1 "$scan: found no file, expected one: it is read more than once"
+# Picture and page are beside the program, and nothing is written over another or over the scan.
+name=${output##*/}
+base=${output%"$name"}${name%.*}
+[ -n "${base##*/}" ] || base=$output
+[ "$output" != - ] && [ -n "$name" ] || die 2 "option -o: found $output, expected a file's name"
+for beside in "$base.svg" "$base.html"; do
+	[ "$output" != "$beside" ] ||
+		die 2 "option -o: found $output, expected another name: that is the picture's or the page's"
+done
+for written in "$output" "$base.svg" "$base.html" \
+	${keep:+"$keep/mesh.ply" "$keep/path.cl" "$keep/fitted.cl"}; do
+	# shellcheck disable=SC3013 # every shell here has it
+	[ ! "$scan" -ef "$written" ] || die 2 "$written: found the scan, expected another file to write"
+done
 
 if [ -n "$dry$keep" ]; then
 	folder=${keep:-streams}
@@ -232,8 +250,6 @@ for option; do
 	--box* | --region* | --faces* | --steep*) partial="--partial --left 1000" ;;
 	esac
 done
-base=${output%.*}
-[ -n "${base##*/}" ] || base=$output
 run ncplot ${machine:+-m "$machine"} --cut -o "$base.svg" "$mesh" "$output"
 # What is deepest: the path by its tolerance, and motions fitted to it by another.
 [ "$guard" != "$mesh" ] || unit=

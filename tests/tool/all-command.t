@@ -86,5 +86,37 @@ echo "no points" >bad.xyz
 status 1 "a stage that fails ends it" cloudmill bad.xyz -r 4 -c siemens -o x.mpf
 hasnt "before the next" '^\$ meshnorm' err
 fails "no program" test -e x.mpf
+status 1 "doctor, of no points" cloudmill doctor bad.xyz
+has "is told as an error" '^cloudmill: bad.xyz: no points' err
+empty "and not as what is in it" out
+
+# Results with one name, or with the scan's: one of them would be lost.
+for name in x.svg x.html; do
+	status 2 "a program in $name" cloudmill "$scan" -r 4 -c siemens -o $name
+	has "is the picture's or the page's" "^cloudmill: option -o: found $name, expected another name" err
+done
+status 2 "a program in standard output" cloudmill "$scan" -r 4 -c siemens -o -
+status 2 "a folder" cloudmill "$scan" -r 4 -c siemens -o "a b/"
+mkdir over
+cp "$scan" over/own
+for name in own.svg own.html path.cl; do ln -s own over/$name; done
+status 2 "a program over its scan" cloudmill over/own -r 4 -c siemens -o over/own
+has "is told" '^cloudmill: over/own: found the scan' err
+status 2 "a picture over its scan" cloudmill over/own.svg -r 4 -c siemens -o over/own.mpf
+status 2 "a page over its scan" cloudmill over/own.html -r 4 -c siemens -o over/own.mpf
+status 2 "a stream over its scan" cloudmill over/own -r 4 -c siemens -k over -o x.mpf
+same "the scan is as it was" over/own "$scan"
+mkfifo pipe
+status 1 "a pipe is no scan" cloudmill pipe -r 4 -c siemens -o x.mpf
+has "for it is read more than once" 'pipe: found no file, expected one' err
+mkdir -p dot.d/in
+status 0 "a program without an ending, in a folder with a dot" \
+	cloudmill "$scan" -f points -r 4 -c siemens -o dot.d/part -s 0.2
+ok "has picture and page beside it" test -s dot.d/part.svg -a -s dot.d/part.html
+fails "not beside the folder" test -e dot.svg
+cd dot.d/in || exit 1
+status 0 "and one in the folder above" cloudmill "../../$scan" -f points -r 4 -c siemens -o ../up -s 0.2
+cd ../.. || exit 1
+ok "too" test -s dot.d/up.svg -a -s dot.d/up.html
 status 0 "-h" cloudmill -h
 done_testing
