@@ -11,6 +11,7 @@
 #include "math/elementary.h"
 #include "base/array.h"
 #include "base/cli.h"
+#include "base/reader.h"
 #include "io/cloud/cloud.h"
 #include "gouge/holder_text.h"
 #include "stage/tool_options.h"
@@ -241,7 +242,7 @@ static void adopt_head(struct settings *s, const char *file, struct ncread_head 
     struct machine_options *m = &s->machine;
     const char *missing;
     struct error error;
-    if (!file || strcmp(file, "-") == 0)
+    if (reader_reads_once(file))
         return;
     if (ncread_head_of(file, said, &error) < 0)
         die_error(&error);
@@ -280,9 +281,10 @@ static struct verify_program read_program(const struct settings *s, const struct
     struct ncread_options options = {.kinematics = ncread_kinematics(machine), .head = head};
     struct error error;
     enum control_id control = (enum control_id)machine->text.dialect, told;
-    if (control == CONTROLS && (!file || strcmp(file, "-") == 0))
-        die_usage("the program is read from standard input: give its control by -c");
-    if (!s->machine.control && file && strcmp(file, "-") != 0) {
+    bool once = reader_reads_once(file);
+    if (control == CONTROLS && once)
+        die_usage("the program is read from standard input or a pipe: give its control by -c");
+    if (!s->machine.control && !once) {
         told = ncread_tell(file, &error);
         control = told == CONTROLS ? control : told;
     }

@@ -31,6 +31,9 @@ struct reader {
 /* Opens a file; NULL or "-" is standard input.  A directory is an error. */
 int reader_open(struct reader *r, const char *file, struct error *error);
 
+/* Can the file be read but once: standard input, or a pipe that has a name? */
+bool reader_reads_once(const char *file);
+
 /*
  * The next line: 1 and *line (ends in '\0', without its line end; may be changed in place, valid
  * until the next call) and *n, its length, which counts a NUL byte inside if there is one;

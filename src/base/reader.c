@@ -47,6 +47,12 @@ int reader_open(struct reader *r, const char *file, struct error *error)
     return 0;
 }
 
+bool reader_reads_once(const char *file)
+{
+    struct stat st;
+    return !file || strcmp(file, "-") == 0 || (stat(file, &st) == 0 && S_ISFIFO(st.st_mode));
+}
+
 void reader_close(struct reader *r)
 {
     if (r->fd > 0)

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/effort.h"
+#include "base/reader.h"
 #include "io/cloud/cloud.h"
 #include "cloud/plan_extent.h"
 #include "cloud/believed.h"
@@ -52,6 +53,8 @@ static int read_named(const struct scan_source *source, struct vec3s *points, st
 
     if (strcmp(source->name, "-") == 0)
         return error_set(why, "it was read from standard input");
+    if (reader_reads_once(source->name))
+        return error_at(why, source->name, 0, "found a pipe, expected the file that it was");
     if (read_file(source->name, points, why) != 0)
         return -1;
     size_t n = points->n - from;

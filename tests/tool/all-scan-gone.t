@@ -26,10 +26,11 @@ unguarded() { # WHAT TOOL [ARGUMENTS]: -q does not hide it
 	told "$why" "$tool"
 	has "$tool: it is in the path" "^..-> UNMET/$tool,the scan that " out.cl
 }
-for why in 'cannot open' 'found other points' 'found 624 points'; do
+for why in 'cannot open' 'found other points' 'found 624 points' 'found a pipe'; do
 	case $why in
 	*other*) sed '3s/ 9/ 8/;3s/ 10/ 11/' ../scan.xyz >scan.xyz ;;
 	*624*) sed 1d ../scan.xyz >scan.xyz ;;
+	*pipe*) rm scan.xyz && mkfifo scan.xyz ;; # nobody writes to it: not waited for
 	esac
 	for tool in meshnorm planecut; do
 		run $tool -r 3 --scallop 0.1 ../mesh.ply
@@ -46,7 +47,7 @@ for why in 'cannot open' 'found other points' 'found 624 points'; do
 		unguarded "$why" $tool -e 0.01 ../path.cl
 	done
 done
-cp ../scan.xyz . || exit 1
+rm scan.xyz && cp ../scan.xyz . || exit 1
 for tool in meshnorm planecut; do
 	run $tool -r 3 --scallop 0.1 ../mesh.ply
 	grep 'does not guard' "$TMP/err" >"$TMP/found"

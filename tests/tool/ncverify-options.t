@@ -29,6 +29,17 @@ refused "a band below the tolerance" 'option --band: found 0.01, expected more t
 	-g scan.xyz -e 0.1 --band 0.01 good.nc
 refused "a holder that is none" 'option --holder' -g scan.xyz --holder 9 good.nc
 refused "no control for standard input" 'give its control by -c' -r 4 -g scan.xyz -
+
+# a pipe with a name is read once, as standard input is
+mkfifo pipe
+refused "no control for a pipe" 'give its control by -c' -r 4 -g scan.xyz pipe
+ncverify -q -c fanuc -g scan.xyz good.nc | sed 's/good.nc/pipe/' >want
+cat good.nc >pipe &
+writer=$!
+status 0 "a program by a pipe with a name" timeout 60 ncverify -q -c fanuc -g scan.xyz pipe
+[ "$got" -eq 0 ] || kill $writer
+wait $writer
+same "... is judged as the file is" out want
 sed '/TOOL: /d;/ball nose/d' good.nc >bare.nc
 refused "no ball" 'expected -r, the radius of the ball' -g scan.xyz bare.nc
 

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "base/reader.h"
@@ -237,6 +238,19 @@ START_TEST(what_is_no_file)
 }
 END_TEST
 
+START_TEST(what_is_read_once)
+{
+    ck_assert(reader_reads_once(NULL));
+    ck_assert(reader_reads_once("-"));
+    ck_assert(!reader_reads_once(scratch_text("1 2 3\n")));
+    ck_assert(!reader_reads_once("/nonexistent/file"));
+    ck_assert_int_eq(unlink(scratch_name()), 0);
+    ck_assert_int_eq(mkfifo(scratch_name(), 0600), 0);
+    ck_assert(reader_reads_once(scratch_name()));
+    ck_assert_int_eq(unlink(scratch_name()), 0);
+}
+END_TEST
+
 static void begin(void)
 {
     memset(&r, 0, sizeof r);
@@ -263,6 +277,7 @@ int main(void)
     tcase_add_test(tests, bytes_behind_lines);
     tcase_add_test(tests, nul_is_counted);
     tcase_add_test(tests, what_is_no_file);
+    tcase_add_test(tests, what_is_read_once);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);
     int failed = srunner_ntests_failed(runner);
