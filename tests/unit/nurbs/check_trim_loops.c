@@ -217,6 +217,34 @@ START_TEST(caps_of_a_sphere)
 }
 END_TEST
 
+/* A circle with a slit to a pole, there and back, is round that pole, whichever way it goes: the slit
+ * is drawn through what counts. */
+START_TEST(slit_to_a_pole)
+{
+    double z = 6, r = 8, down = acos(z / 10);
+    for (int k = 0; k < 4; k++) {
+        struct patch p = known_sphere(10);
+        struct patch_loop *loop = new_loop(&p);
+        double from = k % 2 ? PI : 0, a = 2, way = k / 2 ? 1 : -1;
+        struct vec3 out = vec(cos(a), sin(a), 0);
+        add_arc(loop, vec(0, 0, 0), Z, out, 10, from, down);
+        add_arc(loop, vec(0, 0, z), X, Y, r, a, a + way * 2 * PI);
+        add_arc(loop, vec(0, 0, 0), Z, out, 10, down, from);
+        expect(p, 2 * PI * 10 * (k % 2 ? 10 + z : 10 - z));
+    }
+    for (int k = 0; k < 4; k++) { /* to one that the circle does not go round */
+        struct patch p = known_sphere(10);
+        struct patch_loop *loop = new_loop(&p);
+        double side = k % 2 ? 1 : -1, way = k / 2 ? 1 : -1;
+        struct vec3 pole = vec(0, 0, side);
+        add_arc(loop, vec(0, 0, 0), pole, X, 10, 0, acos(0.8));
+        add_arc(loop, vec(6, 0, 0), pole, Y, 8, 0, way * 2 * PI);
+        add_arc(loop, vec(0, 0, 0), pole, X, 10, acos(0.8), 0);
+        expect(p, 2 * PI * 10 * (10 + 6));
+    }
+}
+END_TEST
+
 /* A curve beside the surface is put onto it, and how far off it was is returned. */
 START_TEST(beside_the_surface)
 {
@@ -382,6 +410,7 @@ int main(void)
     tcase_add_test(tests, round_a_cylinder);
     tcase_add_test(tests, across_the_seam);
     tcase_add_test(tests, caps_of_a_sphere);
+    tcase_add_test(tests, slit_to_a_pole);
     tcase_add_test(tests, beside_the_surface);
     tcase_add_test(tests, seek);
     tcase_add_test(tests, over_the_seam);
