@@ -2,8 +2,8 @@
  * reader - input line by line, or byte by byte, from a file or standard input.
  *
  * Lines may end in LF, CRLF or a bare CR, the last one in nothing; a UTF-8 byte order mark at the
- * start is skipped.  Lines may be of any length.  A regular file that ends before the length it had
- * when it was opened is an error.
+ * start is skipped.  Lines may be of up to READER_LINE bytes.  A regular file that ends before the
+ * length it had when it was opened is an error.
  */
 #ifndef CLOUDMILL_READER_H
 #define CLOUDMILL_READER_H
@@ -12,6 +12,8 @@
 #include <stddef.h>
 
 #include "base/error.h"
+
+enum { READER_LINE = 1 << 28 };
 
 struct reader {
     int fd;
@@ -37,7 +39,7 @@ bool reader_reads_once(const char *file);
 /*
  * The next line: 1 and *line (ends in '\0', without its line end; may be changed in place, valid
  * until the next call) and *n, its length, which counts a NUL byte inside if there is one;
- * 0 at the end of the input; -1 when reading failed.
+ * 0 at the end of the input; -1 when reading failed or the line is too long.
  */
 int reader_line(struct reader *r, char **line, size_t *n, struct error *error);
 

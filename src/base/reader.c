@@ -140,6 +140,9 @@ int reader_line(struct reader *r, char **line, size_t *n, struct error *error)
             r->from = r->to;
         } else {
             seen = cr ? (size_t)(cr - from) : have;
+            if (have > READER_LINE) /* a device without an end, a hole in a file */
+                return error_at(error, r->name, r->line + 1, "found a line of more than %d bytes",
+                                READER_LINE);
             if (fill_buffer(r, error) < 0)
                 return -1;
             continue;

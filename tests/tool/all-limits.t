@@ -164,6 +164,14 @@ status 0 "a cloud extended by its own width" cloud2mesh -q -t 4 --extend 49.9 ne
 status 1 "by more" cloud2mesh -q -t 4 --extend 50.1 near.xyz
 has "... is told" 'at most its own width of 50 mm' err
 
+# a line without an end
+if [ -c /dev/zero ]; then
+	status 1 "a region of a line without an end" meshnorm -q -r 4 --region /dev/zero near.ply
+	has "... is told" '/dev/zero:1: found a line of more than 268435456 bytes' err
+else
+	skip "a line without an end" "no /dev/zero"
+fi
+
 # the cells of all surfaces together, 4 million, as with a tolerance
 saddle=$SRC/samples/saddle.nurbs
 eleven=$(yes "$saddle" | head -n 11)

@@ -238,6 +238,26 @@ START_TEST(what_is_no_file)
 }
 END_TEST
 
+/* A line as long as may be, and one that goes on and on: holes in a file, which are bytes of 0. */
+START_TEST(longest_line)
+{
+    char *line;
+    size_t n;
+    scratch_text("");
+    ck_assert_int_eq(truncate(scratch_name(), READER_LINE), 0);
+    ck_assert_int_eq(reader_open(&r, scratch_name(), &error), 0);
+    ck_assert_int_eq(reader_line(&r, &line, &n, &error), 1);
+    ck_assert_uint_eq(n, READER_LINE);
+    reader_close(&r);
+    ck_assert_int_eq(truncate(scratch_name(), 4 * (off_t)READER_LINE), 0);
+    ck_assert_int_eq(reader_open(&r, scratch_name(), &error), 0);
+    ck_assert_int_eq(reader_line(&r, &line, &n, &error), -1);
+    ck_assert_ptr_nonnull(strstr(error.text, ":1: found a line of more than 268435456 bytes"));
+    ck_assert_uint_le(r.got, 2 * (size_t)READER_LINE + (1 << 20));
+    ck_assert_int_eq(truncate(scratch_name(), 0), 0);
+}
+END_TEST
+
 START_TEST(what_is_read_once)
 {
     ck_assert(reader_reads_once(NULL));
@@ -277,6 +297,7 @@ int main(void)
     tcase_add_test(tests, bytes_behind_lines);
     tcase_add_test(tests, nul_is_counted);
     tcase_add_test(tests, what_is_no_file);
+    tcase_add_test(tests, longest_line);
     tcase_add_test(tests, what_is_read_once);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);

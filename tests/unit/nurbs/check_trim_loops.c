@@ -217,8 +217,8 @@ START_TEST(caps_of_a_sphere)
 }
 END_TEST
 
-/* A circle with a slit to a pole, there and back, is round that pole, whichever way it goes: the slit
- * is drawn through what counts. */
+/* A circle with a slit to a pole, there and back, is round that pole, whichever way it goes: the
+ * slit is drawn through what counts. */
 START_TEST(slit_to_a_pole)
 {
     double z = 6, r = 8, down = acos(z / 10);
