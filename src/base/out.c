@@ -66,6 +66,9 @@ static struct {
 
 static bool once;
 
+/* Something went to standard output, or took the name of the file that it is. */
+static bool standard;
+
 void out_once_each(void)
 {
     once = true;
@@ -78,6 +81,13 @@ static bool is_written(const struct stat *st)
             written.item[i].number == st->st_ino)
             return true;
     return false;
+}
+
+static bool is_standard(const struct stat *st)
+{
+    struct stat of;
+    return st->st_ino != 0 && fstat(1, &of) == 0 && of.st_dev == st->st_dev &&
+           of.st_ino == st->st_ino;
 }
 
 /* The file that `file` leads to through symbolic links, so that a rename keeps the links; the last
@@ -154,6 +164,9 @@ struct out *out_open(const char *file)
     if (!file || strcmp(file, "-") == 0) {
         o->fd = 1;
         o->name = "standard output";
+        if (standard)
+            die("%s: found two results, expected a file for each", o->name);
+        standard = true;
         return o;
     }
     o->name = file;
@@ -169,8 +182,10 @@ struct out *out_open(const char *file)
             die("%s: cannot write: %s", file, strerror(errno));
         return o;
     }
-    if (there && is_written(&st))
+    bool over = there && is_standard(&st);
+    if (there && (is_written(&st) || (over && standard)))
         die("%s: found two results for this file, expected a file for each", file);
+    standard |= over;
     if (there && access(file, W_OK) < 0)
         die("%s: cannot write: %s", file, strerror(errno));
     o->target = resolve_links(file);

@@ -211,6 +211,17 @@ for file in both ./both; do
 	has "is told" "$file: found two results for this file, expected a file for each" err
 done
 
+status 1 "ncverify: a map in standard output" ncverify -q -r 4 -g cloud.xyz --map - program.mpf
+has "is told" "standard output: found two results, expected a file for each" err
+for command in "ncverify -r 4 -g cloud.xyz --map" "cloud2mesh -t 4 cloud.xyz --clean"; do
+	[ "${command%% *}" = ncverify ] && file=program.mpf || file=
+	for to in both /dev/stdout; do
+		shell 1 "${command%% *}: a second result in $to, which is standard output" \
+			"exec $command $to -q $file >both"
+		has "is told" "found two results" err
+	done
+done
+
 # ---- a file may not become that large: told, and nothing is left
 echo older >limited
 shell 1 "a file beyond its limit" "ulimit -f 1; exec cloud2mesh -q -t 1 -o limited cloud.xyz"
