@@ -34,8 +34,10 @@ static const double JUDGED = 1.05;
 /* Of the radius: strips in planes are no shorter. */
 static const double SHORT = 1;
 
-/* Points on a mesh that are looked at, at most. */
+/* Points on a mesh that are looked at, at most; where there are so many and nothing is promised,
+ * vertices that stand closer than points have to are left out: rest passes need them all. */
 static const double MOST = 300000;
+enum { MANY = 50000 };
 
 /* Points on a mesh: on its facets where nobody knows more of it. */
 static void add_mesh(const struct mesh *mesh, double spacing, int threads, struct vec3s *to)
@@ -45,6 +47,25 @@ static void add_mesh(const struct mesh *mesh, double spacing, int threads, struc
                                            threads};
 
     guard_points_of_mesh(mesh, NULL, &how, to);
+}
+
+/* Of very many points so many that each of the others has one of them within `gap`. */
+static void thin_points(double gap, struct vec3s *points)
+{
+    size_t n = points->n;
+    struct box around;
+
+    if (n < MANY)
+        return;
+    struct gouge_check *all = gouge_from_points(points->item, n);
+    bool *kept = mem_alloc(n, sizeof *kept);
+    gouge_thinned(all, gap, kept, &around);
+    points->n = 0;
+    for (size_t i = 0; i < n; i++)
+        if (kept[i])
+            points->item[points->n++] = points->item[i];
+    free(kept);
+    gouge_free(all);
 }
 
 /* The points that are to be cut: those of the scan, or points on the mesh half a row apart.  False
@@ -60,6 +81,8 @@ static bool add_points(const struct mesh *region, double spacing, int threads, s
     if (to->n > 0)
         return true;
     add_mesh(region, spacing, threads, to);
+    if (path_options.scallop == 0) /* nothing is promised: half a row apart in the mean */
+        thin_points(2 * spacing, to);
     return false;
 }
 
