@@ -132,4 +132,20 @@ has "are said" '10 m in [0-9]* strips, much for a ball of radius 0.4' err
 status 0 "fewer" planecut -r 0.4 -s 0.1 --ball-only -o flat.cl flat.off
 hasnt "are not" 'much for a ball' err
 
+# Of vertices far closer than rows are, what is left is told by points half a row apart: as many
+# square millimetres as the share of 24 x 24 mm that they are.
+awk 'BEGIN {
+	n = 240; print "OFF\n" (n + 1) * (n + 1), 2 * n * n, 0
+	for (j = 0; j <= n; j++) for (i = 0; i <= n; i++)
+		printf "%.1f %.1f %.6f\n", i / 10, j / 10, 4 * sin(i / 90) * cos(j / 140)
+	for (j = 0; j < n; j++) for (i = 0; i < n; i++) {
+		k = j * (n + 1) + i; print 3, k, k + 1, k + n + 2; print 3, k, k + n + 2, k + n + 1
+	}
+}' >fine.off
+run planecut -r 4 -s 2 -o fine.cl fine.off
+told=$(sed -n 's/.*left though.*: \([0-9]*\) of \([0-9]*\) points[^)]*), \([0-9.]*\) mm2.*/\1 \2 \3/p' err)
+below "points are half a row apart" "$(echo "$told" | cut -d' ' -f2)" 20000
+below "area and share are alike" "$(echo "$told" |
+	awk '{ a = $3 / 576; b = $1 / $2; print b > 0 ? (a > b ? a / b : b / a) : 9 }')" 1.1
+
 done_testing
