@@ -58,7 +58,9 @@ awk 'function uniform() { seed = (seed * 16807) % 2147483647; return seed / 2147
 		printf "%.4f %.4f %.4f\n", x, y, 10 - x * x / 70 - y * y / 50 + x * y / 90 } }' >hump.xyz
 ok "a hump: a mesh" cloud2mesh -q -t 2 -o hump.ply hump.xyz
 for tool in meshnorm planecut; do
-	ok "a hump: a path by $tool" $tool -q --ball-only -r 6 --scallop 0.02 -e 0.01 -g hump.xyz -o hump.cl hump.ply
+	ok "a hump: a path by $tool" $tool -v --ball-only -r 6 --scallop 0.02 -e 0.01 -g hump.xyz -o hump.cl hump.ply
+	more=$(sed -n 's/.*mm more, \([0-9]*\) planes more/\1/p' "$TMP/err")
+	[ "$tool" = meshnorm ] || below "a hump: planes beside those over the mesh" "$more" 15
 	ok "a hump: a program" ncpost -q -c siemens -o hump.mpf hump.cl
 	status 0 "$tool: no more than 0.03 mm is left, up to the border" \
 		ncverify -q -r 6 -g hump.xyz -e 0.01 --left 0.03 hump.mpf

@@ -75,6 +75,7 @@ LC_ALL=C awk 'function u() { s = (s * 16807) % 2147483647; return s / 2147483647
 	}' >"$TMP/box.xyz"
 ok "a box: a mesh" cloud2mesh --subdivide -t 1 "$TMP/box.xyz" -o "$TMP/box.ply"
 has "a part for each of its sides" 'divided into 5 parts' "$TMP/err"
+hasnt "no word of points in none" 'belong to no part' "$TMP/err"
 ok "the box: a path" meshnorm -r 3 --rows mesh -g "$TMP/box.xyz" "$TMP/box.ply" -o "$TMP/ball.cl" --avoid
 ncpost -q -c siemens -m table-ac "$TMP/ball.cl" -o "$TMP/box.mpf"
 # judged by points on its edges too, which the scan has none of

@@ -105,6 +105,29 @@ START_TEST(legend)
 }
 END_TEST
 
+/* Two views side by side begin at the margin of 24 px; one is in the middle. */
+START_TEST(side_by_side)
+{
+    for (int views = SHEET_BOTH; views <= SHEET_PLAN; views++) {
+        const struct sheet_options options = {
+            .title = "t", .views = (enum sheet_views)views, .width = 800};
+        struct layer layer = {.name = "a.xyz"};
+        for (int i = 0; i < 9; i++)
+            *array_push(&layer.point) = vec(20 * (i % 3), 60 * (i / 3), 0);
+        draw(layer, &options);
+        const char *first = strstr(text, "scale(.1)"), *width = strstr(text, " width=\"");
+        ck_assert(first && width);
+        first = strstr(first, " d=\"M");
+        ck_assert(first);
+        double x = strtod(first + 5, NULL) / 10, all = strtod(width + 8, NULL);
+        if (views == SHEET_BOTH)
+            ck_assert_double_eq_tol(x, 24, 0.051);
+        else
+            ck_assert_double_gt(x, 24 + 0.1 * all);
+    }
+}
+END_TEST
+
 START_TEST(names)
 {
     ck_assert_str_eq(sheet_name("-"), "standard input");
@@ -123,6 +146,7 @@ int main(void)
     tcase_add_checked_fixture(tests, NULL, teardown);
     tcase_add_test(tests, scale_bar);
     tcase_add_test(tests, legend);
+    tcase_add_test(tests, side_by_side);
     tcase_add_test(tests, names);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);

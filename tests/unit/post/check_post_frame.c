@@ -138,6 +138,29 @@ START_TEST(inches_are_lengths_alone)
 }
 END_TEST
 
+/* Holes of the path, what no cycle of a control makes among them, and not what lies behind it. */
+START_TEST(holes_of_the_path)
+{
+    struct path_item item[3] = {
+        {.kind = PATH_HOLE}, {.kind = PATH_POINT}, {.kind = PATH_HOLE, .index = 1}};
+    struct path_cycle cycle[2] = {{.kind = CYCLE_DRILL, .clear = 1},
+                                  {.kind = CYCLE_DRILL, .clear = -1}};
+    struct path path = {.item = {.item = item, .n = 2}, .cycle = {.item = cycle, .n = 2}};
+    ck_assert(post_frame_holes(&path));
+    path.item.n = 3;
+    ck_assert(!post_frame_holes(&path));
+    cycle[1] = (struct path_cycle){.kind = CYCLE_TAP, .clear = 1};
+    ck_assert(!post_frame_holes(&path)); /* neither pitch nor spindle */
+    path.head.spindle = 500;
+    ck_assert(post_frame_holes(&path));
+    cycle[1].kind = CYCLE_MANUAL;
+    ck_assert(!post_frame_holes(&path));
+    item[0].kind = PATH_POINT;
+    path.item.n = 2;
+    ck_assert(!post_frame_holes(&path));
+}
+END_TEST
+
 int main(void)
 {
     state = seed_begin(state);
@@ -146,6 +169,7 @@ int main(void)
     tcase_add_loop_test(tc, points_come_back_by_the_printed_angles, 0, 8);
     tcase_add_test(tc, where_the_axis_may_change);
     tcase_add_test(tc, inches_are_lengths_alone);
+    tcase_add_test(tc, holes_of_the_path);
     suite_add_tcase(suite, tc);
     SRunner *runner = srunner_create(suite);
     srunner_run_all(runner, CK_NORMAL);
