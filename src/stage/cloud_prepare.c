@@ -35,6 +35,9 @@ void say_skipped(const char *file, const struct cloud_count *c)
     else if (c->not_finite > 0)
         say("%s:%zu: left out %zu row%s with nan, inf or a number out of range, this is the first",
             file, c->first_not_finite, c->not_finite, c->not_finite == 1 ? "" : "s");
+    if (c->open_end > 0)
+        say("%s:%zu: the last row has no line end: its last number may have been cut short", file,
+            c->open_end);
     if (c->not_measured > 0)
         say("%s: left out %zu cell%s without a measurement", file, c->not_measured,
             c->not_measured == 1 ? "" : "s");

@@ -79,4 +79,11 @@ refused packed.pcd 'pcl_convert_pcd_ascii_binary'
 cloud2mesh -q -t 2 -o las.ply v14.las
 status 0 "a LAS file guards the path of its mesh" meshnorm -r 2 -o las.cl las.ply
 hasnt "it is the scan that the mesh names" 'gone|other points' err
+
+# A writer that was killed: its last number may be cut, and no one can know.
+head -c 1998 scan.xyz >cut.xyz
+status 0 "a scan cut off within its last number" cloud2mesh -t 2 -o cut.ply cut.xyz
+has "is told of" '^cloud2mesh: cut.xyz:[0-9]+: the last row has no line end' err
+status 0 "a whole one" cloud2mesh -t 2 -o cut.ply scan.xyz
+hasnt "is not" 'no line end' err
 done_testing

@@ -27,6 +27,7 @@ struct cloud_count {
     bool indexed;            /* the first column numbers the rows: x y z are the next three */
     size_t columns;          /* most columns of a row, of those that were read one by one */
     size_t first_not_finite; /* line of the first of them, 0: the format has no lines */
+    size_t open_end;         /* line of a last row without a line end, of text; 0: it has one */
 };
 
 /*

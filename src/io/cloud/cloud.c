@@ -40,6 +40,7 @@ int cloud_take(struct cloud_source *s, const struct cloud_row *row, struct error
                            row->columns, row->columns == 1 ? "" : "s");
     if (row->columns > s->count->columns)
         s->count->columns = row->columns;
+    s->count->open_end = s->reader->ended ? 0 : s->reader->line;
     if (row->kind == CLOUD_POINT) {
         *array_push(s->points) = row->p;
         s->count->points++;

@@ -258,6 +258,20 @@ START_TEST(stl)
 }
 END_TEST
 
+/* A last row without a line end is counted: nobody knows whether its last number is whole. */
+START_TEST(open_end)
+{
+    clouds_three("1.5 -2.25 3000\n0.5 0.25 -4\n7 8 9\n");
+    ck_assert_uint_eq(clouds.count.open_end, 0);
+    clouds_three("1.5 -2.25 3000\n0.5 0.25 -4\n7 8 9");
+    ck_assert_uint_eq(clouds.count.open_end, 3);
+    clouds_three("v 1.5 -2.25 3000\nv 0.5 0.25 -4\nv 7 8 9");
+    ck_assert_uint_eq(clouds.count.open_end, 3);
+    clouds_three("1.5 -2.25 3000\n0.5 0.25 -4\n7 8 9\n# the end");
+    ck_assert_uint_eq(clouds.count.open_end, 0);
+}
+END_TEST
+
 /* The first column may number the rows. */
 START_TEST(numbered)
 {
@@ -379,6 +393,7 @@ int main(void)
     tcase_add_test(tests, pcd_binary);
     tcase_add_test(tests, las_files);
     tcase_add_test(tests, stl);
+    tcase_add_test(tests, open_end);
     tcase_add_test(tests, numbered);
     tcase_add_test(tests, obj);
     tcase_add_test(tests, ply);
