@@ -322,14 +322,33 @@ static struct verify_program read_program(const struct settings *s, const struct
                                    .axis = head->axis};
 }
 
+/* With so many points it may be one of the files of the scan that the head names, or all of them. */
+static bool is_of_scan(const struct ncread_head *head, double points)
+{
+    double all = 0;
+    bool one = false;
+
+    for (size_t i = 0; i < head->scans; i++) {
+        all += head->scan_points[i];
+        one = one || head->scan_points[i] == points;
+    }
+    return one || all == points;
+}
+
 /* A scan is placed as the head says of one with as many points, or else by its unit. */
 static void place_scan(const struct settings *s, const struct ncread_head *head, const char *file,
                        struct vec3 *point, size_t n)
 {
     struct transform place = transform_scale(cloud_unit(unit_name[s->unit]));
-    if (head->place_rows == 7 && (double)n == head->scan_points) {
+    bool placed = head->place_rows == 7;
+
+    if (placed && is_of_scan(head, (double)n)) {
         place = head->place;
         note("%s: placed as the program's head says", file);
+    } else if (placed) {
+        say("%s: %zu points, none of the scan that the program's head places: taken in %s, as it "
+            "stands",
+            file, n, unit_name[s->unit]);
     }
     transform_points(&place, point, n);
 }

@@ -37,7 +37,7 @@
 struct ncread_dialect;
 
 /* What the comments before the first move say, in mm: ncread_head.h. */
-enum { NCREAD_HEAD_TEXT = 1200, NCREAD_HEAD_NAME = 120 };
+enum { NCREAD_HEAD_TEXT = 1200, NCREAD_HEAD_NAME = 120, NCREAD_SCANS = 500 };
 struct ncread_head {
     char tool[NCREAD_HEAD_TEXT];    /* all of it; "": nothing */
     double ball;                    /* radius; 0: not said */
@@ -52,8 +52,9 @@ struct ncread_head {
     char machine[NCREAD_HEAD_TEXT]; /* its name, as far as it is there; "": not said */
     char control_file[NCREAD_HEAD_NAME]; /* as -c has it, in any case; "": not said */
     char machine_file[NCREAD_HEAD_NAME]; /* the same of -m */
-    double scan_points;                  /* of the last scan that guarded it; 0: not said */
-    struct transform place;              /* from the numbers of its file to mm of the program */
+    double scan_points[NCREAD_SCANS];    /* of each file of the scan that guarded it, ... */
+    size_t scans;                        /* ... of the first ones */
+    struct transform place;              /* from the numbers of its files to mm of the program */
     int place_rows;                      /* bits of its rows that are said; 7: all */
     char set[NCREAD_HEAD_NAME];          /* keys of --set, as far as they are there */
     size_t unmet;                        /* statements of what could not be kept, ... */

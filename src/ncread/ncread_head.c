@@ -126,7 +126,8 @@ void ncread_head_line(struct ncread_head *head, const char *line)
     } else if (has_key(&s, "MACHINE: ")) {
         read_name(head->machine_file, sizeof head->machine_file, s);
     } else if (has_key(&s, "SCAN: ")) {
-        head->scan_points = number_at(&s);
+        if (head->scans < NCREAD_SCANS)
+            head->scan_points[head->scans++] = number_at(&s);
     } else if (has_key(&s, "PLACE1: ")) {
         read_place(head, 0, s);
     } else if (has_key(&s, "PLACE2: ")) {

@@ -465,6 +465,12 @@ done
 head -n 4000 dome.xyz >fewer.xyz
 ncverify -v -g fewer.xyz placed.nc >out 2>err
 hasnt "not a scan of other points" 'placed as' err
+has "which is said" '4000 points, none of the scan that .* places: taken in mm' err
+sed -n '4001,$p' dome.xyz >rest.xyz
+cloud2mesh -q -u inch --matrix matrix.txt fewer.xyz rest.xyz |
+	meshnorm -q -r 20 --scallop 0.5 | ncpost -q -c fanuc -o two.nc
+status 0 "each file of a scan of two is placed" ncverify -g fewer.xyz -g rest.xyz two.nc
+status 0 "and both in one" ncverify -g dome.xyz two.nc
 ncpost -q -c siemens --set x.max=900 "$SRC/tests/data/golden/shapes.cl" -o set.mpf
 has "keys of --set are in the head" '^; SET: x.max=900$' set.mpf
 ncverify -g dome.xyz set.mpf >out 2>err

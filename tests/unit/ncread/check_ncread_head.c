@@ -81,7 +81,12 @@ START_TEST(words)
     ck_assert_str_eq(head.control_file, "siemens");
     ck_assert_str_eq(head.machine_file, "head-ca");
     ck_assert_str_eq(head.set, "A.max=30 x");
-    ck_assert_double_eq(head.scan_points, 1681);
+    ck_assert_uint_eq(head.scans, 1);
+    ck_assert_double_eq(head.scan_points[0], 1681);
+    for (int i = 0; i < NCREAD_SCANS; i++)
+        line("(SCAN: 7,3cad464a0113cb05,more.xyz)");
+    ck_assert_uint_eq(head.scans, NCREAD_SCANS);
+    ck_assert_double_eq(head.scan_points[NCREAD_SCANS - 1], 7);
     ck_assert(head.contact_feed && head.numbered && !head.centre);
     line("; *** ATTENTION: X Y Z ARE THE CENTRE OF THE BALL, NOT THE TIP ***");
     ck_assert(head.centre);
