@@ -204,7 +204,7 @@ static void roll_points(void *context, size_t from, size_t to)
         bool found = distance < most, reached = found && distance < within;
         r->map->deviation[i] = found ? deviation : HUGE_VAL;
         r->map->segment[i] = found ? (unsigned)nearest : UINT_MAX;
-        if (reached && deviation > options->tolerance) {
+        if (reached && deviation > fmin(options->tolerance, options->limit)) {
             struct vec3 centre = nearest_centre(&r->path->item[nearest], p);
             reached = is_surrounded(r, p, view_on(r, i, centre), within);
         }

@@ -19,8 +19,8 @@ static void roll_outliers(struct verdict *v)
 {
     const struct verify_options *o = &v->options;
     const struct vec3s *outliers = &v->program.surface->outliers;
-    struct deviation_map_options options = {o->radius, o->tolerance + v->noise, 0, o->threads,
-                                            true};
+    struct deviation_map_options options = {o->radius, o->tolerance + v->noise, 0, o->threads, true,
+                                            HUGE_VAL};
     struct deviation_map map;
     deviation_map_run(&v->cut, outliers->item, outliers->n, &options, &map);
     v->outliers = (struct verdict_outliers){outliers->n, map.gouged, map.gouge, {0, 0, 0}};
@@ -75,7 +75,7 @@ static void roll_cuts(struct verdict *v)
     const struct verify_options *o = &v->options;
     const struct vec3s *part = v->program.part;
     struct deviation_map_options roll = {o->radius, o->tolerance + v->noise, o->band, o->threads,
-                                         false};
+                                         false,     o->left + v->noise};
     deviation_map_run(&v->cut, part->item, part->n, &roll, &v->map);
     if (v->program.surface)
         roll_outliers(v);
@@ -99,8 +99,8 @@ static void roll_rapids(struct verdict *v)
     struct centre_path rapid = {0};
     struct deviation_map map;
     centre_path_rapid(v->program.motion, o->radius, FLAT, &rapid);
-    struct deviation_map_options options = {o->radius, o->tolerance + v->noise, 0, o->threads,
-                                            true};
+    struct deviation_map_options options = {o->radius, o->tolerance + v->noise, 0, o->threads, true,
+                                            HUGE_VAL};
     deviation_map_run(&rapid, part->item, part->n, &options, &map);
     if (map.gouged > 0)
         v->rapid = (struct verdict_rapid){map.gouge, map.gouged, map.gouge_at,

@@ -43,6 +43,12 @@ biarcfit -q foot.cl >arcs.cl && ncpost -q --accept -c siemens arcs.cl >foot.mpf
 status 0 "what is outside of the region guards" ncverify -q -g scan.xyz -e 0.03 --partial --left 1000 foot.mpf
 has "and is accepted" '^verdict *accepted' out
 
+# A ball comes near to points beside the region, too, and leaves more on them than is promised
+meshnorm -q -r 5 --avoid --scallop 0.01 --box=-8,-8,-50,-1,8,50 mesh.ply >half.cl
+biarcfit -q half.cl | ncpost -q -c siemens -o half.mpf
+status 0 "points beside it are none of it" ncverify -q -g scan.xyz --partial half.mpf
+has "and it is accepted" '^verdict *accepted' out
+
 status 2 "rows of the mesh have no region" meshnorm -r 2 --rows mesh --region two mesh.ply
 has "which is said" 'found --region with the rows of the mesh' err
 status 2 "a box without inside" meshnorm -r 2 --box 0,0,0,0,1,1 mesh.ply

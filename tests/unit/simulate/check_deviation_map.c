@@ -64,7 +64,7 @@ static struct vec3s points_on(struct place (*surface)(double, double), double ha
 
 static struct deviation_map roll(struct centre_path *path, const struct vec3s *points, int threads)
 {
-    struct deviation_map_options setup = {RADIUS, 0.01, 1.5, threads, false};
+    struct deviation_map_options setup = {RADIUS, 0.01, 1.5, threads, false, HUGE_VAL};
     struct deviation_map result;
     deviation_map_run(path, points->item, points->n, &setup, &result);
     return result;
@@ -266,7 +266,7 @@ START_TEST(figures_are_those_of_the_truth)
         *array_push(&points) = p;
         truth[i] = truth_of(kind, radius, p) - radius;
     }
-    struct deviation_map_options setup = {radius, 0.02, 1.2, 1, false};
+    struct deviation_map_options setup = {radius, 0.02, 1.2, 1, false, HUGE_VAL};
     struct deviation_map r;
     deviation_map_run(&path, points.item, points.n, &setup, &r);
     for (int i = 0; i < SCATTERED; i++)
@@ -300,7 +300,7 @@ END_TEST
 START_TEST(among_passes_and_beside_them)
 {
     double turn = _i * 0.37, c = cos(turn), s = sin(turn);
-    struct deviation_map_options options = {4.9, 0.05, 0.6, 1, false};
+    struct deviation_map_options options = {4.9, 0.05, 0.6, 1, false, HUGE_VAL};
     struct centre_path path = {0};
     struct vec3s points = {0};
     struct deviation_map map;
@@ -329,6 +329,38 @@ START_TEST(among_passes_and_beside_them)
 }
 END_TEST
 
+/* Passes along x, 2 mm apart, that touch a plane over a square of +-10: more stays between them than
+ * may, and so it does on points beside the square that the ball comes near to, which are none of
+ * the region though it comes within the tolerance of them. */
+START_TEST(near_but_beside)
+{
+    struct deviation_map_options options = {5, 0.05, 0.6, 1, false, 0.02};
+    struct centre_path path = {0};
+    struct vec3s points = {0};
+    struct deviation_map map;
+    for (int row = -10; row <= 10; row += 2)
+        for (int x = -10; x < 10; x++)
+            *array_push(&path) =
+                (struct centre_segment){vec(x, row, 5), vec(x + 1, row, 5), {0, 1}, 0, false};
+    for (double x = -12; x <= 12; x += 0.23)
+        for (double y = -12; y <= 12; y += 0.19)
+            *array_push(&points) = vec(x, y, 0);
+    deviation_map_run(&path, points.item, points.n, &options, &map);
+    for (size_t i = 0; i < points.n; i++) {
+        struct vec3 p = points.item[i];
+        double out = fmax(fabs(p.x), fabs(p.y)) - 10;
+        if (out < -2.5)
+            ck_assert(map.region[i]);
+        if (out > sqrt(2 * 5 * 0.02) + 0.01) /* more stays on it than may */
+            ck_assert(!map.region[i]);
+    }
+    ck_assert_double_gt(map.over, 0.09);
+    deviation_map_free(&map);
+    array_free(&path);
+    array_free(&points);
+}
+END_TEST
+
 /* Rows along x on a plane, two by two joined by a half circle beyond the border, turned about Z and
  * leaned: a point between two of these, further out than all of them, is beside the cuts. */
 START_TEST(beside_loops_of_rows)
@@ -338,7 +370,7 @@ START_TEST(beside_loops_of_rows)
     const struct vec3 u = vec(cos(turn), sin(turn), 0);
     const struct vec3 v = vec(-sin(turn) * cos(lean), cos(turn) * cos(lean), sin(lean));
     const struct vec3 n = vec_cross(u, v);
-    struct deviation_map_options options = {radius, 0.05, 0.75, 1, false};
+    struct deviation_map_options options = {radius, 0.05, 0.75, 1, false, HUGE_VAL};
     struct centre_path path = {0};
     struct vec3s points = {0}, place = {0};
     struct deviation_map map;
@@ -385,6 +417,7 @@ int main(void)
     tcase_add_test(tcase, scallop_of_the_dome);
     tcase_add_loop_test(tcase, beside_is_not_cut, 0, 3);
     tcase_add_loop_test(tcase, among_passes_and_beside_them, 0, 17);
+    tcase_add_test(tcase, near_but_beside);
     tcase_add_loop_test(tcase, beside_loops_of_rows, 0, 12);
     tcase_add_loop_test(tcase, threads_change_nothing, 0, 3);
     tcase_add_loop_test(tcase, figures_are_those_of_the_truth, 0, 12);

@@ -53,7 +53,7 @@ static struct excursion in_spans(const double high[PIECES + 1], const double sid
                 (unsigned)n,
                 false};
     }
-    const struct deviation_map_options setup = {RADIUS, 0.02, 1.25, 1, false};
+    const struct deviation_map_options setup = {RADIUS, 0.02, 1.25, 1, false, HUGE_VAL};
     deviation_map_run(&path, points.item, points.n, &setup, &roll);
     struct excursion leap = excursion_find(&motion, &path, points.item, points.n,
                                            &(struct excursion_options){RADIUS, setup.band});
