@@ -322,7 +322,7 @@ static struct verify_program read_program(const struct settings *s, const struct
                                    .axis = head->axis};
 }
 
-/* With so many points it may be one of the files of the scan that the head names, or all of them. */
+/* With so many points it may be a file of the scan that the head names, or all of them. */
 static bool is_of_scan(const struct ncread_head *head, double points)
 {
     double all = 0;

@@ -329,8 +329,8 @@ START_TEST(among_passes_and_beside_them)
 }
 END_TEST
 
-/* Passes along x, 2 mm apart, that touch a plane over a square of +-10: more stays between them than
- * may, and so it does on points beside the square that the ball comes near to, which are none of
+/* Passes along x, 2 mm apart, that touch a plane over a square of +-10: more stays between them
+ * than may.  So it does on points beside the square that the ball comes near to, which are none of
  * the region though it comes within the tolerance of them. */
 START_TEST(near_but_beside)
 {
