@@ -14,13 +14,17 @@ static const double FACING = 0.12; /* least z of a flank that is continued over 
 static const double FAIR = 0.1;    /* spacings: so far off its points a flank tells of a wall yet */
 static const double STEEP_STEP = 0.35; /* of the way: so high over it no surface is the same */
 static const double EVEN_SINKS =
-    2.5;                         /* sinkings of the ball: a flank that is even is off by less */
-static const double FARTHER = 4; /* spacings: farther than that a flank is a plane */
+    2.5;                           /* sinkings of the ball: a flank that is even is off by less */
+static const double MANY_OFF = 25; /* times as high as a flank is off its points: a step */
+static const double FARTHER = 4;   /* spacings: farther than that a flank is a plane */
 
 /* Seen from above the flank is open about a point of a corner by more: its sides make less than 75
  * degrees.  Before blunter ones a ball is held off by the walls of both sides. */
 static const double CORNER_OPEN = RADIANS(285);
 enum { CORNER_FEWEST = 2 };
+
+/* Of places about a point: up to these below, which may be far off against the ball's path. */
+enum { RINGS = 3 * EDGE_RINGS };
 
 /* What is seen from above about a point of a flank: points of the flank, those so steeply below it
  * that a wall is between, and points whose flank meets it in a known edge. */
@@ -89,16 +93,24 @@ static bool is_even(const struct edge_work *work, size_t i)
            flank->rms <= EDGE_EVEN * flank->spacing && edge_on_known(work, i);
 }
 
+/* A step so high is none that the surface of a flank, however far off its points, may take. */
+static bool is_high(const struct edge_work *work, size_t k, double step)
+{
+    const struct edge_flank *flank = &work->flank[k];
+
+    return is_fair(flank) && step > MANY_OFF * flank->rms && edge_on_known(work, k);
+}
+
 /* A wall stands on the flank of point k, so far from the rim, which is so high over it and it over
- * the rim's: one that is only fair may, nearer, be the same surface, unless it is even, and the
- * step so steep that it is none. */
+ * the rim's: one that is only fair may, nearer, be the same surface, unless it is even, or is off
+ * its points by a small part of the step, and the step so steep that it is none. */
 static bool is_sure(const struct edge_work *work, size_t k, double far, double step)
 {
     const struct edge_flank *flank = &work->flank[k];
 
     return edge_flank_certain(work, flank) ||
            (far > EDGE_FOOT * flank->spacing && is_fair(flank)) ||
-           (step > STEEP_STEP * far && is_even(work, k));
+           (step > STEEP_STEP * far && (is_even(work, k) || is_high(work, k, step)));
 }
 
 /* Points below the flank whose own surface the point is not above are beyond an edge. */
@@ -303,7 +315,7 @@ static void fill_cliff(const struct edge_work *work, const struct cliff *cliff, 
 {
     const double dense = 0.65, triangle = 0.8660254037844386;
     double pitch = dense * work->options->along;
-    int rings = (int)fmin(cliff->reach / pitch, EDGE_RINGS);
+    int rings = (int)fmin(cliff->reach / pitch, RINGS);
 
     for (int j = -rings; j <= rings; j++)
         for (int k = -rings; k <= rings; k++) {
@@ -337,7 +349,7 @@ static void fill_tips(const struct edge_work *work, const struct cliff *cliff, s
     enum { CLOSER = 3 };
     const double dense = 0.65, triangle = 0.8660254037844386;
     double pitch = dense * work->options->along, close = pitch / CLOSER;
-    int rings = (int)fmin(cliff->reach / pitch, EDGE_RINGS);
+    int rings = (int)fmin(cliff->reach / pitch, RINGS);
 
     for (int j = -rings; j <= rings; j++)
         for (int k = -rings; k <= rings; k++) {

@@ -51,6 +51,31 @@ START_TEST(mesa_goes_on)
 }
 END_TEST
 
+/* Where the path asks for places far closer than points are, too: none of the places between the
+ * points of the top and those of the floor is far off. */
+START_TEST(mesa_goes_on_as_far)
+{
+    struct edge_trial trial;
+    struct vec3s to = {0}, edge = {0};
+
+    edge_trial_make(&trial, mesa, false, 0);
+    trial.options.along = 0.04;
+    edge_flanks_find(&trial.work);
+    for (size_t i = 0; i < trial.grid.n; i++)
+        edge_cliff_add(&trial.work, i, &edge, &to);
+    for (double x = -2; x <= 2; x += 0.05) {
+        struct vec3 rim = vec(x, x / 4 + 0.07, HIGH);
+        double least = HUGE_VAL;
+        for (size_t k = 0; k < to.n; k++)
+            least = fmin(least, vec_distance(rim, to.item[k]));
+        ck_assert_double_le(least, 0.06);
+    }
+    array_free(&to);
+    array_free(&edge);
+    edge_trial_free(&trial);
+}
+END_TEST
+
 START_TEST(roof_has_none)
 {
     struct edge_trial trial;
@@ -135,6 +160,7 @@ int main(void)
     TCase *tests = tcase_create("edge_cliff");
     SRunner *runner = srunner_create(suite);
     tcase_add_test(tests, mesa_goes_on);
+    tcase_add_test(tests, mesa_goes_on_as_far);
     tcase_add_loop_test(tests, roof_has_none, 0, 2);
     tcase_add_loop_test(tests, noise_is_none, 0, 2);
     tcase_add_test(tests, corner_goes_on_along_its_flank);

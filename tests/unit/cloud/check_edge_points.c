@@ -619,6 +619,17 @@ static double square_post(double x, double y)
     return fabs(x - 0.11) < 3 && fabs(y + 0.07) < 2 ? 4 : 0;
 }
 
+/* No point of the top is near enough to the corner for its flank to go on so far: a hole. */
+static bool is_in_hole(const struct vec3s *scan, double x, double y)
+{
+    const double reach = 2.8 * 0.5; /* EDGE_REACH spacings */
+
+    for (size_t i = 0; i < scan->n; i++)
+        if (scan->item[i].z > 2 && hypot(scan->item[i].x - x, scan->item[i].y - y) < reach)
+            return false;
+    return true;
+}
+
 /* Balls that stand on the floor and touch a corner's upright edge are held off as far. */
 START_TEST(corners_between_points)
 {
@@ -637,6 +648,8 @@ START_TEST(corners_between_points)
         for (int i = 0; i < WAYS; i++) {
             double x = corner % 2 ? 3.11 : -2.89, y = corner / 2 ? 1.93 : -2.07;
             double way = PI / 2 * (i + 1) / (WAYS + 1), far = RADIUS - depth;
+            if (is_in_hole(&g.scan, x * cos(turn) - y * sin(turn), x * sin(turn) + y * cos(turn)))
+                break;
             x += (corner % 2 ? 1 : -1) * far * cos(way);
             y += (corner / 2 ? 1 : -1) * far * sin(way);
             struct vec3 c =
@@ -779,18 +792,20 @@ static double pockets(double x, double y)
     return dome(x, y) - (fabs(u) < 1.2 && fabs(v) < 1.2 ? 0.4 : 0);
 }
 
-/* A ball over a rim goes in by no more than a part of the spacing lets the wall be elsewhere. */
+/* A ball over a rim goes in by no more than a part of the spacing lets the wall be elsewhere; with
+ * noise, which the floors of the pockets are too narrow to be even in, by four deviations more. */
 START_TEST(rims_of_pockets)
 {
-    enum { PLACES = 400, POINTS = 17000 };
+    enum { PLACES = 400, POINTS = 17000, NOISY = 3 };
+    const double noise = _i < NOISY ? 0 : 0.005;
     struct guarded g = {0};
     int deeper = 0;
 
     turn = 0.2 + 0.3 * _i;
     noisy_seed(210 + (unsigned)_i);
-    noisy_scan(&g.scan, pockets, POINTS, NOISY_RANDOM, 0);
+    noisy_scan(&g.scan, pockets, POINTS, NOISY_RANDOM, noise);
     crop(&g.scan, 13, 13);
-    guarded_make(&g, 0.48, 0);
+    guarded_make(&g, 0.48, noise);
     struct gouge_check *guard = guarded_gouge(&g);
     for (int i = 0; i < PLACES; i++) {
         double u = 4 * (i % 5 - 2) + 1.2, v = 4 * (i / 5 % 5 - 2) + 2 * noisy_uniform() - 1;
@@ -800,9 +815,10 @@ START_TEST(rims_of_pockets)
         struct vec3 out = vec(-cos(turn), -sin(turn), 0);
         struct vec3 way = vec_unit(vec_along(up, level, out));
         if (hypot(x, y) < 10)
-            deeper += gouge_depth(guard, vec_along(rim, RADIUS - 2 * TOLERANCE, way), RADIUS) <= 0;
+            deeper += gouge_depth(guard, vec_along(rim, RADIUS - 2 * TOLERANCE - 4 * noise, way),
+                                  RADIUS) <= 0;
     }
-    ck_assert_int_le(deeper, 2);
+    ck_assert_int_le(deeper, noise > 0 ? 4 : 2);
     gouge_free(guard);
     guarded_free(&g);
 }
@@ -862,7 +878,7 @@ int main(void)
     tcase_add_loop_test(tests, thin_parts, 0, 6);
     tcase_add_loop_test(tests, feet_of_pyramids, 0, 6);
     tcase_add_loop_test(tests, noisy_flanks, 0, 4);
-    tcase_add_loop_test(tests, rims_of_pockets, 0, 3);
+    tcase_add_loop_test(tests, rims_of_pockets, 0, 6);
     tcase_add_loop_test(tests, rims_of_steps, 0, 2);
     suite_add_tcase(suite, tests);
     tcase_set_timeout(tests, 60);
