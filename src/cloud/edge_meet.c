@@ -3,6 +3,9 @@
 
 enum { STEPS = 6 };
 
+/* Cosine of two certain flanks' normals where there is no noise: 6 degrees. */
+static const double BLUNT = 0.9945;
+
 /* Moves a place to where n flanks meet, n 2 or 3, by Newton's steps of least length; false: they do
  * not meet near to it. */
 static bool move_to_meeting(const struct edge_flank *const *flank, int n, double reach,
@@ -21,7 +24,7 @@ static bool move_to_meeting(const struct edge_flank *const *flank, int n, double
             return true;
         if (n == 2) { /* the least move with normal[k] * d = -h[k] */
             double c = vec_dot(normal[0], normal[1]), s2 = 1 - c * c;
-            if (s2 < 0.01)
+            if (s2 < 0.004)
                 return false;
             *p = vec_along(*p, (-h[0] + c * h[1]) / s2, normal[0]);
             *p = vec_along(*p, (-h[1] + c * h[0]) / s2, normal[1]);
@@ -53,7 +56,9 @@ static bool is_edge_between(const struct edge_work *work, size_t i, size_t k)
         return false;
     edge_flank_above(a, point[i], &na);
     edge_flank_above(b, point[k], &nb);
-    return vec_dot(na, nb) < EDGE_SHARP;
+    bool blunt = !(work->options->noise > 0) && edge_flank_certain(work, a) &&
+                 edge_flank_certain(work, b); /* noise looks like such edges */
+    return vec_dot(na, nb) < (blunt ? BLUNT : EDGE_SHARP);
 }
 
 /* A point is on a flank of one of the neighbours. */
@@ -110,8 +115,28 @@ static bool is_borne_out(const struct edge_work *work, const struct edge_hood *n
     return true;
 }
 
-/* A third flank among those of the neighbours that the place is above; NULL: none.  A flank whose
- * point is above one of the pair is in a hollow with it, and ends no edge before that. */
+/* How far a point is above the higher one of two flanks. */
+static double above_pair(const struct edge_flank *const *pair, struct vec3 p)
+{
+    struct vec3 normal;
+
+    return fmax(edge_flank_above(pair[0], p, &normal), edge_flank_above(pair[1], p, &normal));
+}
+
+/* The flank of neighbour k is a third one, that may end the edge of a pair: that of a point on one
+ * of the pair is none, nor one that is certain and whose point is above one of them, in a hollow
+ * with it. */
+static bool is_third(const struct edge_work *work, const struct edge_hood *near,
+                     const struct edge_flank *const *pair, size_t k, double least)
+{
+    const struct edge_flank *other = &work->flank[near->index[k]];
+    double h = above_pair(pair, near->point[k]);
+
+    return other->valid && (k < EDGE_MEETING || edge_flank_certain(work, other)) &&
+           (h < -least || (h > 2 * least && !edge_flank_certain(work, other)));
+}
+
+/* A third flank among those of the neighbours that the place is above; NULL: none. */
 static const struct edge_flank *flank_below(const struct edge_work *work,
                                             const struct edge_hood *near,
                                             const struct edge_flank *const *pair, struct vec3 at,
@@ -121,12 +146,10 @@ static const struct edge_flank *flank_below(const struct edge_work *work,
     double most = least;
     struct vec3 normal;
 
-    for (size_t k = 0; k < EDGE_MEETING; k++) {
+    for (size_t k = 0; k < near->n; k++) {
         const struct edge_flank *other = &work->flank[near->index[k]];
         double h = other->valid ? edge_flank_above(other, at, &normal) : 0;
-        if (h > most && !(edge_flank_certain(work, other) &&
-                          fmax(edge_flank_above(pair[0], near->point[k], &normal),
-                               edge_flank_above(pair[1], near->point[k], &normal)) > 2 * least)) {
+        if (h > most && is_third(work, near, pair, k, least)) {
             most = h;
             worst = other;
         }

@@ -15,6 +15,12 @@ static double on_floor(double x, double y)
     return fmax(0, tip(x, y) - 5);
 }
 
+/* Sides that make 172 degrees. */
+static double blunt(double x, double y)
+{
+    return 10 - 0.07 * fabs(edge_trial_side(x, y));
+}
+
 static double valley(double x, double y)
 {
     return -edge_trial_roof(x, y);
@@ -62,6 +68,46 @@ START_TEST(ridge)
 }
 END_TEST
 
+START_TEST(blunt_ridge)
+{
+    struct vec3s to = places(blunt, false);
+
+    for (size_t k = 0; k < to.n; k++)
+        ck_assert_double_eq_tol(to.item[k].z, 10, 1e-6);
+    for (double x = -7; x <= 7; x += 0.1)
+        ck_assert_double_le(nearest(&to, vec(x, x / 4, 10)), 0.2);
+    array_free(&to);
+}
+END_TEST
+
+/* The foremost points of a side are taken for points of surfaces that run across the ridge, below
+ * it: none of these is a side which the ridge ends at, for the points are on the other one, too. */
+START_TEST(no_false_end)
+{
+    struct edge_trial trial;
+    struct edge_hood near;
+    struct vec3s to = {0};
+
+    edge_trial_make(&trial, edge_trial_roof, false, 0);
+    edge_flanks_find(&trial.work);
+    for (size_t i = 0; i < trial.grid.n; i++) {
+        struct vec3 p = trial.grid.point[i];
+        double side = edge_trial_side(p.x, p.y);
+        if (side > 0 && side < 0.5 && fabs(p.x) < 4)
+            trial.work.flank[i].q = quadric_frame(p, vec_unit(vec(p.x < 0 ? 1 : -1, 0.25, 0.3)));
+    }
+    for (size_t i = 0; i < trial.grid.n; i++) {
+        edge_hood_find(&trial.work, i, &near);
+        if (trial.work.flank[i].valid)
+            edge_meet_add(&trial.work, &near, i, &to);
+    }
+    for (double x = -3; x <= 3; x += 0.1)
+        ck_assert_double_le(nearest(&to, vec(x, x / 4, 10)), 0.2);
+    array_free(&to);
+    edge_trial_free(&trial);
+}
+END_TEST
+
 START_TEST(tip_of_pyramid)
 {
     struct vec3s to = places(tip, false);
@@ -103,6 +149,8 @@ int main(void)
     TCase *tests = tcase_create("edge_meet");
     SRunner *runner = srunner_create(suite);
     tcase_add_loop_test(tests, ridge, 0, 2);
+    tcase_add_test(tests, blunt_ridge);
+    tcase_add_test(tests, no_false_end);
     tcase_add_test(tests, tip_of_pyramid);
     tcase_add_test(tests, down_to_the_foot);
     tcase_add_test(tests, none_in_a_valley);
