@@ -329,21 +329,36 @@ static struct edge_flank choose_flank(const struct edge_work *work, const struct
     return own;
 }
 
-/* A cubic has bends enough to go round an edge among noise.  Where a surface with less goes through
- * the point, and another way, it is that one. */
+/* A surface of a neighbour with less bends than the point's cubic goes through it, too: another way,
+ * the less so the nearer it is; or it is certain, and the cubic is not. */
+static bool is_plainer(const struct edge_work *work, const struct edge_flank *other, struct vec3 p,
+                       const struct edge_flank *cubic)
+{
+    const double alike = 0.985, blunt = 0.9962, better = 0.3; /* cosines of 10 and 5 degrees */
+    double close = fmax(work->options->sink, work->options->noise);
+    struct vec3 way = quadric_normal_at(&cubic->q, p), normal;
+    double off = fabs(edge_flank_above(other, p, &normal));
+
+    if (!(other->bent ? other->confirmed : edge_flank_certain(work, other)) ||
+        off > edge_within(work, cubic->spacing) || normal.z <= EDGE_UPRIGHT)
+        return false;
+    if (off > close)
+        return vec_dot(way, normal) <= alike;
+    return vec_dot(way, normal) <= blunt ||
+           (edge_flank_certain(work, other) && !edge_flank_certain(work, cubic) &&
+            other->rms < better * cubic->rms);
+}
+
+/* A cubic has bends enough to go round an edge, more so among noise: where a surface is plainer, it
+ * is that one. */
 static struct edge_flank plainer_flank(const struct edge_work *work, const struct edge_hood *near,
                                        size_t i)
 {
-    const double alike = 0.985; /* cosine of 10 degrees */
     struct edge_flank own = work->flank[i];
-    double least = edge_within(work, own.spacing);
-    struct vec3 way = quadric_normal_at(&own.q, near->point[0]), normal;
 
     for (size_t k = 1; k < EDGE_MEETING; k++) {
         const struct edge_flank *other = &work->flank[near->index[k]];
-        if (!(other->bent ? other->confirmed : edge_flank_certain(work, other)) ||
-            fabs(edge_flank_above(other, near->point[0], &normal)) > least ||
-            vec_dot(way, normal) > alike || normal.z <= EDGE_UPRIGHT)
+        if (!is_plainer(work, other, near->point[0], &own))
             continue;
         own.q = other->q;
         own.rms = other->rms;

@@ -39,6 +39,45 @@ START_TEST(own_side)
 }
 END_TEST
 
+/* Posts of six sides, their tops tilted, as wide as high. */
+static double turn;
+
+static double posts(double x, double y)
+{
+    double u = x * cos(turn) + y * sin(turn), v = y * cos(turn) - x * sin(turn), most = 0;
+
+    u -= 6 * floor(u / 6 + 0.5);
+    v -= 6 * floor(v / 6 + 0.5);
+    for (int k = 0; k < 3; k++)
+        most = fmax(most, fabs(u * cos(k * PI / 3) + v * sin(k * PI / 3)));
+    return most < 2.2 ? 2.5 + 0.2 * u : 0;
+}
+
+/* Through the points about a rim goes a cubic, too, that leaves the floor and the top: those of the
+ * tops are on their planes. */
+START_TEST(planes_of_narrow_tops)
+{
+    struct edge_trial trial;
+    size_t top = 0, on = 0;
+
+    turn = 0.1 + 0.13 * _i;
+    edge_trial_make(&trial, posts, false, 0);
+    edge_flanks_find(&trial.work);
+    struct vec3 up = vec_unit(vec(-0.2 * cos(turn), -0.2 * sin(turn), 1));
+    for (size_t i = 0; i < trial.grid.n; i++) {
+        const struct edge_flank *flank = &trial.work.flank[i];
+        struct vec3 p = trial.grid.point[i];
+        if (p.z < 1 || !edge_flank_known(flank) || hypot(p.x, p.y) > 8)
+            continue;
+        top++;
+        on += vec_dot(quadric_normal_at(&flank->q, p), up) > 0.9999;
+    }
+    ck_assert_uint_gt(top, 200);
+    ck_assert_uint_le(top - on, top / 100);
+    edge_trial_free(&trial);
+}
+END_TEST
+
 /* A point of a flank that is left out lies on what the others make; one beside it does not. */
 START_TEST(holds)
 {
@@ -69,6 +108,7 @@ int main(void)
     TCase *tests = tcase_create("edge_flank");
     SRunner *runner = srunner_create(suite);
     tcase_add_loop_test(tests, own_side, 0, 3);
+    tcase_add_loop_test(tests, planes_of_narrow_tops, 0, 4);
     tcase_add_test(tests, holds);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);
