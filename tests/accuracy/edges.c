@@ -291,6 +291,85 @@ static double boss(double x, double y)
     return r < 4 ? 5 : 3 - 0.25 * r;
 }
 
+/* A ratchet wheel, its teeth rising along their backs, their fronts upright. */
+static double ratchet(double x, double y)
+{
+    double r = hypot(x, y), t = fmod(atan2(y, x) + PI2, PI2 / 10) / (PI2 / 10);
+    return r < 10 && r > 3 ? 2 + 1.2 * t : 0;
+}
+
+/* A rail with a groove in its top and a step at each side. */
+static double rail(double x, double y)
+{
+    double d = fabs(x);
+    (void)y;
+    return d < 0.8 ? 2.5 : d < 3 ? 4 : d < 5 ? 1 : 0;
+}
+
+/* Eight steps round a post. */
+static double spiral(double x, double y)
+{
+    return hypot(x, y) < 9 ? 0.7 * floor(8 * (atan2(y, x) / PI2 + 0.5)) : 0;
+}
+
+/* Four ribs of 1.2 mm that cross, each of another height. */
+static double crossed(double x, double y)
+{
+    double z = 0;
+    z = fmax(z, fabs(x + 3) < 0.6 ? 1 : 0);
+    z = fmax(z, fabs(x - 3) < 0.6 ? 1.8 : 0);
+    z = fmax(z, fabs(y + 3) < 0.6 ? 1.4 : 0);
+    return fmax(z, fabs(y - 3) < 0.6 ? 2.4 : 0);
+}
+
+/* A field of cones. */
+static double spikes(double x, double y)
+{
+    double u = x - 4 * floor(x / 4 + 0.5), v = y - 4 * floor(y / 4 + 0.5);
+    return positive(2.5 - 1.8 * hypot(u, v));
+}
+
+/* How far a place is out in a hexagon. */
+static double hexagon(double x, double y)
+{
+    double most = 0;
+    for (int k = 0; k < 3; k++)
+        most = fmax(most, fabs(x * cos(k * PI2 / 6) + y * sin(k * PI2 / 6)));
+    return most;
+}
+
+/* A disc with a hole of six sides. */
+static double socket(double x, double y)
+{
+    return hypot(x, y) < 9 ? (hexagon(x, y) < 5 ? 2 : 5) : 0;
+}
+
+/* Two roofs, one across the other. */
+static double roofs(double x, double y)
+{
+    return fmax(positive(4 - 0.9 * fabs(x)), positive(3 - 0.6 * fabs(y + 0.3 * x)));
+}
+
+/* A stair whose steps slope along it. */
+static double stair(double x, double y)
+{
+    return 0.3 * y + 0.8 * floor((x + 0.25 * y) / 3);
+}
+
+/* Posts of six sides, of several heights, their tops tilted. */
+static double posts(double x, double y)
+{
+    double i = floor(x / 6 + 0.5), j = floor(y / 6 + 0.5), u = x - 6 * i;
+    return hexagon(u, y - 6 * j) < 2.2 ? 2 + sin(3 * i + 5 * j) + 0.2 * u : 0;
+}
+
+/* A dome that two planes cut. */
+static double cut_dome(double x, double y)
+{
+    double r2 = x * x + y * y, z = r2 < 81 ? sqrt(144 - r2) - 7.937 : 0;
+    return positive(fmin(z, fmin(3.2 - 0.1 * x, 5.5 + 0.9 * y)));
+}
+
 static const struct shape {
     const char *name;
     height *z;
@@ -332,7 +411,17 @@ static const struct shape {
               {"chamfered", chamfered},
               {"cross", cross},
               {"gem", gem},
-              {"boss", boss}};
+              {"boss", boss},
+              {"ratchet", ratchet},
+              {"rail", rail},
+              {"spiral", spiral},
+              {"crossed", crossed},
+              {"spikes", spikes},
+              {"socket", socket},
+              {"roofs", roofs},
+              {"stair", stair},
+              {"posts", posts},
+              {"cut_dome", cut_dome}};
 
 /* A uniform number, -1 to 1: splitmix64. */
 static double uniform(uint64_t *seed)
