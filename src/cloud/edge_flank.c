@@ -329,7 +329,7 @@ static struct edge_flank choose_flank(const struct edge_work *work, const struct
     return own;
 }
 
-/* A surface of a neighbour with less bends than the point's cubic goes through it, too: another way,
+/* A neighbour's surface with less bends than the point's cubic goes through it, too: another way,
  * the less so the nearer it is; or it is certain, and the cubic is not. */
 static bool is_plainer(const struct edge_work *work, const struct edge_flank *other, struct vec3 p,
                        const struct edge_flank *cubic)
