@@ -43,7 +43,7 @@ struct fitter_options {
      0,        0,                                                                      \
      0,        NULL},                                                                  \
         {0,          "noise",                                                          \
-         "MM",       "standard deviation of the scan's noise (default: measured)",     \
+         "MM",       "noise of the scan (default: the path's, or measured)",           \
          CLI_NUMBER, &(common)->gouge.noise,                                           \
          0,          10,                                                               \
          0,          NULL},                                                            \

@@ -56,6 +56,10 @@ static struct path assemble(const struct fitter *fitter, const struct path *in,
     path_head_copy(&out.head, &in->head);
     out.head.chord = NAN;
     out.head.runs = (struct path_runs){0};
+    if (fitter->options->gouge.noise >= 0) {
+        out.head.noise_given = true;
+        out.head.noise = fitter->options->gouge.noise;
+    }
     for (size_t i = 0; i < runs->n; i++) {
         const struct fitted_run *run = &runs->item[i];
         add_as_they_are(fitter, &out, in, (struct range){done, run->from + 1}, &spent);

@@ -3,6 +3,7 @@
 
 #include <stdlib.h>
 
+#include "base/cli.h"
 #include "io/path/path_run.h"
 #include "guard_read.h"
 
@@ -48,13 +49,22 @@ static int find_scan(const struct gouge_options *options, struct path *path, boo
     return 0;
 }
 
+/* The noise that the scan is said to have, here or by the path; negative: it is measured. */
+static double noise_of(const struct gouge_options *options, const struct path_head *head)
+{
+    if (options->noise >= 0 || !head->noise_given)
+        return options->noise;
+    note("noise of the scan: %g mm, as the path says", head->noise);
+    return head->noise;
+}
+
 int gouge_options_begin(const struct gouge_options *options, struct path *path, bool paper,
                         double tolerance, int threads, struct gouge_refit_options *refit,
                         struct guard_scan **scan, struct error *error)
 {
     struct guard_read_options rule = {.radius = path_ball(path),
                                       .tolerance = scan_tolerance(path, tolerance),
-                                      .noise = options->noise,
+                                      .noise = noise_of(options, &path->head),
                                       .effort = options->effort,
                                       .threads = threads};
     bool ball = rule.radius > 0 && path->head.track != TRACK_CONTACT;

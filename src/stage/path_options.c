@@ -29,6 +29,7 @@ static const double EVEN = 0.4;
 struct path_options path_options = {.tilt = 15,
                                     .depth = 0.3,
                                     .noise = -1,
+                                    .said_noise = -1,
                                     .effort = 1,
                                     .smooth = -1,
                                     .left_share = 0.5,
@@ -307,6 +308,7 @@ int path_options_guard(const struct mesh *mesh, const struct mesh_edges *edges, 
     say_alone(mesh);
     *guard = c->guarded ? guard_read(&guard_scan, mesh, near, &rule, error)
                         : guard_of_mesh(mesh, edges, threads, error);
+    path_options.said_noise = c->noise;
     path_options.noise = rule.noise;
     path_options.certain = rule.certain;
     path_options.doubtful = rule.doubtful;
@@ -504,6 +506,8 @@ static void fill_head(const struct mesh *mesh, const char *tool, const struct to
     head->coolant = c->coolant + 1;
     head->clearance = fmax(t->rule.clearance, t->plane);
     head->scallop = c->scallop;
+    head->noise_given = c->guarded && c->said_noise >= 0;
+    head->noise = c->said_noise;
     if (origin->maker && isfinite(origin->ledger))
         path_spend(t->path, origin->maker, origin->ledger);
     /* Between points of the mesh the straight lines are what was checked; without points put

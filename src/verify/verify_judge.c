@@ -28,6 +28,7 @@ enum { TURN_STEPS = 4, CURVE_PARTS = 4 };
 #define ALONG 0.7       /* ... that leads up or down the tool by less of its length */
 #define ROLLS 1.5       /* times as fast as the ball rolls over an edge */
 #define THICKER 0.01    /* of the ball's radius: so much thicker than it, a tool is a holder */
+#define RIM 0.25        /* times the root of the points of a region: one in 16 at its border */
 #define BORDER 1.5      /* times what may be left: so much at few points of a region that is cut */
 
 static void add_finding(struct verdict *v, bool fault, size_t piece, const char *format, ...)
@@ -115,7 +116,9 @@ static void judge_left(struct verdict *v)
     const struct part_coverage_sum *left = &v->coverage.sum[COVERAGE_LEFT];
     bool whole = !v->options.partial;
     size_t at = whole ? left->at : r->over_at, n = whole ? left->points : left_in_region(v);
-    size_t most = (size_t)(v->options.share * (double)(whole ? v->program.part->n : r->cut));
+    double all = (double)(whole ? v->program.part->n : r->cut);
+    size_t most =
+        (size_t)fmax(v->options.share * all, whole || v->options.share == 0 ? 0 : RIM * sqrt(all));
     struct vec3 p = v->program.part->item[at];
     char what[64] = " of the region";
     if (n == 0 || !isfinite(v->options.left) || (whole && !comes_near(v)))

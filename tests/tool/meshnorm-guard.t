@@ -105,4 +105,21 @@ say="$(tr '\n' ' ' <bends)"
 ok "a path bends less with --smooth: $say" awk 'NR == 1 { a = $1 } NR == 2 { less = $1 < 0.2 * a }
 	END { exit !less }' bends
 status 2 "not below 0" meshnorm -r 3 --smooth -1 rough.ply
+
+# The noise that a scan is said to have is said to the next tool, too: one that measures it holds
+# what is fitted against another surface.
+awk 'BEGIN { srand(5 + ENVIRON["SEED"]); for (i = 0; i < 3000; i++) { x = 20 * rand(); y = 20 * rand()
+	for (k = z = 0; k < 12; k++) z += rand() - 0.5
+	printf "%.4f %.4f %.4f\n", x, y, x * y / 80 + 0.008 * z } }' >noisy.xyz
+cloud2mesh -q -t 1.5 noisy.xyz >noisy.ply 2>/dev/null
+meshnorm -q -r 3 --avoid --noise 0.002 -o said.cl noisy.ply
+has "the path says it" '^\$\$-> NOISE/0.002000$' said.cl
+biarcfit -v said.cl >arcs.cl 2>err
+has "the fitter takes it" 'noise of 0.002 mm taken out' err
+has "and says so" 'noise of the scan: 0.002 mm, as the path says' err
+biarcfit -v --noise 0.01 said.cl >arcs.cl 2>err
+has "unless it is given another" 'noise of 0.01 mm taken out' err
+has "which it says in turn" '^\$\$-> NOISE/0.010000$' arcs.cl
+meshnorm -q -r 3 --avoid -o said.cl noisy.ply
+hasnt "nothing is said of what is measured" '^\$\$-> NOISE' said.cl
 done_testing

@@ -136,6 +136,8 @@ struct path_head {
                          between its points, mm; a fitter removes it; NAN: not given */
     double clearance; /* $$-> CLEAR/: z of the clearance plane, mm; NAN: not given */
     double scallop;   /* $$-> SCALLOP/: what passes leave between them at most, mm; 0: not said */
+    bool noise_given; /* $$-> NOISE/: ... */
+    double noise;     /* ... what the scan was said to have, one standard deviation, mm */
     struct path_runs {
         size_t points; /* $$-> RUNS/: how many its cutting runs have, 0: not said ... */
         double feed;   /* ... and the largest feed, mm/min: a fitter can begin before the end */

@@ -160,6 +160,16 @@ static int read_scallop(struct path_parse *p)
     return path_numbers(p, 0, 1, &p->path->head.scallop, "mm");
 }
 
+static int read_noise(struct path_parse *p)
+{
+    double *noise = &p->path->head.noise;
+
+    if (path_numbers(p, 0, 1, noise, "mm") < 0)
+        return -1;
+    p->path->head.noise_given = *noise >= 0;
+    return *noise >= 0 ? 0 : error_at(AT(p), "found NOISE/%g, expected no less than 0", *noise);
+}
+
 static int read_runs(struct path_parse *p)
 {
     double v[2];
@@ -306,7 +316,7 @@ static const struct path_row comments[] = {
     {"LEDGER", read_ledger},       {"CHORD", read_chord},        {"CLEAR", read_clear},
     {"CLOUDMILL", read_own},       {"CUTTER", path_read_cutter}, {"SCALLOP", read_scallop},
     {"TOOL", read_body},           {"SCAN", read_scan},          {"PLACE", read_place},
-    {"UNMET", read_unmet},         {"RUNS", read_runs},
+    {"UNMET", read_unmet},         {"RUNS", read_runs},          {"NOISE", read_noise},
 };
 
 const struct path_row *path_row_of_word(const struct path_row *rows, size_t n, const char *word)

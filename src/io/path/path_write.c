@@ -118,6 +118,8 @@ void path_write_head(struct out *out, const struct path_head *head)
         out_printf(out, "$$-> CLEAR/%.6f\n", head->clearance);
     if (head->scallop > 0)
         out_printf(out, "$$-> SCALLOP/%.6f\n", head->scallop);
+    if (head->noise_given)
+        out_printf(out, "$$-> NOISE/%.6f\n", head->noise);
     if (head->runs.points > 0) {
         out_printf(out, "$$-> RUNS/%zu,", head->runs.points);
         out_num(out, head->runs.feed, COORDINATE);

@@ -20,6 +20,9 @@ START_TEST(the_tool_above_its_ball)
                  {"$$-> TOOL/FLUTE,5,HOLDER,3:40\n", 2, NULL},
                  {"$$-> TOOL/FLUTE,-5\n", 0, "found a flute of -5"},
                  {"$$-> TOOL/FLUTE\n", 0, "found `$$-> TOOL/FLUTE`"},
+                 {"$$-> NOISE/0\n", 1, NULL},
+                 {"$$-> NOISE/-0.1\n", 0, "found NOISE/-0.1, expected no less than 0"},
+                 {"$$-> NOISE/\n", 0, "mm"},
                  {"$$-> TOOL/BALL-ONLY,5\n", 0, "expected TOOL/BALL-ONLY or"},
                  {"$$-> TOOL/FLUTE,5,HOLDER\n", 0, "expected TOOL/BALL-ONLY or"}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
