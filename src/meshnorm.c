@@ -316,7 +316,7 @@ int main(int argc, char **argv)
         die_given(&error);
 
     struct path_coverage coverage = {.scallop = 0};
-    if (!planes.region)
+    if (!planes.region || path_options.guarded)
         coverage = path_coverage_new(&mesh, &mesh, &t);
     t.coverage = coverage.coverage;
     path_options_begin(&mesh, "meshnorm", cli.output, &t);

@@ -242,7 +242,8 @@ int main(int argc, char **argv)
         die_given(&error);
 
     struct path_coverage coverage = {.scallop = 0};
-    bool promised = scallop > 0 && !path_options.guarded;
+    bool seen = path_options.box_given || path_options.region;
+    bool promised = scallop > 0 && (!path_options.guarded || (seen && !faces && !steep));
     if (promised || (region == &mesh && (path_options.guarded || mesh.normals_made)))
         coverage = path_coverage_new(&mesh, region, &t);
     t.coverage = coverage.coverage;

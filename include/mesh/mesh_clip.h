@@ -20,6 +20,9 @@ struct mesh_polygons {
     struct ints from;
 };
 
+/* True if p is inside an odd number of them. */
+bool mesh_polygons_hold(const struct mesh_polygons *polygons, struct vec3 p);
+
 /* Keeps what lies inside an odd number of the polygons. */
 void mesh_clip_polygons(struct mesh *mesh, const struct mesh_polygons *polygons);
 

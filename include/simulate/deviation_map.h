@@ -6,7 +6,8 @@
  * is judged are all points that part_coverage.h does not find out of reach; or of a program
  * that is to cut a part of them, those that the ball reached within tolerance and limit, or that
  * are left among places where it touches the part by no more than `band`.  A ball also comes near
- * to points beside a region, which are not to be cut.
+ * to points beside a region, which are not to be cut: of those that are left the ones next to points
+ * that are none of it are not judged.
  */
 #ifndef CLOUDMILL_DEVIATION_MAP_H
 #define CLOUDMILL_DEVIATION_MAP_H

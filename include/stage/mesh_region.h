@@ -13,7 +13,8 @@ struct mesh_region_options {
     const char *faces;  /* numbers of surfaces as messages name them: 5,7-12; NULL: all */
     const char *steep;  /* angles between the normal and `up`, degrees: 0:45; NULL: all */
     const char *region; /* file of polygons seen along z, mm: a corner `x y` a line, an empty line
-                           between two of them; NULL: all */
+                           between two of them; NULL: all; one file, which is read
+                           once */
     struct vec3 up;     /* unit */
 };
 
@@ -27,5 +28,12 @@ bool mesh_region_given(const struct mesh_region_options *options);
  */
 int mesh_region_take(const struct mesh_region_options *options, const struct mesh *mesh,
                      struct mesh *part, struct error *error);
+
+/*
+ * Keeps those of the points that are in box and polygons with all places seen along z that are
+ * `margin` mm from them, in eight directions: a ball there need not stop at the border.  -1 and why.
+ */
+int mesh_region_points(const struct mesh_region_options *options, double margin,
+                       struct vec3s *points, struct error *error);
 
 #endif

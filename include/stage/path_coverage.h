@@ -24,6 +24,7 @@ struct path_coverage {
     double tolerance;      /* of the path, mm */
     double allowed;        /* what may be left, with what the mesh is off the scan, mm */
     size_t rounds, strips; /* of rest passes */
+    size_t beside;         /* points of the scan that are not to be cut */
 };
 
 /* Of the points of the scan that guards or, without one, of points on `region`, the mesh or a part

@@ -157,7 +157,7 @@ static size_t polygon_end(const struct mesh_polygons *p, size_t k)
 }
 
 /* Whether a ray from the point in the direction of x crosses an odd number of sides. */
-static bool is_inside(const struct mesh_polygons *polygons, struct vec3 p)
+bool mesh_polygons_hold(const struct mesh_polygons *polygons, struct vec3 p)
 {
     bool inside = false;
     for (size_t k = 0; k < polygons->from.n; k++) {
@@ -190,7 +190,7 @@ void mesh_clip_polygons(struct mesh *mesh, const struct mesh_polygons *polygons)
         const int *v = mesh->face.item[f].v;
         const struct vec3 *p = mesh->vertex.item;
         struct vec3 middle = vec_scale(1.0 / 3, vec_add(p[v[0]], vec_add(p[v[1]], p[v[2]])));
-        if (!is_inside(polygons, middle))
+        if (!mesh_polygons_hold(polygons, middle))
             continue;
         if (surfaces)
             mesh->surface.item[n] = mesh->surface.item[f];

@@ -31,6 +31,7 @@ struct rolling {
     const struct deviation_map_options *options;
     double near; /* the ball's centre to the nearest point when it is on the part */
     struct deviation_map *map;
+    unsigned char *inside; /* of each point: the region without what is left at its border */
 };
 
 /* ---- which segments of the path touch the part */
@@ -212,6 +213,24 @@ static void roll_points(void *context, size_t from, size_t to)
     }
 }
 
+/* Of the points that more is left on than may be, those with one about them that is none of the
+ * region are at its border: how far a program was to go there nobody knows. */
+static void leave_border(void *context, size_t from, size_t to)
+{
+    const struct rolling *r = context;
+    double most = fmin(r->options->tolerance, r->options->limit);
+
+    for (size_t i = from; i < to; i++) {
+        size_t index[ABOUT];
+        r->inside[i] = r->map->region[i];
+        if (!r->map->region[i] || r->map->deviation[i] <= most)
+            continue;
+        size_t n = kdtree_nearest(r->part, r->point[i], ABOUT, index, NULL);
+        for (size_t k = 0; k < n; k++)
+            r->inside[i] = r->inside[i] && r->map->region[index[k]];
+    }
+}
+
 static void set_percentiles(const double *sorted, size_t n, struct deviation_map *map)
 {
     static const double share[DEVIATION_MAP_PERCENTILES] = {0.50, 0.95, 0.99};
@@ -257,7 +276,7 @@ void deviation_map_run(struct centre_path *path, const struct vec3 *point, size_
     map->deviation = mem_alloc(n, sizeof *map->deviation);
     map->segment = mem_alloc(n, sizeof *map->segment);
     map->region = mem_alloc(n, sizeof *map->region);
-    struct rolling r = {path, tree, NULL, point, options, 0, map};
+    struct rolling r = {path, tree, NULL, point, options, 0, map, NULL};
     if (!options->gouges && n > 0) {
         r.part = part = kdtree_new(point, n);
         r.near = touching_distance(&r, n);
@@ -265,6 +284,12 @@ void deviation_map_run(struct centre_path *path, const struct vec3 *point, size_
         parallel_for(options->threads, (path->n + GROUP - 1) / GROUP, mark_touching, &r);
     }
     parallel_for(options->threads, n, roll_points, &r);
+    if (part) {
+        r.inside = mem_alloc(n, sizeof *r.inside);
+        parallel_for(options->threads, n, leave_border, &r);
+        free(map->region);
+        map->region = r.inside;
+    }
     kdtree_free(part);
     box_tree_free(tree);
     deviation_map_sum(options, map);

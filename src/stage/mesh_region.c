@@ -181,24 +181,63 @@ static int read_polygons(const char *file, struct mesh_polygons *p, struct error
     return got;
 }
 
+/* The polygons of the file, which is read once: it may be a pipe.  NULL: and why. */
+static const struct mesh_polygons *polygons_of(const char *file, struct error *error)
+{
+    static struct mesh_polygons polygons;
+
+    if (polygons.from.n == 0 && read_polygons(file, &polygons, error) != 0) {
+        error->file = true;
+        return NULL;
+    }
+    return &polygons;
+}
+
 static int take_polygons(const char *file, struct mesh *part, struct error *error)
 {
-    struct mesh_polygons polygons = {0};
-    int status = read_polygons(file, &polygons, error);
+    const struct mesh_polygons *polygons = polygons_of(file, error);
 
-    error->file = status != 0;
-    if (status == 0) {
-        const struct box box = box_around(polygons.corner.item, polygons.corner.n);
+    if (polygons) {
+        const struct box box = box_around(polygons->corner.item, polygons->corner.n);
         const double bound[] = {box.low.x, box.low.y, box.high.x, box.high.y};
         for (int i = 0; i < 4; i++) { /* little is then left to be split */
             double way = i < 2 ? 1 : -1;
             mesh_clip_plane(part, i % 2 ? vec(0, way, 0) : vec(way, 0, 0), way * bound[i] - 0.01);
         }
-        mesh_clip_polygons(part, &polygons);
+        mesh_clip_polygons(part, polygons);
     }
-    array_free(&polygons.corner);
-    array_free(&polygons.from);
-    return status;
+    return polygons ? 0 : -1;
+}
+
+static bool box_holds(const double *box, struct vec3 p)
+{
+    return p.x >= box[0] && p.y >= box[1] && p.z >= box[2] && p.x <= box[3] && p.y <= box[4] &&
+           p.z <= box[5];
+}
+
+int mesh_region_points(const struct mesh_region_options *options, double margin,
+                       struct vec3s *points, struct error *error)
+{
+    enum { ABOUT = 8 };
+    const struct mesh_polygons *polygons = NULL;
+    size_t kept = 0;
+
+    if (options->region && !(polygons = polygons_of(options->region, error)))
+        return -1;
+    for (size_t i = 0; i < points->n; i++) {
+        struct vec3 p = points->item[i];
+        bool in = true;
+        for (int k = 0; k < ABOUT && in; k++) {
+            double turn = 2 * PI * k / ABOUT;
+            struct vec3 q = vec_add(p, vec(margin * cos(turn), margin * sin(turn), 0));
+            in = (!options->box || box_holds(options->box, q)) &&
+                 (!polygons || mesh_polygons_hold(polygons, q));
+        }
+        if (in)
+            points->item[kept++] = p;
+    }
+    points->n = kept;
+    return 0;
 }
 
 /* What is said of whole surfaces does not hold of a part of them: kmax does. */

@@ -7,6 +7,7 @@
 #include "coverage_judge.h"
 #include "gouge/guard_mesh.h"
 #include "math/kdtree.h"
+#include "stage/mesh_region.h"
 #include "stage/path_options.h"
 #include "toolpath/rest_passes.h"
 #include "toolpath/scallop.h"
@@ -100,6 +101,17 @@ static struct gouge_check *bare_guard(const struct vec3s *points, int threads)
     return gouge_new(all, threads);
 }
 
+/* Of a scan what is in the region asked for and not at its border, where rows end. */
+static void keep_region(struct vec3s *points)
+{
+    struct mesh_region_options region = path_options_region();
+    struct error error;
+
+    if (mesh_region_given(&region) &&
+        mesh_region_points(&region, path_options.radius / 4, points, &error) != 0)
+        die_error(&error);
+}
+
 struct path_coverage path_coverage_new(const struct mesh *mesh, const struct mesh *region,
                                        const struct toolpath *t)
 {
@@ -117,6 +129,10 @@ struct path_coverage path_coverage_new(const struct mesh *mesh, const struct mes
     c.scan = add_points(region, c.spacing, t->threads, &points);
     if (c.scan)
         c.bare = bare_guard(&points, t->threads);
+    c.beside = points.n;
+    if (c.scan)
+        keep_region(&points);
+    c.beside -= points.n;
     c.coverage = coverage_new(points.item, points.n, t->threads);
     c.vertex = kdtree_new_by(mesh->vertex.item, mesh->vertex.n, t->threads);
     array_free(&points);
@@ -299,7 +315,7 @@ int path_coverage_conclude(const struct path_coverage *c, struct unmets *unmet)
         return EXIT_DONE;
     struct coverage_report r = coverage_report(c->coverage);
     struct coverage_point worst;
-    size_t judged = c->scallop > 0 ? judged_left(c, &worst) : 0;
+    size_t judged = c->scallop > 0 && c->beside == 0 ? judged_left(c, &worst) : 0;
     double left = 100 * ((double)r.left.n + JUDGED * (double)judged), points = (double)r.points;
     bool much = left > path_options.left_share * points;
     if (c->part) /* who judges it leaves no share */

@@ -111,8 +111,8 @@ fault "a rapid through the part" '/^N12390 /s/X.*/X-17. Z8./;/^N12390/s/G1/G0/;/
 fault "a line as a rapid, deep" '/^N12030 /s/G1.*/G0 X0. Z15./' 'N12030 .*rapid move goes'
 fault "a rapid back across the part" '/^N12420 /s/G.*/G0 X15. Y0. Z16./' 'N12420 .*rapid move goes'
 fault "a pass too low" '/^N11180 /,/^N12390 /s/Z1/Z0/' 'N1[12][0-9]*0 .* deep'
-fault "a pass left out" '/^N11170 /,/^N12400 /d' 'N.*of material is left'
-fault "passes 2 mm apart" '/^N11170 /,/^N12400 /d;/^N13650 /,/^N14880 /d' 'N.*of material is left'
+fault "a pass left out" '/ Y-1\.1[0-9]* /d' 'N.*of material is left'
+fault "passes 2 mm apart" '/ Y-*1\.1[0-9]* /d' 'N.*of material is left'
 fault "a limit of an axis passed" '/^N12400 /s/Y[-0-9.]*/Y2500./' 'N12400 .*axis . at .* beyond its travel'
 fault "a limit of A passed" '/^N12420 /s/A[-0-9.]*/A130./' 'N124[0-9]0 .*axis A at 130.000 is beyond'
 sed '/^N12420 /s/A[-0-9.]*/A120.0004/' dome.fanuc >bad.nc

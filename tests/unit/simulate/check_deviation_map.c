@@ -396,7 +396,7 @@ START_TEST(beside_loops_of_rows)
     deviation_map_run(&path, points.item, points.n, &options, &map);
     for (size_t i = 0; i < points.n; i++) {
         double x = vec_dot(points.item[i], u);
-        if (x > 0 && x < 10)
+        if (x > 1 && x < 9) /* between rows more is left than may be: at their ends nobody knows */
             ck_assert(map.region[i]);
         if (x < -step / 2 - 0.6 || x > 10 + step / 2 + 0.6)
             ck_assert(!map.region[i]);
