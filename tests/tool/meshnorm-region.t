@@ -49,6 +49,15 @@ biarcfit -q half.cl | ncpost -q -c siemens -o half.mpf
 status 0 "points beside it are none of it" ncverify -q -g scan.xyz --partial half.mpf
 has "and it is accepted" '^verdict *accepted' out
 
+# A mesh finer than its scan has holes: what rows leave there is seen and cut, in a region too
+awk 'BEGIN { srand(9 + ENVIRON["SEED"]); for (i = 0; i < 1500; i++) { x = 39 * rand(); y = 38 * rand()
+	printf "%.4f %.4f %.5f\n", x, y, 0.012 * ((x - 19) ^ 2 - (y - 19) ^ 2) } }' >few.xyz
+cloud2mesh -q -t 0.8 --noise 0 few.xyz >few.ply
+status 0 "holes of the mesh" meshnorm -v -r 3 --avoid --scallop 0.05 --box 8,7,-50,31,27,50 -o few.cl few.ply
+has "rest passes" 'rest passes: [0-9]* strips for [0-9]* points' err
+biarcfit -q few.cl | ncpost -q -c siemens -o few.mpf
+status 0 "are cut" ncverify -q -g few.xyz --partial few.mpf
+
 status 2 "rows of the mesh have no region" meshnorm -r 2 --rows mesh --region two mesh.ply
 has "which is said" 'found --region with the rows of the mesh' err
 status 2 "a box without inside" meshnorm -r 2 --box 0,0,0,0,1,1 mesh.ply
