@@ -3,11 +3,11 @@
  *
  * The deviation of a point is its distance to the nearest place of the ball's centre less the
  * radius: above zero material is left on it, below zero the ball went in so deep.  The region that
- * is judged are all points that part_coverage.h does not find out of reach; or of a program
- * that is to cut a part of them, those that the ball reached within tolerance and limit, or that
- * are left among places where it touches the part by no more than `band`.  A ball also comes near
- * to points beside a region, which are not to be cut: of those that are left the ones next to points
- * that are none of it are not judged.
+ * is judged are all points that part_coverage.h does not find out of reach; or of a program that is
+ * to cut a part of them, those that the ball reached within tolerance and limit, or that are left
+ * among places where it touches the part by no more than `band`.  A ball also comes near to points
+ * beside a region, which are not to be cut: of those that are left the ones next to points that are
+ * none of it are not judged.
  */
 #ifndef CLOUDMILL_DEVIATION_MAP_H
 #define CLOUDMILL_DEVIATION_MAP_H

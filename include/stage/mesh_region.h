@@ -31,7 +31,7 @@ int mesh_region_take(const struct mesh_region_options *options, const struct mes
 
 /*
  * Keeps those of the points that are in box and polygons with all places seen along z that are
- * `margin` mm from them, in eight directions: a ball there need not stop at the border.  -1 and why.
+ * `margin` mm from them, in eight directions: not those at the border.  -1 and why.
  */
 int mesh_region_points(const struct mesh_region_options *options, double margin,
                        struct vec3s *points, struct error *error);
