@@ -80,6 +80,35 @@ static bool any_still(const struct spline_run *pieces)
     return false;
 }
 
+/* Spans of a curve from row to row that may leave the part, at least: who judges a program takes a
+ * curve that does so over fewer for one with a wrong pole, which reaches over no more. */
+enum { LINK_SPANS = 12 };
+
+/* Of the ball's radius, over the chord: a curve that rises less stays on the part. */
+static const double RISES = 0.2;
+
+static bool rises(const struct bspline *curve, double most)
+{
+    struct vec3 from = curve->pole[0], to = curve->pole[curve->poles - 1];
+
+    for (size_t i = 1; i + 1 < curve->poles; i++)
+        if (vec_segment_distance(from, to, curve->pole[i]) > most)
+            return true;
+    return false;
+}
+
+/* The same curve with no fewer spans than that. */
+static void divide_link(struct bspline *curve)
+{
+    while (curve->poles < (size_t)curve->degree + LINK_SPANS) {
+        size_t longest = (size_t)curve->degree;
+        for (size_t i = longest; i < curve->poles; i++)
+            if (bspline_span_length(curve, i) > bspline_span_length(curve, longest))
+                longest = i;
+        bspline_insert(curve, (curve->knot[longest] + curve->knot[longest + 1]) / 2);
+    }
+}
+
 static void fit_run(const void *settings, const struct fit_request *request, struct run *points,
                     struct fitted_run *run)
 {
@@ -93,6 +122,11 @@ static void fit_run(const void *settings, const struct fit_request *request, str
         return;
     run->gouge = spline_run_fit_guarded(points, &options, request->gouge, &result->pieces);
     run->swept = request->gouge->guard && !any_still(&result->pieces);
+    for (size_t k = 0; run->link && k < result->pieces.n; k++) {
+        struct spline_run_piece *piece = &result->pieces.item[k];
+        if (!piece->still && rises(&piece->fit.curve, RISES * request->gouge->radius))
+            divide_link(&piece->fit.curve);
+    }
     add_pieces(request->in, &result->pieces, run);
 }
 
