@@ -31,9 +31,10 @@ int mesh_region_take(const struct mesh_region_options *options, const struct mes
 
 /*
  * Keeps those of the points that are in box and polygons with all places seen along z that are
- * `margin` mm from them, in eight directions: not those at the border.  -1 and why.
+ * `margin` mm from them, in eight directions: not those at the border.  After mesh_region_take,
+ * which has read the polygons.
  */
-int mesh_region_points(const struct mesh_region_options *options, double margin,
-                       struct vec3s *points, struct error *error);
+void mesh_region_points(const struct mesh_region_options *options, double margin,
+                        struct vec3s *points);
 
 #endif

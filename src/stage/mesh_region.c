@@ -181,32 +181,24 @@ static int read_polygons(const char *file, struct mesh_polygons *p, struct error
     return got;
 }
 
-/* The polygons of the file, which is read once: it may be a pipe.  NULL: and why. */
-static const struct mesh_polygons *polygons_of(const char *file, struct error *error)
-{
-    static struct mesh_polygons polygons;
-
-    if (polygons.from.n == 0 && read_polygons(file, &polygons, error) != 0) {
-        error->file = true;
-        return NULL;
-    }
-    return &polygons;
-}
+/* Those of the file, which is read once: it may be a pipe. */
+static struct mesh_polygons polygons;
 
 static int take_polygons(const char *file, struct mesh *part, struct error *error)
 {
-    const struct mesh_polygons *polygons = polygons_of(file, error);
+    int status = polygons.from.n > 0 ? 0 : read_polygons(file, &polygons, error);
 
-    if (polygons) {
-        const struct box box = box_around(polygons->corner.item, polygons->corner.n);
+    error->file = status != 0;
+    if (status == 0) {
+        const struct box box = box_around(polygons.corner.item, polygons.corner.n);
         const double bound[] = {box.low.x, box.low.y, box.high.x, box.high.y};
         for (int i = 0; i < 4; i++) { /* little is then left to be split */
             double way = i < 2 ? 1 : -1;
             mesh_clip_plane(part, i % 2 ? vec(0, way, 0) : vec(way, 0, 0), way * bound[i] - 0.01);
         }
-        mesh_clip_polygons(part, polygons);
+        mesh_clip_polygons(part, &polygons);
     }
-    return polygons ? 0 : -1;
+    return status;
 }
 
 static bool box_holds(const double *box, struct vec3 p)
@@ -215,15 +207,12 @@ static bool box_holds(const double *box, struct vec3 p)
            p.z <= box[5];
 }
 
-int mesh_region_points(const struct mesh_region_options *options, double margin,
-                       struct vec3s *points, struct error *error)
+void mesh_region_points(const struct mesh_region_options *options, double margin,
+                        struct vec3s *points)
 {
     enum { ABOUT = 8 };
-    const struct mesh_polygons *polygons = NULL;
     size_t kept = 0;
 
-    if (options->region && !(polygons = polygons_of(options->region, error)))
-        return -1;
     for (size_t i = 0; i < points->n; i++) {
         struct vec3 p = points->item[i];
         bool in = true;
@@ -231,13 +220,12 @@ int mesh_region_points(const struct mesh_region_options *options, double margin,
             double turn = 2 * PI * k / ABOUT;
             struct vec3 q = vec_add(p, vec(margin * cos(turn), margin * sin(turn), 0));
             in = (!options->box || box_holds(options->box, q)) &&
-                 (!polygons || mesh_polygons_hold(polygons, q));
+                 (!options->region || mesh_polygons_hold(&polygons, q));
         }
         if (in)
             points->item[kept++] = p;
     }
     points->n = kept;
-    return 0;
 }
 
 /* What is said of whole surfaces does not hold of a part of them: kmax does. */

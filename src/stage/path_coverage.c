@@ -105,11 +105,9 @@ static struct gouge_check *bare_guard(const struct vec3s *points, int threads)
 static void keep_region(struct vec3s *points)
 {
     struct mesh_region_options region = path_options_region();
-    struct error error;
 
-    if (mesh_region_given(&region) &&
-        mesh_region_points(&region, path_options.radius / 4, points, &error) != 0)
-        die_error(&error);
+    if (mesh_region_given(&region))
+        mesh_region_points(&region, path_options.radius / 4, points);
 }
 
 struct path_coverage path_coverage_new(const struct mesh *mesh, const struct mesh *region,
