@@ -7,15 +7,16 @@
 
 #include "base/error.h"
 #include "mesh/mesh.h"
+#include "mesh/mesh_clip.h"
 
 struct mesh_region_options {
     const double *box;  /* X0,Y0,Z0,X1,Y1,Z1, mm; NULL: all of it */
     const char *faces;  /* numbers of surfaces as messages name them: 5,7-12; NULL: all */
     const char *steep;  /* angles between the normal and `up`, degrees: 0:45; NULL: all */
     const char *region; /* file of polygons seen along z, mm: a corner `x y` a line, an empty line
-                           between two of them; NULL: all; one file, which is read
-                           once */
-    struct vec3 up;     /* unit */
+                           between two of them; NULL: all */
+    struct mesh_polygons *polygons; /* what was read of it, starts as all zero; NULL: not kept */
+    struct vec3 up;                 /* unit */
 };
 
 /* Is anything asked for? */
@@ -32,7 +33,7 @@ int mesh_region_take(const struct mesh_region_options *options, const struct mes
 /*
  * Keeps those of the points that are in box and polygons with all places seen along z that are
  * `margin` mm from them, in eight directions: not those at the border.  After mesh_region_take,
- * which has read the polygons.
+ * which has read the polygons, and kept them.
  */
 void mesh_region_points(const struct mesh_region_options *options, double margin,
                         struct vec3s *points);

@@ -22,6 +22,7 @@ struct path_options {
     double left_share; /* percent of the points that may be left within reach */
     double scallop;    /* between the rows, mm; 0: nothing is promised of it */
     double tolerance, limit, depth, noise, play, rate, lean, turn; /* degrees, degrees/mm */
+    struct mesh_polygons polygons; /* of --region, once they are read */
     double said_noise; /* --noise, mm; below zero: not given, and `noise` is as measured */
     struct vec3s certain, doubtful, curtain;           /* points of the scan of -g (guard_read.h) */
     double clearance, approach, feed, plunge, spindle; /* clearance NAN: by the part */

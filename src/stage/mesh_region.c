@@ -181,23 +181,25 @@ static int read_polygons(const char *file, struct mesh_polygons *p, struct error
     return got;
 }
 
-/* Those of the file, which is read once: it may be a pipe. */
-static struct mesh_polygons polygons;
-
-static int take_polygons(const char *file, struct mesh *part, struct error *error)
+/* The file is read once where what was read is kept: it may be a pipe. */
+static int take_polygons(const struct mesh_region_options *options, struct mesh *part,
+                         struct error *error)
 {
-    int status = polygons.from.n > 0 ? 0 : read_polygons(file, &polygons, error);
+    struct mesh_polygons own = {0}, *p = options->polygons ? options->polygons : &own;
+    int status = p->from.n > 0 ? 0 : read_polygons(options->region, p, error);
 
     error->file = status != 0;
     if (status == 0) {
-        const struct box box = box_around(polygons.corner.item, polygons.corner.n);
+        const struct box box = box_around(p->corner.item, p->corner.n);
         const double bound[] = {box.low.x, box.low.y, box.high.x, box.high.y};
         for (int i = 0; i < 4; i++) { /* little is then left to be split */
             double way = i < 2 ? 1 : -1;
             mesh_clip_plane(part, i % 2 ? vec(0, way, 0) : vec(way, 0, 0), way * bound[i] - 0.01);
         }
-        mesh_clip_polygons(part, &polygons);
+        mesh_clip_polygons(part, p);
     }
+    array_free(&own.corner);
+    array_free(&own.from);
     return status;
 }
 
@@ -220,7 +222,7 @@ void mesh_region_points(const struct mesh_region_options *options, double margin
             double turn = 2 * PI * k / ABOUT;
             struct vec3 q = vec_add(p, vec(margin * cos(turn), margin * sin(turn), 0));
             in = (!options->box || box_holds(options->box, q)) &&
-                 (!options->region || mesh_polygons_hold(&polygons, q));
+                 (!options->region || mesh_polygons_hold(options->polygons, q));
         }
         if (in)
             points->item[kept++] = p;
@@ -246,7 +248,7 @@ int mesh_region_take(const struct mesh_region_options *options, const struct mes
         return -1;
     if (options->box && take_box(options->box, part, error) != 0)
         return -1;
-    if (options->region && take_polygons(options->region, part, error) != 0)
+    if (options->region && take_polygons(options, part, error) != 0)
         return -1;
     if (options->steep || options->box || options->region)
         forget_surfaces(part);

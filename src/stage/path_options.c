@@ -199,6 +199,7 @@ struct mesh_region_options path_options_region(void)
 {
     return (struct mesh_region_options){.box = path_options.box_given ? path_options.box : NULL,
                                         .region = path_options.region,
+                                        .polygons = &path_options.polygons,
                                         .up = {0, 0, 1}};
 }
 
