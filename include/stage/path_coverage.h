@@ -27,9 +27,9 @@ struct path_coverage {
     size_t beside;         /* points of the scan that are not to be cut */
 };
 
-/* Of the points of the scan that guards or, without one, of points on `region`, the mesh or a part
- * of it.  Mesh and path must outlive it; when the rules of the path are known and path_options has
- * the scan. */
+/* Of the points of the scan that guards, of a box or polygons those inside, or without a scan of
+ * points on `region`, the mesh or a part of it.  Mesh and path must outlive it; when the rules of
+ * the path are known and path_options has the scan. */
 struct path_coverage path_coverage_new(const struct mesh *mesh, const struct mesh *region,
                                        const struct toolpath *t);
 

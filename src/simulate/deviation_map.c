@@ -167,6 +167,12 @@ static bool visit_segment(void *context, size_t item)
     return all_around(s->marks);
 }
 
+/* More than that is left on a point that is not cut. */
+static double most_left(const struct deviation_map_options *options)
+{
+    return fmin(options->tolerance, options->limit);
+}
+
 /* The normal of the part at its i-th point, to either side; with points along a line the direction
  * from there to the ball.  Who looked from the ball at a point beside a region, from which that is
  * to one side, would see cuts above and below. */
@@ -205,7 +211,7 @@ static void roll_points(void *context, size_t from, size_t to)
         bool found = distance < most, reached = found && distance < within;
         r->map->deviation[i] = found ? deviation : HUGE_VAL;
         r->map->segment[i] = found ? (unsigned)nearest : UINT_MAX;
-        if (reached && deviation > fmin(options->tolerance, options->limit)) {
+        if (reached && deviation > most_left(options)) {
             struct vec3 centre = nearest_centre(&r->path->item[nearest], p);
             reached = is_surrounded(r, p, view_on(r, i, centre), within);
         }
@@ -218,7 +224,7 @@ static void roll_points(void *context, size_t from, size_t to)
 static void leave_border(void *context, size_t from, size_t to)
 {
     const struct rolling *r = context;
-    double most = fmin(r->options->tolerance, r->options->limit);
+    double most = most_left(r->options);
 
     for (size_t i = from; i < to; i++) {
         size_t index[ABOUT];

@@ -35,6 +35,9 @@ static const double JUDGED = 1.05;
 /* Of the radius: strips in planes are no shorter. */
 static const double SHORT = 1;
 
+/* Of the radius: so near the border of a region, where rows end, its points are not asked for. */
+static const double BORDER = 0.25;
+
 /* Points on a mesh that are looked at, at most; where there are so many and nothing is promised,
  * vertices that stand closer than points have to are left out: rest passes need them all. */
 static const double MOST = 300000;
@@ -107,7 +110,7 @@ static void keep_region(struct vec3s *points)
     struct mesh_region_options region = path_options_region();
 
     if (mesh_region_given(&region))
-        mesh_region_points(&region, path_options.radius / 4, points);
+        mesh_region_points(&region, BORDER * path_options.radius, points);
 }
 
 struct path_coverage path_coverage_new(const struct mesh *mesh, const struct mesh *region,
