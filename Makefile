@@ -100,7 +100,7 @@ small := io/nurbs/nurbs_text% machine/machine machine/machine_options machine/te
   stage/toolpath_order simulate/unseen_% io/path/path_cycle \
   nurbs/construct mesh/mesh_repair io/path/path_tool mesh/mesh_clip nurbs/uv_polygon \
   stage/plane_passes stage/mesh_% stage/coverage_judge gouge/link_retract toolpath/pass_extend \
-  io/path/path_head io/mesh/ply_origin gouge/link io/cloud/cloud_formats
+  io/path/path_head math/region io/path/path_write io/mesh/ply_origin gouge/link io/cloud/cloud_formats
 $(small:%=$(BUILD)/src/%.o): CFLAGS := $(patsubst -O2,-Os,$(CFLAGS:-O3=-Os))
 
 # The file VERSION is what `--version`, the tarball and the packages say.

@@ -243,11 +243,12 @@ arcs) fitted=$folder/fitted.cl && run biarcfit -e "$tolerance" -o "$fitted" "$pa
 splines) fitted=$folder/fitted.cl && run bsplfit -e "$tolerance" -o "$fitted" "$path" ;;
 esac
 run ncpost ${control:+-c "$control"} ${machine:+-m "$machine"} -o "$output" "$fitted"
-# Of a part of the part, gouges are judged: beside its border the ball's flank leaves material.
+# Of faces and slopes no point knows whether it is of them: gouges alone are judged.
 partial=
 for option; do
 	case $option in
-	--box* | --region* | --faces* | --steep*) partial="--partial --left 1000" ;;
+	--faces* | --steep*) partial="--partial --left 1000" ;;
+	--box* | --region*) partial=${partial:---partial} ;;
 	esac
 done
 run ncplot ${machine:+-m "$machine"} --cut -o "$base.svg" "$mesh" "$output"

@@ -157,7 +157,7 @@ static void read_options(struct settings *s, struct cli *cli, int argc, char **a
          CLI_NUMBER, &s->left_share, 0, 100, 0, NULL},
         {0, "partial", NULL,
          "the program cuts a part of the scan: what is left is judged in the\n"
-         "region cut alone",
+         "region that its head (or that of -p) says, or without one in what it cuts",
          CLI_FLAG, &s->partial, 0, 0, 0, NULL},
         {0, "band", "MM",
          "with --partial: points more than this below the ball are outside of\n"
@@ -393,7 +393,8 @@ static void find_surface(const struct settings *s, int threads, struct vec3s *po
             surface->sheets_at.x, surface->sheets_at.y, surface->sheets_at.z);
 }
 
-static void read_path(const char *file, struct nc_motion *motion)
+/* The motion of a path; the region that it says, where the program says none. */
+static void read_path(const char *file, struct nc_motion *motion, struct region *region)
 {
     struct path path = {0};
     struct error error;
@@ -401,6 +402,10 @@ static void read_path(const char *file, struct nc_motion *motion)
         die_error(&error);
     motion->name = file;
     motion->coolant = path.head.coolant > COOLANT_OFF;
+    if (!region_given(region)) {
+        *region = path.head.region;
+        path.head.region.polygons = (struct region_polygons){0};
+    }
     path_free(&path);
 }
 
@@ -414,6 +419,7 @@ int main(int argc, char **argv)
     bool tcp;
     struct vec3s points = {0};
     struct verify_surface surface = {0};
+    struct region region = {0};
     read_options(&s, &cli, argc, argv);
     struct ncread_head said = {.post = -1, .axis = -1};
     adopt_head(&s, cli.file[0], &said);
@@ -428,10 +434,15 @@ int main(int argc, char **argv)
         program.surface = &surface;
     }
     program.part = &points;
+    ncread_head_region(&head, &region);
     if (s.path) {
-        read_path(s.path, &path);
+        read_path(s.path, &path, &region);
         program.path = &path;
     }
+    if (region_given(&region))
+        program.region = &region;
+    if (program.region && !s.partial)
+        note("its head says that a region is cut: --partial judges that alone");
     const struct verify_options options = {.radius = s.radius,
                                            .tolerance = s.tolerance,
                                            .left = s.left,
@@ -455,6 +466,7 @@ int main(int argc, char **argv)
         say("%s: %s%s", program.file,
             v.finding.item[i].fault ? "" : "notice: ", v.finding.item[i].text);
     verdict_free(&v);
+    region_polygons_free(&region.polygons);
     array_free(&points);
     verify_surface_free(&surface);
     array_free(&s.part);

@@ -24,7 +24,6 @@ static const double TOLERANCE = 0.01;
 static double step, scallop, plane[3], gap = 0.1;
 static struct cli_list surfaces;
 static double up[3] = {0, 0, 1};
-static const char *faces, *steep;
 static bool step_given, scallop_given, plane_given;
 static const char *direction; /* as text: auto or degrees */
 
@@ -47,9 +46,9 @@ static const struct cli_option options[] = {
     {0, "up", "I,J,K", "the side that the tool comes from (0,0,1)",
      CLI_NUMBERS, up, 0, 0, 3, NULL},
     {0, "faces", "N,N-M,...", "cut these surfaces, by their numbers in the file of the model",
-     CLI_TEXT, &faces, 0, 0, 0, NULL},
+     CLI_TEXT, &path_options.faces, 0, 0, 0, NULL},
     {0, "steep", "A:B", "cut what is inclined by A to B degrees against --up: 0:45",
-     CLI_TEXT, &steep, 0, 0, 0, NULL},
+     CLI_TEXT, &path_options.steep, 0, 0, 0, NULL},
     {0, "gap", "MM", "cut on across gaps in the part of at most this width (0.1)",
      CLI_NUMBER, &gap, 0, 1000, 0, NULL},
     {0, "surface", "FILE", "project each point onto the surfaces of this file, IGES or NURBS\n"
@@ -175,8 +174,6 @@ static const struct mesh *take_region(const struct mesh *mesh, struct mesh *part
     struct mesh_region_options region = path_options_region();
     struct error error;
 
-    region.faces = faces;
-    region.steep = steep;
     region.up = vec_unit(vec(up[0], up[1], up[2]));
     if (!mesh_region_given(&region))
         return mesh;
@@ -242,8 +239,8 @@ int main(int argc, char **argv)
         die_given(&error);
 
     struct path_coverage coverage = {.scallop = 0};
-    bool seen = path_options.box_given || path_options.region;
-    bool promised = scallop > 0 && (!path_options.guarded || (seen && !faces && !steep));
+    struct region asked = path_options_points();
+    bool promised = scallop > 0 && (!path_options.guarded || region_given(&asked));
     if (promised || (region == &mesh && (path_options.guarded || mesh.normals_made)))
         coverage = path_coverage_new(&mesh, region, &t);
     t.coverage = coverage.coverage;

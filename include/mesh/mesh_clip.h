@@ -9,22 +9,14 @@
 #ifndef CLOUDMILL_MESH_CLIP_H
 #define CLOUDMILL_MESH_CLIP_H
 
+#include "math/region.h"
 #include "mesh/mesh.h"
 
 /* Keeps where x . direction >= at; a unit vector, mm. */
 void mesh_clip_plane(struct mesh *mesh, struct vec3 direction, double at);
 
-/* Corners of closed polygons seen along z, mm; `from` is where each begins among them. */
-struct mesh_polygons {
-    struct vec3s corner;
-    struct ints from;
-};
-
-/* True if p is inside an odd number of them. */
-bool mesh_polygons_hold(const struct mesh_polygons *polygons, struct vec3 p);
-
 /* Keeps what lies inside an odd number of the polygons. */
-void mesh_clip_polygons(struct mesh *mesh, const struct mesh_polygons *polygons);
+void mesh_clip_polygons(struct mesh *mesh, const struct region_polygons *polygons);
 
 /* Keeps where the normal's angle to `up` (unit) is from `least` to `most` radians; between
  * vertices the cosine runs evenly. */

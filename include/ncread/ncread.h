@@ -29,6 +29,7 @@
 #include "base/error.h"
 #include "machine/control.h"
 #include "machine/machine.h"
+#include "math/region.h"
 #include "math/transform.h"
 #include "simulate/machine_time.h"
 #include "simulate/nc_motion.h"
@@ -37,7 +38,8 @@
 struct ncread_dialect;
 
 /* What the comments before the first move say, in mm: ncread_head.h. */
-enum { NCREAD_HEAD_TEXT = 1200, NCREAD_HEAD_NAME = 120, NCREAD_SCANS = 500 };
+enum { NCREAD_HEAD_TEXT = 1200, NCREAD_HEAD_NAME = 120, NCREAD_SCANS = 500,
+       NCREAD_HEAD_REGION = 12000 };
 struct ncread_head {
     char tool[NCREAD_HEAD_TEXT];    /* all of it; "": nothing */
     double ball;                    /* radius; 0: not said */
@@ -52,6 +54,7 @@ struct ncread_head {
     char machine[NCREAD_HEAD_TEXT]; /* its name, as far as it is there; "": not said */
     char control_file[NCREAD_HEAD_NAME]; /* as -c has it, in any case; "": not said */
     char machine_file[NCREAD_HEAD_NAME]; /* the same of -m */
+    char region[NCREAD_HEAD_REGION];     /* that it cuts, all of it; "": not said */
     double scan_points[NCREAD_SCANS];    /* of each file of the scan that guarded it, ... */
     size_t scans;                        /* ... of the first ones */
     struct transform place;              /* from the numbers of its files to mm of the program */
@@ -86,6 +89,9 @@ int ncread_read(const char *file, const struct ncread_options *options, struct n
  * a head has fewer.  -1: the file can't be read.
  */
 int ncread_head_of(const char *file, struct ncread_head *head, struct error *error);
+
+/* The region that a head says, which starts as all zero.  False: it says none, or not all of it. */
+bool ncread_head_region(const struct ncread_head *head, struct region *region);
 
 /* What its axes may do; tcp: the control keeps the tool's tip.  The struct of the time has no
  * limits yet; acceleration 0: the machine file gives none. */

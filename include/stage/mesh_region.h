@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 #include "mesh/mesh.h"
-#include "mesh/mesh_clip.h"
+#include "math/region.h"
 
 struct mesh_region_options {
     const double *box;  /* X0,Y0,Z0,X1,Y1,Z1, mm; NULL: all of it */
@@ -15,7 +15,7 @@ struct mesh_region_options {
     const char *steep;  /* angles between the normal and `up`, degrees: 0:45; NULL: all */
     const char *region; /* file of polygons seen along z, mm: a corner `x y` a line, an empty line
                            between two of them; NULL: all */
-    struct mesh_polygons *polygons; /* what was read of it, starts as all zero; NULL: not kept */
+    struct region_polygons *polygons; /* what was read of it, starts as all zero; NULL: not kept */
     struct vec3 up;                 /* unit */
 };
 
@@ -30,12 +30,9 @@ bool mesh_region_given(const struct mesh_region_options *options);
 int mesh_region_take(const struct mesh_region_options *options, const struct mesh *mesh,
                      struct mesh *part, struct error *error);
 
-/*
- * Keeps those of the points that are in box and polygons with all places seen along z that are
- * `margin` mm from them, in eight directions: not those at the border.  After mesh_region_take,
- * which has read the polygons, and kept them.
- */
-void mesh_region_points(const struct mesh_region_options *options, double margin,
-                        struct vec3s *points);
+/* Box and polygons as a region that has no border yet, and whose polygons are those of the options;
+ * nothing is in question where faces or slopes are asked for, which no point is known to be of.
+ * After mesh_region_take, which has read the polygons, and kept them. */
+struct region mesh_region_of_points(const struct mesh_region_options *options);
 
 #endif

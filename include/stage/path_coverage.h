@@ -18,13 +18,13 @@ struct path_coverage {
     double
         scallop; /* of the rows, mm; 0: none was asked for, and nothing that is left is a fault */
     bool scan;   /* the points are a scan */
-    const struct mesh *part; /* they are of a part of this; NULL: of all */
+    const struct mesh *part; /* points on a mesh are of a part of this; NULL: of all */
     double spacing;          /* of points on a mesh, mm */
     const struct toolpath_options *rule;
     double tolerance;      /* of the path, mm */
     double allowed;        /* what may be left, with what the mesh is off the scan, mm */
     size_t rounds, strips; /* of rest passes */
-    size_t beside;         /* points of the scan that are not to be cut */
+    struct vec3s beside;   /* points of the scan that are not to be cut */
 };
 
 /* Of the points of the scan that guards, of a box or polygons those inside, or without a scan of

@@ -22,7 +22,7 @@ struct path_options {
     double left_share; /* percent of the points that may be left within reach */
     double scallop;    /* between the rows, mm; 0: nothing is promised of it */
     double tolerance, limit, depth, noise, play, rate, lean, turn; /* degrees, degrees/mm */
-    struct mesh_polygons polygons; /* of --region, once they are read */
+    struct region_polygons polygons; /* of --region, once they are read */
     double said_noise; /* --noise, mm; below zero: not given, and `noise` is as measured */
     struct vec3s certain, doubtful, curtain;           /* points of the scan of -g (guard_read.h) */
     double clearance, approach, feed, plunge, spindle; /* clearance NAN: by the part */
@@ -34,6 +34,7 @@ struct path_options {
     double box[6];
     bool box_given;
     const char *region; /* file, NULL: none */
+    const char *faces, *steep; /* likewise, as of mesh_region.h */
     struct tool_options body;
     struct guard_choice guard;
     bool on_surfaces;        /* those that the mesh was made from are at hand, and cut */
@@ -48,8 +49,12 @@ extern const struct cli_option path_option_table[]; /* for cli.more */
  * the axis.  -1: an error of usage. */
 int path_options_check(struct tool_axis_options *axis, struct error *error);
 
-/* What --box and --region ask for. */
+/* What of the mesh is asked for (--box, --region, and of planecut --faces, --steep). */
 struct mesh_region_options path_options_region(void);
+
+/* The same of points, of which none at the border are asked for, where rows end: a region as of
+ * mesh_region_of_points. */
+struct region path_options_points(void);
 
 /* Reads the scan that is to guard: that of -g, or the one that the mesh names.  -1: one of -g can't
  * be read. */

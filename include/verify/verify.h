@@ -18,6 +18,7 @@
 #define CLOUDMILL_VERIFY_H
 
 #include "base/error.h"
+#include "math/region.h"
 #include "simulate/simulate.h"
 
 /* ---- the part and the stock */
@@ -72,6 +73,7 @@ struct verify_program {
     const struct nc_motion *motion;
     const struct vec3s *part;             /* its points, mm */
     const struct verify_surface *surface; /* of a scan, what more is known; NULL: not a scan */
+    const struct region *region;          /* of the part that it cuts; NULL: not known */
     double ball;                          /* the radius that its head says, mm; 0: none */
     const struct nc_motion *path;         /* that it was made from; NULL: not known */
     /* by what its head says: */
@@ -87,7 +89,7 @@ struct verify_options {
     double tolerance;                  /* deepest gouge, mm */
     double share;                      /* of the points that may have more than that, 0 to 1 */
     double left;                       /* most material left, mm; HUGE_VAL: not judged */
-    bool partial;                      /* it cuts a part of the scan: the region cut is judged */
+    bool partial; /* it cuts a part of the scan: the region that is known, or that is cut, is judged */
     double band;                       /* as of deviation_map, mm */
     struct tool_shape tool;            /* above the ball; no spans: the ball alone is judged */
     const struct stock_options *stock; /* NULL: none */
@@ -131,6 +133,7 @@ struct verdict {
     struct centre_path cut;
     struct deviation_map map;
     struct part_coverage coverage;
+    size_t asked; /* points that are to be cut: of the region that is known, or all */
     double limit; /* of what counts as left, mm */
     double noise; /* so much more than the tolerance is allowed for noise, mm */
     struct verdict_outliers outliers;
@@ -160,7 +163,7 @@ bool verdict_refused(const struct verdict *verdict);
 /* The pieces with the deepest gouges, or with most left, worst first; returns how many. */
 size_t verdict_worst(const struct verdict *verdict, bool gouge, size_t most, size_t *piece);
 
-/* enum part_class of a point; with --partial a point beyond the region cut is out of reach. */
+/* enum part_class of a point; with `partial` a point beyond the region is out of reach. */
 int verdict_class_of(const struct verdict *verdict, size_t point);
 
 /* A class in words. */

@@ -151,34 +151,13 @@ static void split_along(struct mesh *mesh, struct vec3 a, struct vec3 b)
     clip_all(&c);
 }
 
-static size_t polygon_end(const struct mesh_polygons *p, size_t k)
-{
-    return k + 1 < p->from.n ? (size_t)p->from.item[k + 1] : p->corner.n;
-}
-
-/* Whether a ray from the point in the direction of x crosses an odd number of sides. */
-bool mesh_polygons_hold(const struct mesh_polygons *polygons, struct vec3 p)
-{
-    bool inside = false;
-    for (size_t k = 0; k < polygons->from.n; k++) {
-        size_t from = (size_t)polygons->from.item[k], end = polygon_end(polygons, k);
-        for (size_t i = from; i < end; i++) {
-            struct vec3 a = polygons->corner.item[i];
-            struct vec3 b = polygons->corner.item[i + 1 < end ? i + 1 : from];
-            if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x))
-                inside = !inside;
-        }
-    }
-    return inside;
-}
-
-void mesh_clip_polygons(struct mesh *mesh, const struct mesh_polygons *polygons)
+void mesh_clip_polygons(struct mesh *mesh, const struct region_polygons *polygons)
 {
     bool surfaces = mesh->surface.n == mesh->face.n;
     size_t n = 0;
 
     for (size_t k = 0; k < polygons->from.n; k++) {
-        size_t from = (size_t)polygons->from.item[k], end = polygon_end(polygons, k);
+        size_t from = (size_t)polygons->from.item[k], end = region_polygons_end(polygons, k);
         for (size_t i = from; i < end; i++) {
             struct vec3 a = polygons->corner.item[i];
             struct vec3 b = polygons->corner.item[i + 1 < end ? i + 1 : from];
@@ -190,7 +169,7 @@ void mesh_clip_polygons(struct mesh *mesh, const struct mesh_polygons *polygons)
         const int *v = mesh->face.item[f].v;
         const struct vec3 *p = mesh->vertex.item;
         struct vec3 middle = vec_scale(1.0 / 3, vec_add(p[v[0]], vec_add(p[v[1]], p[v[2]])));
-        if (!mesh_polygons_hold(polygons, middle))
+        if (!region_polygons_hold(polygons, middle))
             continue;
         if (surfaces)
             mesh->surface.item[n] = mesh->surface.item[f];

@@ -2,6 +2,7 @@
 #include "ncread_head.h"
 
 #include <ctype.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "base/num.h"
@@ -110,6 +111,58 @@ static void read_place(struct ncread_head *head, int row, const char *s)
     head->place_rows |= 1 << row;
 }
 
+/* More of the region; a line was ended before a blank. */
+static void add_region(struct ncread_head *head, const char *text)
+{
+    size_t n = strlen(head->region), more = strcspn(text, ")\r\n");
+
+    if (n + more + 2 > sizeof head->region) /* so that it is no region */
+        snprintf(head->region, sizeof head->region, "too long");
+    else
+        snprintf(head->region + n, sizeof head->region - n, " %.*s", (int)more, text);
+}
+
+/* n numbers at *s, which moves on. */
+static bool take_numbers(const char **s, int n, double *value)
+{
+    const char *p = *s;
+
+    for (int i = 0; i < n; i++) {
+        p += strspn(p, " ");
+        if (!num_read(&p, &value[i]) || !isfinite(value[i]))
+            return false;
+    }
+    *s = p + strspn(p, " ");
+    return true;
+}
+
+bool ncread_head_region(const struct ncread_head *head, struct region *region)
+{
+    const char *s = head->region + strspn(head->region, " ");
+    double v[6];
+    bool good = *s != '\0';
+
+    while (good && *s) {
+        if (has_key(&s, "BORDER ")) {
+            good = take_numbers(&s, 1, &region->border);
+        } else if (has_key(&s, "BOX ")) {
+            good = region->boxed = take_numbers(&s, 6, v);
+            region->box = (struct box){vec(v[0], v[1], v[2]), vec(v[3], v[4], v[5])};
+        } else if (has_key(&s, "POLYGON ")) {
+            *array_push(&region->polygons.from) = (int)region->polygons.corner.n;
+            while (take_numbers(&s, 2, v))
+                *array_push(&region->polygons.corner) = vec(v[0], v[1], 0);
+        } else {
+            good = false;
+        }
+    }
+    if (!good)
+        region_polygons_free(&region->polygons);
+    if (!good)
+        *region = (struct region){0};
+    return good && region_given(region);
+}
+
 void ncread_head_line(struct ncread_head *head, const char *line)
 {
     const char *s = line + strcspn(line, "(;");
@@ -121,6 +174,11 @@ void ncread_head_line(struct ncread_head *head, const char *line)
         add_tool(head, s);
     } else if (has_key(&s, "TOOL+: ")) {
         add_tool(head, s);
+    } else if (has_key(&s, "REGION: ")) {
+        *head->region = '\0';
+        add_region(head, s);
+    } else if (has_key(&s, "REGION+: ")) {
+        add_region(head, s);
     } else if (has_key(&s, "CONTROL: ")) {
         read_name(head->control_file, sizeof head->control_file, s);
     } else if (has_key(&s, "MACHINE: ")) {

@@ -7,8 +7,9 @@
  *   CONTROL: siemens                        MACHINE: head-ca
  *   SET: A.max=30                           SCAN: 1681,3cad464a0113cb05,scan.xyz
  *   PLACE1: 1 0 0 5                         and PLACE2:, PLACE3:
+ *   REGION: BORDER 0.75 BOX 0 0 -5 40 30 10 POLYGON 0 0 10 0 10 10
  *
- * and TOOL+: for more of it, and an ATTENTION that the places are the centre of the ball.  What is
+ * and TOOL+: and REGION+: for more of these, and an ATTENTION that the places are the centre of the ball.  What is
  * not understood is as if it were not there.
  */
 #ifndef CLOUDMILL_NCREAD_HEAD_H

@@ -210,6 +210,47 @@ static void place_keys(struct nc_program *p, const struct transform *place)
     }
 }
 
+/* Corners of the polygons of a region: more would be a program of comments.  A number is no longer
+ * than that, and no coordinate beyond FAR. */
+enum { CORNERS_SAID = 200, NUMBER = 16 };
+static const double FAR = 1e9;
+
+/* " x y"; returns its length. */
+static size_t put_place(char *text, double x, double y)
+{
+    char a[NUM_MAX], b[NUM_MAX];
+
+    num_write_short(a, fmax(-FAR, fmin(x, FAR)), 4, false);
+    num_write_short(b, fmax(-FAR, fmin(y, FAR)), 4, false);
+    return (size_t)sprintf(text, " %.*s %.*s", NUMBER, a, NUMBER, b);
+}
+
+/* REGION: BORDER 0.75 BOX 0 0 -5 40 30 10 POLYGON 0 0 10 0 10 10, that is cut; mm. */
+static void region_key(struct nc_program *p, const struct region *region)
+{
+    const struct region_polygons *polygons = &region->polygons;
+    const struct vec3 low = region->box.low, high = region->box.high;
+    char text[CORNERS_SAID * (sizeof " POLYGON" + 2 * (NUMBER + 1)) + 200], border[NUM_MAX];
+    size_t n, next = 0;
+
+    num_write_short(border, fmin(region->border, FAR), 4, false);
+    n = (size_t)sprintf(text, "BORDER %.*s", NUMBER, border);
+    if (region->boxed) {
+        n += (size_t)sprintf(text + n, " BOX");
+        n += put_place(text + n, low.x, low.y);
+        n += put_place(text + n, low.z, high.x);
+        n += put_place(text + n, high.y, high.z);
+    }
+    for (size_t i = 0; i < polygons->corner.n; i++) {
+        if (next < polygons->from.n && (size_t)polygons->from.item[next] == i) {
+            n += (size_t)sprintf(text + n, " POLYGON");
+            next++;
+        }
+        n += put_place(text + n, polygons->corner.item[i].x, polygons->corner.item[i].y);
+    }
+    key_line(p, "REGION", text);
+}
+
 /* SCALLOP: 0.02 TOLERANCE: 0.01, and the scans by which the path was guarded; mm. */
 static void surface_keys(struct nc_program *p)
 {
@@ -217,6 +258,7 @@ static void surface_keys(struct nc_program *p)
         nc_comment(&p->w, "FEED: CONTACT");
     double scallop = p->path->head.scallop;
     const struct scan_sources *scan = &p->path->head.scan;
+    const struct region *region = &p->path->head.region;
     char said[NUM_MAX], sum[NUM_MAX];
     num_write_short(sum, rounded_up(nc_ledger_sum(p->path, p->plan)), 4, false);
     if (scallop > 0) {
@@ -225,6 +267,8 @@ static void surface_keys(struct nc_program *p)
     } else {
         nc_comment(&p->w, "TOLERANCE: %.20s", sum);
     }
+    if (region_given(region) && region->polygons.corner.n <= CORNERS_SAID)
+        region_key(p, region);
     for (size_t i = 0; i < scan->n; i++) {
         const struct scan_source *s = &scan->item[i];
         char text[400];

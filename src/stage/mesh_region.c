@@ -6,7 +6,6 @@
 
 #include "base/num.h"
 #include "base/reader.h"
-#include "math/box.h"
 #include "mesh/mesh_clip.h"
 
 bool mesh_region_given(const struct mesh_region_options *options)
@@ -123,7 +122,7 @@ static int take_box(const double *box, struct mesh *part, struct error *error)
 enum { CORNERS_MAX = 1000 };
 
 /* A polygon ends: it must be one. */
-static int end_polygon(const struct reader *r, const struct mesh_polygons *p, struct error *error)
+static int end_polygon(const struct reader *r, const struct region_polygons *p, struct error *error)
 {
     size_t corners = p->from.n > 0 ? p->corner.n - (size_t)p->from.item[p->from.n - 1] : 3;
     if (corners >= 3)
@@ -134,7 +133,7 @@ static int end_polygon(const struct reader *r, const struct mesh_polygons *p, st
 
 /* A corner `x y`, with `#` before a comment, or an empty line. */
 static int take_corner(const struct reader *r, const char *line, bool *open,
-                       struct mesh_polygons *p, struct error *error)
+                       struct region_polygons *p, struct error *error)
 {
     double x, y;
 
@@ -160,7 +159,7 @@ static int take_corner(const struct reader *r, const char *line, bool *open,
     return 0;
 }
 
-static int read_polygons(const char *file, struct mesh_polygons *p, struct error *error)
+static int read_polygons(const char *file, struct region_polygons *p, struct error *error)
 {
     struct reader r;
     bool open = false;
@@ -185,7 +184,7 @@ static int read_polygons(const char *file, struct mesh_polygons *p, struct error
 static int take_polygons(const struct mesh_region_options *options, struct mesh *part,
                          struct error *error)
 {
-    struct mesh_polygons own = {0}, *p = options->polygons ? options->polygons : &own;
+    struct region_polygons own = {0}, *p = options->polygons ? options->polygons : &own;
     int status = p->from.n > 0 ? 0 : read_polygons(options->region, p, error);
 
     error->file = status != 0;
@@ -198,36 +197,22 @@ static int take_polygons(const struct mesh_region_options *options, struct mesh 
         }
         mesh_clip_polygons(part, p);
     }
-    array_free(&own.corner);
-    array_free(&own.from);
+    region_polygons_free(&own);
     return status;
 }
 
-static bool box_holds(const double *box, struct vec3 p)
+struct region mesh_region_of_points(const struct mesh_region_options *options)
 {
-    return p.x >= box[0] && p.y >= box[1] && p.z >= box[2] && p.x <= box[3] && p.y <= box[4] &&
-           p.z <= box[5];
-}
+    const double *box = options->box;
+    struct region region = {.boxed = box != NULL};
 
-void mesh_region_points(const struct mesh_region_options *options, double margin,
-                        struct vec3s *points)
-{
-    enum { ABOUT = 8 };
-    size_t kept = 0;
-
-    for (size_t i = 0; i < points->n; i++) {
-        struct vec3 p = points->item[i];
-        bool in = true;
-        for (int k = 0; k < ABOUT && in; k++) {
-            double turn = 2 * PI * k / ABOUT;
-            struct vec3 q = vec_add(p, vec(margin * cos(turn), margin * sin(turn), 0));
-            in = (!options->box || box_holds(options->box, q)) &&
-                 (!options->region || mesh_polygons_hold(options->polygons, q));
-        }
-        if (in)
-            points->item[kept++] = p;
-    }
-    points->n = kept;
+    if (options->faces || options->steep)
+        return (struct region){0};
+    if (box)
+        region.box = (struct box){vec(box[0], box[1], box[2]), vec(box[3], box[4], box[5])};
+    if (options->region)
+        region.polygons = *options->polygons;
+    return region;
 }
 
 /* What is said of whole surfaces does not hold of a part of them: kmax does. */

@@ -7,7 +7,6 @@
 #include "coverage_judge.h"
 #include "gouge/guard_mesh.h"
 #include "math/kdtree.h"
-#include "stage/mesh_region.h"
 #include "stage/path_options.h"
 #include "toolpath/rest_passes.h"
 #include "toolpath/scallop.h"
@@ -34,9 +33,6 @@ static const double JUDGED = 1.05;
 
 /* Of the radius: strips in planes are no shorter. */
 static const double SHORT = 1;
-
-/* Of the radius: so near the border of a region, where rows end, its points are not asked for. */
-static const double BORDER = 0.25;
 
 /* Points on a mesh that are looked at, at most; where there are so many and nothing is promised,
  * vertices that stand closer than points have to are left out: rest passes need them all. */
@@ -104,13 +100,18 @@ static struct gouge_check *bare_guard(const struct vec3s *points, int threads)
     return gouge_new(all, threads);
 }
 
-/* Of a scan what is in the region asked for and not at its border, where rows end. */
-static void keep_region(struct vec3s *points)
+/* Of a scan what is asked for; the others are beside it. */
+static void keep_region(struct vec3s *points, struct vec3s *beside)
 {
-    struct mesh_region_options region = path_options_region();
+    struct region region = path_options_points();
+    size_t kept = 0;
 
-    if (mesh_region_given(&region))
-        mesh_region_points(&region, BORDER * path_options.radius, points);
+    for (size_t i = 0; i < points->n && region_given(&region); i++)
+        if (region_holds(&region, points->item[i]))
+            points->item[kept++] = points->item[i];
+        else
+            *array_push(beside) = points->item[i];
+    points->n = region_given(&region) ? kept : points->n;
 }
 
 struct path_coverage path_coverage_new(const struct mesh *mesh, const struct mesh *region,
@@ -125,15 +126,13 @@ struct path_coverage path_coverage_new(const struct mesh *mesh, const struct mes
         return c;
     c.rule = &t->rule;
     c.tolerance = t->lift.tolerance;
-    c.part = region == mesh ? NULL : mesh;
     c.spacing = scallop_step(h, o->radius, 0) / 2;
     c.scan = add_points(region, c.spacing, t->threads, &points);
     if (c.scan)
         c.bare = bare_guard(&points, t->threads);
-    c.beside = points.n;
+    c.part = region == mesh || c.scan ? NULL : mesh;
     if (c.scan)
-        keep_region(&points);
-    c.beside -= points.n;
+        keep_region(&points, &c.beside);
     c.coverage = coverage_new(points.item, points.n, t->threads);
     c.vertex = kdtree_new_by(mesh->vertex.item, mesh->vertex.n, t->threads);
     array_free(&points);
@@ -160,6 +159,7 @@ void path_coverage_free(struct path_coverage *c)
     coverage_free(c->coverage);
     gouge_free(c->bare);
     kdtree_free(c->vertex);
+    array_free(&c->beside);
 }
 
 /* Strips over what is left become passes of the path. */
@@ -245,7 +245,9 @@ static size_t judged_left(const struct path_coverage *c, struct coverage_point *
 
     for (size_t i = 0; i < n; i++)
         *array_push(&place) = point[i].p;
-    if (c->part) /* what is beside is in the way */
+    for (size_t i = 0; i < c->beside.n; i++) /* what is beside is in the way */
+        *array_push(&place) = c->beside.item[i];
+    if (c->part)
         add_mesh(c->part, c->spacing, c->options.threads, &place);
     double *height = mem_alloc(place.n + 1, sizeof *height);
     for (size_t i = 0; i < n; i++) {
@@ -316,7 +318,7 @@ int path_coverage_conclude(const struct path_coverage *c, struct unmets *unmet)
         return EXIT_DONE;
     struct coverage_report r = coverage_report(c->coverage);
     struct coverage_point worst;
-    size_t judged = c->scallop > 0 && c->beside == 0 ? judged_left(c, &worst) : 0;
+    size_t judged = c->scallop > 0 ? judged_left(c, &worst) : 0;
     double left = 100 * ((double)r.left.n + JUDGED * (double)judged), points = (double)r.points;
     bool much = left > path_options.left_share * points;
     if (c->part) /* who judges it leaves no share */

@@ -26,6 +26,9 @@ static const double ASIDE = 0.05;
 /* Of the radius: the normals of a row are averaged over so much of it before and after. */
 static const double EVEN = 0.4;
 
+/* Of the radius: so near the border of a region, where rows end, its points are not asked for. */
+static const double BORDER = 0.25;
+
 struct path_options path_options = {.tilt = 15,
                                     .depth = 0.3,
                                     .noise = -1,
@@ -199,8 +202,19 @@ struct mesh_region_options path_options_region(void)
 {
     return (struct mesh_region_options){.box = path_options.box_given ? path_options.box : NULL,
                                         .region = path_options.region,
+                                        .faces = path_options.faces,
+                                        .steep = path_options.steep,
                                         .polygons = &path_options.polygons,
                                         .up = {0, 0, 1}};
+}
+
+struct region path_options_points(void)
+{
+    struct mesh_region_options asked = path_options_region();
+    struct region region = mesh_region_of_points(&asked);
+
+    region.border = BORDER * path_options.radius;
+    return region;
 }
 
 /* The scan that guards, until path_options_guard. */
@@ -509,6 +523,8 @@ static void fill_head(const struct mesh *mesh, const char *tool, const struct to
     head->scallop = c->scallop;
     head->noise_given = c->guarded && c->said_noise >= 0;
     head->noise = c->said_noise;
+    head->region = path_options_points();
+    head->region.polygons = region_polygons_copy(&head->region.polygons);
     if (origin->maker && isfinite(origin->ledger))
         path_spend(t->path, origin->maker, origin->ledger);
     /* Between points of the mesh the straight lines are what was checked; without points put

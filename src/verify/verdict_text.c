@@ -165,6 +165,8 @@ static void print_part(const struct verdict *v, struct out *o)
     out_printf(o, "part         %zu points", v->map.points);
     if (v->options.partial || v->cut.n == 0)
         out_printf(o, ", %zu of them in the region cut", v->map.cut);
+    else if (v->program.region)
+        out_printf(o, ", %zu of them in the region that is to be cut", v->asked);
     if (surface && surface->noise > 0)
         out_printf(o, ", noise %.4f mm", surface->noise);
     if (surface && surface->outliers.n > 0)
@@ -182,8 +184,9 @@ static void print_coverage(const struct verdict *v, struct out *o)
 {
     for (int k = 0; k < COVERAGE_CLASSES; k++) {
         const struct part_coverage_sum *sum = &v->coverage.sum[k];
-        out_printf(o, "coverage     %s %zu points, %.1f mm2", verdict_class(k), sum->points,
-                   sum->area);
+        bool beyond = k == COVERAGE_OUT_OF_REACH && v->program.region;
+        out_printf(o, "coverage     %s%s %zu points, %.1f mm2", verdict_class(k),
+                   beyond ? " or beyond the region" : "", sum->points, sum->area);
         if (k != COVERAGE_CUT && sum->points > 0) {
             struct vec3 p = v->program.part->item[sum->at];
             out_printf(o, ", most %.4f mm at %.3f %.3f %.3f", sum->worst, p.x, p.y, p.z);

@@ -116,7 +116,7 @@ static void judge_left(struct verdict *v)
     const struct part_coverage_sum *left = &v->coverage.sum[COVERAGE_LEFT];
     bool whole = !v->options.partial;
     size_t at = whole ? left->at : r->over_at, n = whole ? left->points : left_in_region(v);
-    double all = (double)(whole ? v->program.part->n : r->cut);
+    double all = (double)(whole ? v->asked : r->cut);
     size_t most =
         (size_t)fmax(v->options.share * all, whole || v->options.share == 0 ? 0 : RIM * sqrt(all));
     struct vec3 p = v->program.part->item[at];

@@ -29,8 +29,8 @@ static void roll_outliers(struct verdict *v)
     deviation_map_free(&map);
 }
 
-/* Which points are cut, out of reach, or left by so much. */
-static void cover_points(const struct verdict *v, const double *left,
+/* Which points are cut, out of reach (among them those `beside`, NULL: none), or left by so much. */
+static void cover_points(const struct verdict *v, const double *left, const unsigned char *beside,
                          struct part_coverage *coverage)
 {
     const struct verify_options *o = &v->options;
@@ -45,7 +45,9 @@ static void cover_points(const struct verdict *v, const double *left,
                                                 .whole = !surface,
                                                 .threads = o->threads};
 
-    part_coverage_run(part->item, left, surface ? surface->under : NULL, part->n, &reach, coverage);
+    if (!beside && surface)
+        beside = surface->under;
+    part_coverage_run(part->item, left, beside, part->n, &reach, coverage);
     array_free(&axis);
 }
 
@@ -62,11 +64,27 @@ static void leave_out_of_reach(struct verdict *v)
     struct part_coverage coverage;
     for (size_t i = 0; i < n; i++)
         left[i] = v->map.region[i] ? v->map.deviation[i] : 0;
-    cover_points(v, left, &coverage);
+    cover_points(v, left, NULL, &coverage);
     for (size_t i = 0; i < n; i++)
         v->map.region[i] = v->map.region[i] && is_reached(&coverage, i);
     part_coverage_free(&coverage);
     free(left);
+}
+
+/* 1 of each point that is not asked for, or under a roof; counts the points of the region. */
+static unsigned char *beside_region(struct verdict *v)
+{
+    const struct verify_surface *surface = v->program.surface;
+    const struct vec3s *part = v->program.part;
+    unsigned char *beside = mem_alloc(part->n + 1, 1);
+
+    v->asked = 0;
+    for (size_t i = 0; i < part->n; i++) {
+        bool in = region_holds(v->program.region, part->item[i]);
+        beside[i] = !in || (surface && surface->under && surface->under[i]);
+        v->asked += in;
+    }
+    return beside;
 }
 
 /* The ball over all points; which of them are cut, out of reach, or left. */
@@ -84,7 +102,9 @@ static void roll_cuts(struct verdict *v)
     if (o->partial) {
         leave_out_of_reach(v);
     } else {
-        cover_points(v, v->map.deviation, &v->coverage);
+        unsigned char *beside = v->program.region ? beside_region(v) : NULL;
+        cover_points(v, v->map.deviation, beside, &v->coverage);
+        free(beside);
         for (size_t i = 0; i < part->n; i++)
             v->map.region[i] = is_reached(&v->coverage, i);
     }
@@ -165,7 +185,11 @@ static void cut_stock(struct verdict *v)
 struct verdict verify_run(const struct verify_program *program,
                           const struct verify_options *options)
 {
-    struct verdict v = {.program = *program, .options = *options};
+    struct verdict v = {.program = *program, .options = *options, .asked = program->part->n};
+    if (!options->partial)
+        v.program.region = NULL;
+    if (v.program.region) /* what is to be cut is known, and judged as if it were all */
+        v.options.partial = false;
     v.noise = program->surface ? SIGMAS * program->surface->noise : 0;
     v.limit = ROUNDED + v.noise + (isfinite(options->left) ? options->left : options->tolerance);
     centre_path_cut(program->motion, options->radius, FLAT, &v.cut);

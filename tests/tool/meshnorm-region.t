@@ -58,6 +58,26 @@ has "rest passes" 'rest passes: [0-9]* strips for [0-9]* points' err
 biarcfit -q few.cl | ncpost -q -c siemens -o few.mpf
 status 0 "are cut" ncverify -q -g few.xyz --partial few.mpf
 
+# The program says its region: what is left there is found, whatever the ball comes near to
+biarcfit -q half.cl >arcs.cl
+meshnorm -q -r 5 --avoid --scallop 0.01 --box=-8,-8,-50,-1,0,50 mesh.ply | biarcfit -q >less.cl
+for control in fanuc siemens heidenhain linuxcnc; do
+	ncpost -q -c $control arcs.cl >half.nc
+	has "$control: the head says it" 'REGION: BORDER 1.25 BOX -8 -8 -50 -1 8 50' half.nc
+	ncverify -q -g scan.xyz --partial half.nc >out
+	has "what is in it is counted" '^part .*, [0-9]+ of them in the region that is to be cut' out
+	# a program of half of it that says the whole
+	ncpost -q -c $control less.cl | sed 's/-1 0 50/-1 8 50/' >less.nc
+	status 3 "$control: what is not cut of it" ncverify -q -g scan.xyz --partial less.nc
+	has "is found" 'mm of material is left at' out
+done
+status 0 "without a head the path says it" sh -c "sed '/REGION/d' half.nc >none.nc && ncverify -q -g scan.xyz --partial -p arcs.cl none.nc"
+has "and it is asked for" 'in the region that is to be cut' out
+status 3 "without --partial all is asked for" ncverify -q -g scan.xyz half.nc
+cat half.cl half.cl | sed '/^FINI/d' >twice.cl && echo FINI >>twice.cl
+biarcfit -q --no-guard twice.cl 2>/dev/null | ncpost -q --accept -c fanuc >twice.nc 2>err
+hasnt "of two paths no region is said" REGION twice.nc
+
 status 2 "rows of the mesh have no region" meshnorm -r 2 --rows mesh --region two mesh.ply
 has "which is said" 'found --region with the rows of the mesh' err
 status 2 "a box without inside" meshnorm -r 2 --box 0,0,0,0,1,1 mesh.ply

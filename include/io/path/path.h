@@ -19,7 +19,7 @@
 #include "base/out.h"
 #include "base/unmet.h"
 #include "gouge/holder.h"
-#include "math/vec.h"
+#include "math/region.h"
 #include "mesh/scan_source.h"
 
 enum path_kind {
@@ -146,6 +146,8 @@ struct path_head {
         size_t n, cap;
         struct ledger_entry *item;
     } ledger;
+    struct region region;     /* $$-> REGION/: that is cut; none: all, or it is not said which */
+    bool regions;             /* a second one was said of it: none is known then */
     struct scan_sources scan; /* $$-> SCAN/, PLACE/: that it is guarded by */
     struct unmets unmet;      /* $$-> UNMET/: what the stages so far could not keep */
 };

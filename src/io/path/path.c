@@ -28,6 +28,7 @@ void path_free(struct path *path)
     for (size_t i = 0; i < path->spent.n; i++)
         free(path->spent.item[i].entry.stage);
     array_free(&path->spent);
+    region_polygons_free(&path->head.region.polygons);
     scan_sources_free(&path->head.scan);
     unmets_free(&path->head.unmet);
     array_free(&path->item);
@@ -46,6 +47,7 @@ void path_head_copy(struct path_head *to, const struct path_head *from)
     *to = *from;
     to->partno = copy_text(from->partno);
     memset(&to->ledger, 0, sizeof to->ledger);
+    to->region.polygons = region_polygons_copy(&from->region.polygons);
     to->scan = scan_sources_copy(&from->scan);
     memset(&to->unmet, 0, sizeof to->unmet);
     unmets_add_all(&to->unmet, &from->unmet);

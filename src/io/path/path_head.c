@@ -170,6 +170,63 @@ static int read_noise(struct path_parse *p)
     return *noise >= 0 ? 0 : error_at(AT(p), "found NOISE/%g, expected no less than 0", *noise);
 }
 
+/* Corners of a polygon: of the last one, or of another. */
+static int read_corners(struct path_parse *p, bool another)
+{
+    struct region_polygons *polygons = &p->path->head.region.polygons;
+    size_t n = p->apt.argument.n;
+
+    if (n < 3 || n % 2 == 0 || (!another && polygons->from.n == 0))
+        return error_at(AT(p), "found `%.60s`, expected REGION/POLYGON,x,y, more corners, and more "
+                               "in REGION/CORNERS",
+                        p->apt.raw);
+    if (another)
+        *array_push(&polygons->from) = (int)polygons->corner.n;
+    for (size_t i = 1; i < n; i += 2) {
+        double v[2];
+        if (path_numbers(p, i, 2, v, "x, y of a corner") < 0)
+            return -1;
+        *array_push(&polygons->corner) = vec(v[0], v[1], 0);
+    }
+    return 0;
+}
+
+/* Of a path after others nobody knows which part of them is whose. */
+static int begin_region(struct path_parse *p)
+{
+    struct path_head *head = &p->path->head;
+
+    if (region_given(&head->region) || p->path->item.n > 0)
+        head->regions = true;
+    if (head->regions) {
+        region_polygons_free(&head->region.polygons);
+        head->region = (struct region){0};
+        return 0;
+    }
+    return path_numbers(p, 1, 1, &head->region.border, "mm");
+}
+
+static int read_region(struct path_parse *p)
+{
+    struct region *region = &p->path->head.region;
+    double v[6];
+
+    if (apt_is(&p->apt, 0, "BORDER"))
+        return begin_region(p);
+    if (apt_is(&p->apt, 0, "POLYGON") || apt_is(&p->apt, 0, "CORNERS"))
+        return p->path->head.regions ? 0 : read_corners(p, apt_is(&p->apt, 0, "POLYGON"));
+    if (!apt_is(&p->apt, 0, "BOX"))
+        return error_at(AT(p), "found `%.60s`, expected REGION/BORDER, BOX, POLYGON or CORNERS",
+                        p->apt.raw);
+    if (path_numbers(p, 1, 6, v, "x, y, z of two corners") < 0)
+        return -1;
+    if (!p->path->head.regions) {
+        region->boxed = true;
+        region->box = (struct box){vec(v[0], v[1], v[2]), vec(v[3], v[4], v[5])};
+    }
+    return 0;
+}
+
 static int read_runs(struct path_parse *p)
 {
     double v[2];
@@ -317,6 +374,7 @@ static const struct path_row comments[] = {
     {"CLOUDMILL", read_own},       {"CUTTER", path_read_cutter}, {"SCALLOP", read_scallop},
     {"TOOL", read_body},           {"SCAN", read_scan},          {"PLACE", read_place},
     {"UNMET", read_unmet},         {"RUNS", read_runs},          {"NOISE", read_noise},
+    {"REGION", read_region},
 };
 
 const struct path_row *path_row_of_word(const struct path_row *rows, size_t n, const char *word)

@@ -81,6 +81,39 @@ static void write_scan(struct out *out, const struct scan_sources *scan)
     }
 }
 
+/* Box and polygons, of these a few corners in a line. */
+static void write_region(struct out *out, const struct region *region)
+{
+    enum { IN_A_LINE = 3 };
+    const struct region_polygons *p = &region->polygons;
+
+    out_text(out, "$$-> REGION/BORDER,");
+    out_num(out, region->border, COORDINATE);
+    out_text(out, "\n");
+    if (region->boxed) {
+        out_text(out, "$$-> REGION/BOX,");
+        write_vec(out, region->box.low, COORDINATE);
+        out_text(out, ",");
+        write_vec(out, region->box.high, COORDINATE);
+        out_text(out, "\n");
+    }
+    for (size_t k = 0; k < p->from.n; k++) {
+        size_t from = (size_t)p->from.item[k], end = region_polygons_end(p, k);
+        for (size_t i = from; i < end; i++) {
+            const struct vec3 *c = &p->corner.item[i];
+            bool first = (i - from) % IN_A_LINE == 0;
+            if (first)
+                out_text(out, i == from ? "$$-> REGION/POLYGON" : "$$-> REGION/CORNERS");
+            out_text(out, ",");
+            out_num(out, c->x, COORDINATE);
+            out_text(out, ",");
+            out_num(out, c->y, COORDINATE);
+            if (i + 1 == end || (i + 1 - from) % IN_A_LINE == 0)
+                out_text(out, "\n");
+        }
+    }
+}
+
 static void write_spent(struct out *out, const struct ledger_entry *entry)
 {
     out_printf(out, "$$-> LEDGER/%s,%.6f\n", entry->stage, entry->spent);
@@ -125,6 +158,8 @@ void path_write_head(struct out *out, const struct path_head *head)
         out_num(out, head->runs.feed, COORDINATE);
         out_text(out, "\n");
     }
+    if (region_given(&head->region))
+        write_region(out, &head->region);
     write_scan(out, &head->scan);
 }
 

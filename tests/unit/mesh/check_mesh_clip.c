@@ -126,7 +126,7 @@ START_TEST(polygons_seen_from_above)
     const struct vec3 corner[] = {{6, 1, 0},  {1, 6, 0},   {-5, 0, 0}, {0, -5, 0},
                                   {-1, 0, 0}, {2.5, 1, 0}, {0.5, 3, 0}};
     struct mesh m = half_ball();
-    struct mesh_polygons p = {0};
+    struct region_polygons p = {0};
     double seen = 0;
     for (int i = 0; i < 7; i++)
         *array_push(&p.corner) = corner[i];

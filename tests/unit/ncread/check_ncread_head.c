@@ -101,6 +101,42 @@ START_TEST(words)
 }
 END_TEST
 
+/* In more than one line, too; what is no region, or too long for one, is none. */
+START_TEST(the_region)
+{
+    static const char *const bad[] = {"(REGION: )",
+                                      "(REGION: BORDER 1)",
+                                      "(REGION: BORDER x BOX 0 0 0 1 1 1)",
+                                      "(REGION: BORDER 1 BOX 0 0 0 1 1)",
+                                      "(REGION: BORDER 1 BOX 0 0 0 1 1 1 BALL 3)",
+                                      "(REGION: BORDER 1 POLYGON 0 0 1)",
+                                      "(REGION: BOX 0 0 0 1 1 inf)"};
+    struct region region = {.border = 0};
+    ck_assert(!ncread_head_region(&head, &region));
+    line("(REGION: BORDER 0.75 BOX 0 -5 -5.5 40 30)");
+    line("; REGION+: 10 POLYGON 0 0 10 0");
+    line("14 ; REGION+: 10 10 POLYGON 1 1 2 1 1 2");
+    ck_assert(ncread_head_region(&head, &region));
+    ck_assert_double_eq(region.border, 0.75);
+    ck_assert_double_eq(region.box.low.z, -5.5);
+    ck_assert_double_eq(region.box.high.z, 10);
+    ck_assert_uint_eq(region.polygons.from.n, 2);
+    ck_assert_uint_eq(region.polygons.corner.n, 6);
+    ck_assert_double_eq(region.polygons.corner.item[2].y, 10);
+    region_polygons_free(&region.polygons);
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+        line(bad[i]);
+        region = (struct region){.border = 0};
+        ck_assert_msg(!ncread_head_region(&head, &region), "%s", bad[i]);
+        ck_assert(!region_given(&region));
+    }
+    line("(REGION: BORDER 0.75 BOX 0 -5 -5.5 40 30 7 POLYGON 1 1 2 1 1 2)");
+    for (size_t i = 0; i < NCREAD_HEAD_REGION / 9; i++)
+        line("(REGION+: 10.5 10.5)");
+    ck_assert(!ncread_head_region(&head, &region));
+}
+END_TEST
+
 START_TEST(what_is_not_said)
 {
     static const char *const text[] = {"",
@@ -174,6 +210,7 @@ int main(void)
     tcase_add_loop_test(tests, tool, 0, (int)(sizeof tools / sizeof *tools));
     tcase_add_test(tests, long_tool);
     tcase_add_test(tests, words);
+    tcase_add_test(tests, the_region);
     tcase_add_test(tests, what_is_not_said);
     tcase_add_test(tests, place);
     tcase_add_test(tests, of_a_file);

@@ -42,11 +42,50 @@ START_TEST(the_tool_above_its_ball)
 }
 END_TEST
 
+/* Of two regions nobody knows which part of the path is whose. */
+START_TEST(a_region)
+{
+#define BOX "$$-> REGION/BORDER,1\n$$-> REGION/BOX,0,0,0,5,5,5\n"
+    static const struct {
+        const char *before, *after;
+        bool given;
+        const char *wrong;
+    } cases[] = {{"", "", false, NULL},
+                 {BOX, "", true, NULL},
+                 {BOX, BOX, false, NULL},
+                 {"", BOX, false, NULL},
+                 {BOX, "$$-> REGION/BORDER,2\n$$-> REGION/POLYGON,0,0,1,0,1,1\n", false, NULL},
+                 {"$$-> REGION/BORDER,1\n$$-> REGION/POLYGON,0,0,1,0\n"
+                  "$$-> REGION/CORNERS,1,1\n",
+                  "", true, NULL},
+                 {"$$-> REGION/CORNERS,1,1\n", "", false, "expected REGION/POLYGON,x,y"},
+                 {"$$-> REGION/POLYGON,1,1,2\n", "", false, "expected REGION/POLYGON,x,y"},
+                 {"$$-> REGION/BOX,1,1,2\n", "", false, "x, y, z of two corners"},
+                 {"$$-> REGION/BALL,1,1,2\n", "", false, "expected REGION/BORDER, BOX"}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct path path;
+        struct error error = {.text = ""};
+        char text[400];
+        snprintf(text, sizeof text, "CUTTER/16,8\n%sGOTO/1,2,3\n%sGOTO/1,2,4\nFINI\n",
+                 cases[i].before, cases[i].after);
+        int result = path_read(scratch_text(text), &path, &error);
+        ck_assert_msg((result < 0) == (cases[i].wrong != NULL), "%zu: %s", i, error.text);
+        if (cases[i].wrong) {
+            ck_assert_msg(strstr(error.text, cases[i].wrong), "%zu: %s", i, error.text);
+            continue;
+        }
+        ck_assert(region_given(&path.head.region) == cases[i].given);
+        path_free(&path);
+    }
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("path_head");
     TCase *tests = tcase_create("path_head");
     tcase_add_test(tests, the_tool_above_its_ball);
+    tcase_add_test(tests, a_region);
     suite_add_tcase(suite, tests);
     SRunner *runner = srunner_create(suite);
     srunner_run_all(runner, CK_NORMAL);
