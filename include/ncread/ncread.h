@@ -38,8 +38,12 @@
 struct ncread_dialect;
 
 /* What the comments before the first move say, in mm: ncread_head.h. */
-enum { NCREAD_HEAD_TEXT = 1200, NCREAD_HEAD_NAME = 120, NCREAD_SCANS = 500,
-       NCREAD_HEAD_REGION = 12000 };
+enum {
+    NCREAD_HEAD_TEXT = 1200,
+    NCREAD_HEAD_NAME = 120,
+    NCREAD_SCANS = 500,
+    NCREAD_HEAD_REGION = 12000
+};
 struct ncread_head {
     char tool[NCREAD_HEAD_TEXT];    /* all of it; "": nothing */
     double ball;                    /* radius; 0: not said */

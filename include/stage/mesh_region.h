@@ -16,7 +16,7 @@ struct mesh_region_options {
     const char *region; /* file of polygons seen along z, mm: a corner `x y` a line, an empty line
                            between two of them; NULL: all */
     struct region_polygons *polygons; /* what was read of it, starts as all zero; NULL: not kept */
-    struct vec3 up;                 /* unit */
+    struct vec3 up;                   /* unit */
 };
 
 /* Is anything asked for? */

@@ -33,7 +33,7 @@ struct path_options {
     const char *partno, *machine;
     double box[6];
     bool box_given;
-    const char *region; /* file, NULL: none */
+    const char *region;        /* file, NULL: none */
     const char *faces, *steep; /* likewise, as of mesh_region.h */
     struct tool_options body;
     struct guard_choice guard;

@@ -85,11 +85,12 @@ struct verify_program {
 };
 
 struct verify_options {
-    double radius;                     /* of the ball, mm */
-    double tolerance;                  /* deepest gouge, mm */
-    double share;                      /* of the points that may have more than that, 0 to 1 */
-    double left;                       /* most material left, mm; HUGE_VAL: not judged */
-    bool partial; /* it cuts a part of the scan: the region that is known, or that is cut, is judged */
+    double radius;    /* of the ball, mm */
+    double tolerance; /* deepest gouge, mm */
+    double share;     /* of the points that may have more than that, 0 to 1 */
+    double left;      /* most material left, mm; HUGE_VAL: not judged */
+    bool
+        partial; /* it cuts a part of the scan: the region that is known, or that is cut, is judged */
     double band;                       /* as of deviation_map, mm */
     struct tool_shape tool;            /* above the ball; no spans: the ball alone is judged */
     const struct stock_options *stock; /* NULL: none */

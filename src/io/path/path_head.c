@@ -177,8 +177,9 @@ static int read_corners(struct path_parse *p, bool another)
     size_t n = p->apt.argument.n;
 
     if (n < 3 || n % 2 == 0 || (!another && polygons->from.n == 0))
-        return error_at(AT(p), "found `%.60s`, expected REGION/POLYGON,x,y, more corners, and more "
-                               "in REGION/CORNERS",
+        return error_at(AT(p),
+                        "found `%.60s`, expected REGION/POLYGON,x,y, more corners, and more "
+                        "in REGION/CORNERS",
                         p->apt.raw);
     if (another)
         *array_push(&polygons->from) = (int)polygons->corner.n;
