@@ -89,9 +89,8 @@ struct verify_options {
     double tolerance; /* deepest gouge, mm */
     double share;     /* of the points that may have more than that, 0 to 1 */
     double left;      /* most material left, mm; HUGE_VAL: not judged */
-    bool
-        partial; /* it cuts a part of the scan: the region that is known, or that is cut, is judged */
-    double band;                       /* as of deviation_map, mm */
+    bool partial;     /* it cuts a part of the scan: the region known, or that it cuts, is judged */
+    double band;      /* as of deviation_map, mm */
     struct tool_shape tool;            /* above the ball; no spans: the ball alone is judged */
     const struct stock_options *stock; /* NULL: none */
     double cell;                       /* of the stock, mm; 0: by its size */

@@ -9,8 +9,8 @@
  *   PLACE1: 1 0 0 5                         and PLACE2:, PLACE3:
  *   REGION: BORDER 0.75 BOX 0 0 -5 40 30 10 POLYGON 0 0 10 0 10 10
  *
- * and TOOL+: and REGION+: for more of these, and an ATTENTION that the places are the centre of the ball.  What is
- * not understood is as if it were not there.
+ * and TOOL+: and REGION+: for more of these, and an ATTENTION that the places are the centre of the
+ * ball.  What is not understood is as if it were not there.
  */
 #ifndef CLOUDMILL_NCREAD_HEAD_H
 #define CLOUDMILL_NCREAD_HEAD_H

@@ -29,7 +29,7 @@ static void roll_outliers(struct verdict *v)
     deviation_map_free(&map);
 }
 
-/* Which points are cut, out of reach (among them those `beside`, NULL: none), or left by so much. */
+/* Which points are cut, out of reach (also those `beside`, NULL: none), or left by so much. */
 static void cover_points(const struct verdict *v, const double *left, const unsigned char *beside,
                          struct part_coverage *coverage)
 {
