@@ -233,11 +233,25 @@ static void say_report(const struct settings *s, const struct path *path,
 static bool say_unmet(const struct settings *s, const struct unmets *unmet)
 {
     for (size_t i = 0; i < unmet->n; i++)
-        say("unmet, %s: %s", unmet->item[i].stage, unmet->item[i].text);
+        if (strcmp(unmet->item[i].stage, "ncpost") != 0) /* its own is said */
+            say("unmet, %s: %s", unmet->item[i].stage, unmet->item[i].text);
     if (unmet->n > 0 && !s->accept)
-        say("an earlier stage could not keep what was asked of it; the program is written, and its "
+        say("a stage could not keep what was asked of it; the program is written, and its "
             "head says so (--accept ends with 0)");
     return unmet->n > 0 && !s->accept;
+}
+
+/* What is added to the path is held against its scan, before the head is written. */
+static void check_made(const struct post *post, struct gouge_refit_options tool, int threads,
+                       struct path *path)
+{
+    struct made_moves moves = post_made_moves(post);
+    struct error error;
+
+    if (made_moves_check(&moves, path, tool, post_report(post).ledger, threads, &path->head.unmet,
+                         &error) != 0)
+        die_error(&error);
+    array_free(&moves);
 }
 
 /* Parts of an earlier run that had more of them, which a control would go on with. */
@@ -266,12 +280,14 @@ int main(int argc, char **argv)
     else
         read_path(&s, cli.file[0], &path);
 
+    const struct gouge_refit_options tool = made_moves_tool(&path); /* of lengths in mm still */
     struct error error;
     int status;
     size_t files;
     struct post *post = post_plan(control, &path, &machine, &s.post, &status, &error);
     if (!post)
         die_status(status, &error);
+    check_made(post, tool, cli.threads, &path);
     if (post_write(post, s.extract, cli.output, &files, &error) != 0)
         die_error(&error);
     if (files > 1)

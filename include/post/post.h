@@ -46,6 +46,7 @@
 #include "io/path/path_part.h"
 #include "machine/control.h"
 #include "machine/machine.h"
+#include "stage/made_moves.h"
 
 /* How the tool axis is to be programmed: as usual for the control, or as asked. */
 enum post_axis_words { POST_AXIS_USUAL, POST_AXIS_VECTORS, POST_AXIS_ROTARY };
@@ -126,6 +127,11 @@ int post_write(struct post *post, struct post_extract extract, const char *file,
 char *post_part_name(const char *file, size_t part);
 
 struct post_report post_report(const struct post *post);
+
+/* The rapid moves of its first tool that the path does not have: off the part and back to it so that
+ * a rotary axis can turn, an approach, a retract.  None of a program in tilted planes.  To be freed
+ * (array_free). */
+struct made_moves post_made_moves(const struct post *post);
 
 void post_free(struct post *post);
 

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "base/array.h"
+#include "base/reader.h"
 
 struct cli_option machine_option_name(struct machine_options *options)
 {
@@ -53,6 +54,12 @@ int machine_options_read(const struct machine_options *options, struct machine *
     const char *control = options->control;
     struct machine first = machine_default();
     int status = 0;
+    if (options->name && reader_reads_once(options->name)) {
+        error_at(error, options->name, 0,
+                 "found a pipe, expected a file: it is read twice, and "
+                 "again by who reads the program");
+        return EXIT_FAILED;
+    }
     if (!control && (status = read_over(options, &first, error)) != 0)
         return status;
     if (!control)

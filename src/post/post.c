@@ -9,6 +9,7 @@
 #include "base/num.h"
 #include "post_head.h"
 #include "post_hole.h"
+#include "post_ik.h"
 #include "post_group.h"
 #include "post_output.h"
 #include "post_statement.h"
@@ -170,6 +171,46 @@ int post_write(struct post *post, struct post_extract extract, const char *file,
                struct error *error)
 {
     return nc_output(&post->program, extract, file, files, error);
+}
+
+/* Where a move ends on the path, mm. */
+static struct pose pose_of(const struct nc_plan *plan, const struct kinematic_chain *chain,
+                           const struct nc_move *move)
+{
+    struct block_pose at = nc_plan_pose(plan, chain, move);
+    struct pose pose = {at.p, vec_unit(at.a)};
+
+    if (plan->ability.mode == INTERPOLATE_JOINT)
+        pose.p = chain_tip(chain, at.p, at.q);
+    pose.p = vec_scale(plan->ability.unit, pose.p);
+    return pose;
+}
+
+struct made_moves post_made_moves(const struct post *post)
+{
+    const struct nc_program *p = &post->program;
+    const struct nc_plan *plan = &post->plan;
+    struct kinematic_chain chain = p->machine->chain;
+    struct made_moves made = {0};
+    const struct nc_move *before = NULL;
+    unsigned line = 0;
+
+    if (p->plane)
+        return made;
+    post_ik_chain(p->machine, p->path->head.tool, p->options.unit, &chain);
+    for (size_t i = 0; i < plan->move.n && plan->move.item[i].kind != NC_TOOL; i++) {
+        const struct nc_move *move = &plan->move.item[i];
+        bool here =
+            move->why == NC_WHY_TURN || move->why == NC_WHY_APPROACH || move->why == NC_WHY_RETRACT;
+        if (!nc_moves(move))
+            continue;
+        if (here && before && move->kind == NC_RAPID)
+            *array_push(&made) = (struct made_move){pose_of(plan, &chain, before),
+                                                    pose_of(plan, &chain, move), line};
+        line = move->line ? move->line : line;
+        before = move;
+    }
+    return made;
 }
 
 struct post_report post_report(const struct post *post)

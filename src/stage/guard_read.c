@@ -67,16 +67,17 @@ static int read_named(const struct scan_source *source, struct vec3s *points, st
 }
 
 /* Whoever pipes a scan in knows that it is nowhere; whoever named a file is told that it is not
- * what it was, and does not go on with 0. */
+ * what it was, and with `unmet` does not go on with 0. */
 static void say_unguarded(const struct scan_source *source, const char *stream, const char *instead,
                           const char *why, struct unmets *unmet)
 {
-    const char *told = "the scan that %s names does not guard: %s; %s (-g FILE names it)";
+    const char *other = unmet ? " (-g FILE names it)" : ""; /* who says nothing else has no -g */
+    const char *told = "the scan that %s names does not guard: %s; %s%s";
 
     if (strcmp(source->name, "-") == 0)
-        say(told, stream, why, instead);
+        say(told, stream, why, instead, other);
     else
-        unmet_warn(unmet, told, stream, why, instead);
+        unmet_warn(unmet, told, stream, why, instead, other);
 }
 
 /* The files that a stream names, all of them or none; -1: one is there and cannot be read. */

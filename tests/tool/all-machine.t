@@ -48,6 +48,9 @@ done <<'END'
 1|and a good key set|-m ./frob.txt --set a.max=90
 END
 status 1 "ncplot: a machine that is not there" ncplot -m no-such-machine shapes.nc
+mkfifo pipe.txt # nobody writes to it: not waited for
+status 1 "ncpost: a machine by a pipe" ncpost -m ./pipe.txt -o none shapes.cl
+has "is told" 'pipe.txt: found a pipe, expected a file' err
 status 0 "ncpost: the last one counts" tool ncpost --set a.max=50 --set a.max=90
 
 # one list: of -c's help, of its message, of a machine file's

@@ -300,4 +300,42 @@ for c in fanuc siemens heidenhain; do
 		ncpost -q -c $c -m table-ac --rotary --set y.min=-250 --set y.max=250 -o "$TMP/way.nc" "$TMP/way.cl"
 done
 
+# ---- off the part so that C can turn back: is the way up clear?  A tool that leans by 20 degrees goes
+# twice around on a plate, with a plate 25 mm above it or without
+cd "$TMP" || exit 1
+plate() { awk -v z="$1" 'BEGIN { for (x = -30; x <= 30; x++) for (y = -30; y <= 30; y++) print x, y, z }'; }
+plate 0 >open.xyz
+{ plate 0 && plate 25; } >roof.xyz
+for scan in open roof; do
+	cloud2mesh -q -t 3 $scan.xyz 2>/dev/null | meshnorm -q -r 3 -g $scan.xyz 2>/dev/null | grep 'SCAN/' >said
+	{
+		printf 'UNITS/MM\nMULTAX/ON\nCUTTER/6,3\nSPINDL/RPM,8000,CLW\nLOADTL/1\n$$-> CLOUDMILL/1\n'
+		printf '$$-> TOOL/FLUTE,12\n' && cat said
+		awk 'BEGIN { s = sin(20 * 3.14159265 / 180); c = sqrt(1 - s * s)
+			for (w = 0; w <= 720; w += 5) { t = w * 3.14159265 / 180
+				x = 8 * cos(t); y = 8 * sin(t)
+				if (w == 0) printf "RAPID\nGOTO/%f,%f,3,%f,0,%f\nFEDRAT/MMPM,800\n", x, y, s, c
+				printf "GOTO/%f,%f,0.2,%f,%f,%f\n", x, y, s * cos(t), s * sin(t), c }
+			printf "RAPID\nGOTO/%f,%f,3,%f,0,%f\nFINI\n", x, y, s, c }'
+	} >$scan.cl
+done
+for c in fanuc siemens heidenhain linuxcnc; do
+	for accept in "" --accept; do
+		status 0 "$c: around without an end needs no turn" \
+			ncpost -c $c $accept -o around.nc roof.cl
+		turns="ncpost -c $c $accept --set c.min=-200 --set c.max=200"
+		status 0 "$c: a turn on an open plate" $turns -o open.nc open.cl
+		has "is there" 'retracted, turned and returned [12] times' err
+		[ -z "$accept" ] && expected=3 || expected=0
+		status $expected "$c: one under a roof" $turns -o roof.nc roof.cl
+		has "goes through it" 'the (ball|shaft) goes [1-3]\.[0-9]+ mm deep into the scan after line [0-9]+' err
+		has "the head says it" 'UNMET: (ncpost|NCPOST)' roof.nc
+	done
+	status 3 "$c: the judge says so, too" ncverify -c $c -g roof.xyz -r 3 --partial --left 1000 --accept \
+		--set c.min=-200 --set c.max=200 roof.nc
+done
+mv roof.xyz gone.xyz
+status 0 "a scan that is gone" ncpost -c siemens --set c.min=-200 --set c.max=200 -o roof.nc roof.cl
+has "is said" 'the scan that the path names does not guard: .*; the moves added for rotary axes are not checked' err
+
 done_testing

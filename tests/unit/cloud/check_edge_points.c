@@ -29,10 +29,12 @@ static double pyramid(double x, double y)
     return 20 - fmax(fabs(x + 0.13), fabs(y - 0.07));
 }
 
+static const double FLANK = 1.7;
+
 static double plateau(double x, double y)
 {
     turned(&x, &y);
-    return fmax(0, fmin(6, 6 - 1.7 * (fmax(fabs(x) - 9, fabs(y) - 6))));
+    return fmax(0, fmin(6, 6 - FLANK * (fmax(fabs(x) - 9, fabs(y) - 6))));
 }
 
 /* A blade of 44 degrees, both sides bent, its edge curved. */
@@ -59,7 +61,7 @@ static double saw(double x, double y)
 
 static double (*const shape[])(double, double) = {pyramid, plateau, blade, lens, saw};
 static const char *const name[] = {"pyramid", "plateau", "blade", "lens", "saw"};
-enum { SHAPES = sizeof shape / sizeof *shape };
+enum { PLATEAU = 1, SHAPES = sizeof shape / sizeof *shape };
 
 /* Places of the true surface over a square, `step` apart. */
 static struct vec3s sample(double (*height)(double, double), double x, double y, double half,
@@ -237,9 +239,16 @@ static struct result guard_scan(double (*height)(double, double), enum noisy_pat
     return r;
 }
 
+/* So far may what is put on edges stand out: half of what the scan resolves; and what goes up an
+ * edge between two flanks of the plateau goes on over its flat top to where a point of that is the
+ * nearest, half the diagonal of a cell, as steep as the flanks are along their edge. */
+static double most_over(int s)
+{
+    return s == PLATEAU ? FLANK / sqrt(2) * SPACING / sqrt(2) : SPACING / 2;
+}
+
 /* No deeper than is allowed or the guard says itself; with noise what four deviations explain, for
- * points beside an edge stay where they are, and among some thousand one is off by so much.  What
- * is put on edges stands no further out than half of what the scan resolves. */
+ * points beside an edge stay where they are, and among some thousand one is off by so much. */
 START_TEST(no_gouge)
 {
     static const double sigma[] = {0, 0, 0, 0.02};
@@ -251,7 +260,8 @@ START_TEST(no_gouge)
     ck_assert_msg(r.deepest <= fmax(1.5 * TOLERANCE, r.told) + 4 * sigma[p],
                   "%s %d: %.4f mm at %.2f %.2f %.2f, told %.4f", name[s], p, r.deepest, r.at.x,
                   r.at.y, r.at.z, r.told);
-    ck_assert_msg(r.over <= SPACING / 2 + 4 * sigma[p], "%s %d: %.4f mm above", name[s], p, r.over);
+    ck_assert_msg(r.over <= most_over(s) + 4 * sigma[p], "%s %d: %.4f mm above", name[s], p,
+                  r.over);
     ck_assert_msg(sigma[p] > 0 || 100 * r.high <= r.edges, "%s %d: %zu of %zu stand out", name[s],
                   p, r.high, r.edges);
 }
@@ -266,7 +276,8 @@ static double rounded(double x, double y)
     return -sqrt(x * x + bend * bend) * 0.8;
 }
 
-/* In a grid no deeper than twice what is allowed, or is told.  Points anywhere leave holes; what
+/* In a grid no deeper than twice what is allowed, or is told, or half of what a chord between two of
+ * its points leaves below the arc.  Points anywhere leave holes; what
  * bends within one with a radius r is off the tangent at its rim, h away, by h^2 / 2 r: no deeper
  * than that. */
 START_TEST(rounded_edges)
@@ -278,7 +289,9 @@ START_TEST(rounded_edges)
     turn = 0.3 * _i;
     noisy_seed(8);
     struct result r = guard_scan(rounded, anywhere ? NOISY_RANDOM : NOISY_GRID, 0, radius[_i % 4]);
-    ck_assert_msg((anywhere && _i % 4 < 2 ? r.silent : r.deepest) <= fmax(2 * TOLERANCE, r.told),
+    double chord = SPACING * SPACING / 8 / radius[_i % 4];
+    double most = fmax(fmax(2 * TOLERANCE, r.told), anywhere ? 0 : chord / 2);
+    ck_assert_msg((anywhere && _i % 4 < 2 ? r.silent : r.deepest) <= most,
                   "%d: %.4f mm, %.4f for no hole", _i, r.deepest, r.silent);
     ck_assert_msg(r.over <= (_i % 4 < 2 ? SPACING / 2 : 0.04), "%d: %.4f mm above", _i, r.over);
 }
