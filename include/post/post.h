@@ -128,9 +128,9 @@ char *post_part_name(const char *file, size_t part);
 
 struct post_report post_report(const struct post *post);
 
-/* The rapid moves of its first tool that the path does not have: off the part and back to it so that
- * a rotary axis can turn, an approach, a retract.  None of a program in tilted planes.  To be freed
- * (array_free). */
+/* The rapid moves of its first tool that the path does not have: off the part and back to it so
+ * that a rotary axis can turn, an approach, a retract.  None of a program in tilted planes.  To be
+ * freed (array_free). */
 struct made_moves post_made_moves(const struct post *post);
 
 void post_free(struct post *post);

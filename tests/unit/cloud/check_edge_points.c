@@ -276,8 +276,8 @@ static double rounded(double x, double y)
     return -sqrt(x * x + bend * bend) * 0.8;
 }
 
-/* In a grid no deeper than twice what is allowed, or is told, or half of what a chord between two of
- * its points leaves below the arc.  Points anywhere leave holes; what
+/* In a grid no deeper than twice what is allowed, or is told, or half of what a chord between two
+ * of its points leaves below the arc.  Points anywhere leave holes; what
  * bends within one with a radius r is off the tangent at its rim, h away, by h^2 / 2 r: no deeper
  * than that. */
 START_TEST(rounded_edges)
