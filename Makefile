@@ -88,7 +88,7 @@ once := io/nurbs/% nurbs/trim_% nurbs/construct nurbs/uv_polygon machine/machine
   cloud/crest_fit cloud/edge_points cloud/edge_meet cloud/edge_crest cloud/edge_fill \
   cloud/edge_flank cloud/edge_along cloud/cone_tip cloud/roof cloud/sheets cloud/holes io/path/path_tool \
   gouge/guard_mesh io/mesh/ply io/mesh/ply_source toolpath/scallop gouge/access gouge/axis_choose cloud/outliers \
-  gouge/gouge_lift gouge/lift_smooth gouge/link gouge/link_retract gouge/link_sweep gouge/smooth_up gouge/smooth_aside \
+  gouge/gouge_lift gouge/gouge_refit gouge/lift_smooth gouge/link gouge/link_retract gouge/link_sweep gouge/smooth_up gouge/smooth_aside \
   simulate/part_coverage
 $(once:%=$(BUILD)/src/%.o): CFLAGS := $(CFLAGS:-O3=-O2)
 # Of these, IGES and STEP files and where rest passes go, also without what makes -O2 longer.

@@ -112,10 +112,6 @@ bool gouge_open_anyhow(const struct gouge_check *guard, struct vec3 c, struct ve
 double gouge_holder(const struct gouge_check *guard, const struct holder *holder, struct vec3 c,
                     struct vec3 axis, double below);
 
-/* The same; `touch` as in kdtree_lowest: what was found before, in a pose beside this one. */
-double gouge_holder_near(const struct gouge_check *guard, const struct holder *holder,
-                         struct vec3 c, struct vec3 axis, double below, struct kdtree_touch *touch);
-
 /* True if they are no nearer than `least`.  Quicker than to ask how near. */
 bool gouge_holder_clear(const struct gouge_check *guard, const struct holder *holder, struct vec3 c,
                         struct vec3 axis, double least);

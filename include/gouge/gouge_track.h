@@ -2,14 +2,9 @@
  * gouge_track - the guard points that a tool comes near to along its way, kept at hand.
  *
  * Motions that follow each other, and curves fitted to one run again and again, ask about the same
- * places.  So what is found about a place serves the next ones beside it:
- *
- *   ball    the guard points next to a straight piece of the way, and a little beyond: places that
- *           go along with it ask these few alone
- *   holder  how far it is from the guard in one pose: poses that are not farther from that one have
- *           no need to be asked about; and what the last few poses were answered
- *
- * The answers are those of gouge.h, digit by digit.  One track is for one thread.
+ * places.  So the guard points next to a straight piece of the way, and a little beyond, are kept:
+ * places that go along with it ask these few alone.  The answers are those of gouge.h, digit by
+ * digit.  One track is for one thread.
  */
 #ifndef CLOUDMILL_GOUGE_TRACK_H
 #define CLOUDMILL_GOUGE_TRACK_H
@@ -23,28 +18,14 @@ struct gouge_beside {
     size_t first, n; /* of the track's points */
 };
 
-/* A pose of the holder, and what was answered. */
-struct gouge_pose {
-    struct vec3 ball, axis;
-    double below, clear;
-};
-
-enum { GOUGE_POSES = 4 };
-
 struct gouge_track {
     struct gouge_besides {
         size_t n, cap;
         struct gouge_beside *item;
     } beside;
     struct vec3s point;
-    size_t at; /* of beside: used last */
-
-    /* A pose of the holder, and what it is clear by at least; 0: none is known. */
-    struct vec3 ball, axis;
-    double clear;
-    struct gouge_pose pose[GOUGE_POSES];
-    size_t poses;              /* asked so far: the last ones are kept */
-    struct kdtree_touch touch; /* the guard point that it was nearest to, last */
+    size_t at;         /* of beside: used last */
+    struct vec3s near; /* guard points that it comes near to: for use within a motion */
 };
 
 void gouge_track_free(struct gouge_track *track);
@@ -53,16 +34,5 @@ void gouge_track_free(struct gouge_track *track);
  * short. */
 double gouge_track_depth(struct gouge_track *track, const struct gouge_check *guard, struct vec3 a,
                          struct vec3 b, double radius);
-
-/* gouge_holder of the track's guard and always the same holder. */
-double gouge_track_holder(struct gouge_track *track, const struct gouge_check *guard,
-                          const struct holder *holder, struct vec3 ball, struct vec3 axis,
-                          double below);
-
-/* True if the holder's every place is `least` mm, more than 0, or more from the guard in this pose
- * (gouge_holder_clear). */
-bool gouge_track_clear(struct gouge_track *track, const struct gouge_check *guard,
-                       const struct holder *holder, struct vec3 ball, struct vec3 axis,
-                       double least);
 
 #endif

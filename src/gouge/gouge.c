@@ -197,16 +197,10 @@ static double bound_from_holder(const void *context, struct vec3 middle, struct 
 double gouge_holder(const struct gouge_check *guard, const struct holder *holder, struct vec3 c,
                     struct vec3 axis, double below)
 {
-    return gouge_holder_near(guard, holder, c, axis, below, NULL);
-}
-
-double gouge_holder_near(const struct gouge_check *guard, const struct holder *holder,
-                         struct vec3 c, struct vec3 axis, double below, struct kdtree_touch *touch)
-{
     struct holder_pose pose = {holder, c, axis};
     struct kdtree_field field = {from_holder, bound_from_holder, &pose};
 
-    return holder->n > 0 ? kdtree_lowest(guard->tree, &field, below, touch) : below;
+    return holder->n > 0 ? kdtree_lowest(guard->tree, &field, below, NULL) : below;
 }
 
 bool gouge_holder_clear(const struct gouge_check *guard, const struct holder *holder, struct vec3 c,

@@ -4,16 +4,17 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "holder_glance.h"
+
 enum { HALVINGS = 16, SWEPT_HALVINGS = 24, ROUNDS = 8 };
 enum { MOTIONS_AHEAD = 24 }; /* looked at for one that was found before */
 
-static const double PIECE = 1;          /* mm: of a motion, looked at as one place */
-static const double FINER = 1.0 / 8;    /* of the chord error, where that decides */
-static const double USELESS = 0.95;     /* of the depth before: it did not help */
-static const double ROUGHLY = 0.1;      /* of its depth, a holder may move at a deep place unseen */
-static const double LEAST_MOVED = 1e-6; /* mm */
-static const double ASTRAY = 1.2; /* times the tolerance, deeper than a fit near the line is */
-static const double NEAR = 0.5;   /* mm: points this near to a place are lifted all the way */
+static const double PIECE = 1;       /* mm: of a motion, looked at as one place */
+static const double FINER = 1.0 / 8; /* of the chord error, where that decides */
+static const double USELESS = 0.95;  /* of the depth before: it did not help */
+static const double ROUGHLY = 0.1;   /* of its depth, a holder may move at a deep place unseen */
+static const double ASTRAY = 1.2;    /* times the tolerance, deeper than a fit near the line is */
+static const double NEAR = 0.5;      /* mm: points this near to a place are lifted all the way */
 
 struct walk {
     const struct gouge_refit_options *options;
@@ -117,13 +118,6 @@ static struct station station_at(const struct gouge_refit_options *options,
     return (struct station){s, vec_along(pose.p, up, pose.a), pose.a, 0};
 }
 
-static void measure(const struct gouge_refit_options *options, double below,
-                    struct gouge_track *track, struct station *at)
-{
-    at->clear =
-        gouge_track_holder(track, options->guard, &options->holder, at->ball, at->axis, below);
-}
-
 /* No place of the holder moves farther than this between two poses.  A curve is looked at between
  * them too. */
 static double most_moved(const struct gouge_refit_options *options, const struct motion *motion,
@@ -152,6 +146,8 @@ static enum tool_part part_at(const struct gouge_refit_options *options, const s
     for (shaft.n = 0; shaft.n < options->holder.n; shaft.n++)
         if (options->holder.part[shaft.n].high > options->radius * (1 + 1e-6))
             break;
+    if (shaft.n == options->holder.n)
+        return TOOL_SHAFT;
     double clear = gouge_holder(options->guard, &shaft, at->ball, at->axis, 0);
     return clear <= at->clear + 1e-9 ? TOOL_SHAFT : TOOL_HOLDER;
 }
@@ -163,57 +159,112 @@ static void add_station(const struct gouge_refit_options *options, const struct 
         *array_push(gouges) = (struct gouge){at->ball, -at->clear, part_at(options, at)};
 }
 
-static void check_between(const struct gouge_refit_options *options, const struct motion *motion,
-                          const struct station *a, const struct station *b, int halvings,
-                          struct gouge_track *track, struct gouges *gouges)
+/* The way of the holder on one motion, and the guard points that it may come near to. */
+struct sweep {
+    const struct gouge_refit_options *options;
+    const struct motion *motion;
+    struct vec3s *near; /* a pile: those of a part of the motion on top of those of the whole */
+    struct gouges *gouges;
+};
+
+/* A part of the motion, and the points on the pile that are near to it. */
+struct swept_part {
+    struct station a, b;
+    size_t from, to;
+};
+
+static void measure(const struct sweep *s, const struct swept_part *part, double below,
+                    struct station *at)
 {
-    if (is_found(options, gouges))
+    at->clear = below;
+    for (size_t i = part->from; i < part->to; i++)
+        at->clear = fmin(at->clear, holder_distance_below(&s->options->holder, at->ball, at->axis,
+                                                          s->near->item[i], at->clear));
+}
+
+static struct holder_glance glance_at(const struct sweep *s, double from, double to)
+{
+    struct holder_glance glance = {.holder = &s->options->holder,
+                                   .least = -GOUGE_SAFE * s->options->tolerance};
+
+    for (int i = 0; i < GLANCE_POSES; i++) {
+        double part = (double)i / (GLANCE_POSES - 1);
+        struct station at = station_at(s->options, s->motion, from + part * (to - from));
+        glance.pose[i] = (struct pose){at.ball, at.axis};
+    }
+    holder_glance_measure(&glance);
+    return glance;
+}
+
+static void check_between(const struct sweep *s, const struct swept_part *part, int halvings);
+
+/* Half of a part, by the points of the whole that it may come near to: without any it is clear. */
+static void check_half(const struct sweep *s, const struct swept_part *whole, struct station a,
+                       struct station b, int halvings)
+{
+    struct swept_part half = {a, b, whole->to, whole->to};
+    struct holder_glance glance = glance_at(s, a.s, b.s);
+
+    if (is_found(s->options, s->gouges))
         return;
-    double moved = most_moved(options, motion, a, b), may = GOUGE_SAFE * options->tolerance;
+    s->near->n = whole->to;
+    holder_glance_choose(&glance, whole->from, whole->to, s->near);
+    half.to = s->near->n;
+    if (half.to > half.from)
+        check_between(s, &half, halvings);
+}
+
+static void check_between(const struct sweep *s, const struct swept_part *part, int halvings)
+{
+    const struct gouge_refit_options *options = s->options;
+    const struct station *a = &part->a, *b = &part->b;
+    double moved = most_moved(options, s->motion, a, b), may = GOUGE_SAFE * options->tolerance;
+
     if (fmin(a->clear, moved) + fmin(b->clear, moved) + 2 * may >= moved)
         return;
     double deep = -fmin(a->clear, b->clear), enough = GOUGE_SWEPT * options->tolerance;
     bool certain = options->any && deep > 2 * may; /* no halving lets it by */
     if (certain || moved <= fmax(enough, deep > may ? ROUGHLY * deep : 0) || halvings == 0) {
-        add_station(options, a->clear < b->clear ? a : b, gouges);
+        add_station(options, a->clear < b->clear ? a : b, s->gouges);
         return;
     }
-    struct station m = station_at(options, motion, (a->s + b->s) / 2);
-    measure(options, moved, track, &m);
-    check_between(options, motion, a, &m, halvings - 1, track, gouges);
-    check_between(options, motion, &m, b, halvings - 1, track, gouges);
+    struct station m = station_at(options, s->motion, (a->s + b->s) / 2);
+    measure(s, part, moved, &m);
+    check_half(s, part, *a, m, halvings - 1);
+    check_half(s, part, m, *b, halvings - 1);
 }
 
-/* In its middle the holder is clear by more than any place of it moves to either end. */
-static bool is_far_off(const struct gouge_refit_options *options, const struct motion *motion,
-                       const struct station *a, const struct station *m, const struct station *b,
-                       struct gouge_track *track)
+/* A part of the motion by the points it may come near to. */
+static void check_near(const struct sweep *s, double from, double to)
 {
-    double moved = fmax(most_moved(options, motion, a, m), most_moved(options, motion, m, b));
+    const struct gouge_refit_options *options = s->options;
+    struct swept_part part = {station_at(options, s->motion, from),
+                              station_at(options, s->motion, to), 0, s->near->n};
+    struct station m = station_at(options, s->motion, (from + to) / 2);
+    double below =
+        most_moved(options, s->motion, &part.a, &m) + most_moved(options, s->motion, &m, &part.b);
 
-    return gouge_track_clear(track, options->guard, &options->holder, m->ball, m->axis,
-                             fmax(moved, LEAST_MOVED));
+    measure(s, &part, below, &part.a);
+    measure(s, &part, below, &m);
+    measure(s, &part, below, &part.b);
+    check_half(s, &part, part.a, m, SWEPT_HALVINGS);
+    check_half(s, &part, m, part.b, SWEPT_HALVINGS);
 }
 
 static void check_holder(const struct gouge_refit_options *options, const struct motion *motion,
                          struct gouge_track *track, struct gouges *gouges)
 {
-    double s0 = 0;
+    struct sweep s = {options, motion, &track->near, gouges};
+    double from = 0;
 
-    while (s0 < 1 && !is_found(options, gouges)) {
-        double s1 = motion_next_knot(motion, s0);
-        struct station a = station_at(options, motion, s0),
-                       m = station_at(options, motion, (s0 + s1) / 2),
-                       b = station_at(options, motion, s1);
-        s0 = s1;
-        if (is_far_off(options, motion, &a, &m, &b, track))
-            continue;
-        double below = most_moved(options, motion, &a, &m) + most_moved(options, motion, &m, &b);
-        measure(options, below, track, &a);
-        measure(options, below, track, &m);
-        measure(options, below, track, &b);
-        check_between(options, motion, &a, &m, SWEPT_HALVINGS, track, gouges);
-        check_between(options, motion, &m, &b, SWEPT_HALVINGS, track, gouges);
+    while (from < 1 && !is_found(options, gouges)) {
+        double to = motion_next_knot(motion, from);
+        struct holder_glance glance = glance_at(&s, from, to);
+        s.near->n = 0;
+        holder_glance_gather(options->guard, &glance, s.near);
+        if (s.near->n > 0)
+            check_near(&s, from, to);
+        from = to;
     }
 }
 

@@ -6,7 +6,6 @@
 
 static const double AHEAD = 0.6, BEHIND = 0.1; /* mm: gathered beyond the ends of what is asked */
 static const double THICK = 0.03;  /* mm: places so far beside a piece are served by it, too */
-static const double CLEAR = 1.5;   /* mm: it is asked whether a holder is clear by so much */
 static const double LONGEST = 1.5; /* mm: of what is asked by the piece */
 
 enum { LOOK_AHEAD = 3, POINTS_MOST = 1 << 20 };
@@ -15,6 +14,7 @@ void gouge_track_free(struct gouge_track *track)
 {
     array_free(&track->beside);
     array_free(&track->point);
+    array_free(&track->near);
     *track = (struct gouge_track){0};
 }
 
@@ -82,52 +82,4 @@ double gouge_track_depth(struct gouge_track *track, const struct gouge_check *gu
         piece = gather(track, guard, a, b, radius);
     const struct vec3 *point = piece->n > 0 ? &track->point.item[piece->first] : NULL;
     return radius - kdtree_nearest_among(point, piece->n, a, b, radius);
-}
-
-/* No place of a holder moves farther than this from one pose to another. */
-static double most_moved(double lever, struct vec3 ball, struct vec3 axis, struct vec3 other_ball,
-                         struct vec3 other_axis)
-{
-    return vec_distance(ball, other_ball) + lever * vec_angle(axis, other_axis);
-}
-
-/* The same pose among the last, with an answer that is one to this question, too; NULL: none. */
-static const struct gouge_pose *find_pose(const struct gouge_track *track, struct vec3 ball,
-                                          struct vec3 axis, double below)
-{
-    for (size_t i = 0; i < GOUGE_POSES && i < track->poses; i++) {
-        const struct gouge_pose *pose = &track->pose[i];
-        if ((pose->clear < pose->below || below <= pose->below) &&
-            vec_compare(&pose->ball, &ball) == 0 && vec_compare(&pose->axis, &axis) == 0)
-            return pose;
-    }
-    return NULL;
-}
-
-double gouge_track_holder(struct gouge_track *track, const struct gouge_check *guard,
-                          const struct holder *holder, struct vec3 ball, struct vec3 axis,
-                          double below)
-{
-    const struct gouge_pose *known = find_pose(track, ball, axis, below);
-
-    if (known)
-        return fmin(known->clear, below);
-    double clear = gouge_holder_near(guard, holder, ball, axis, below, &track->touch);
-    track->pose[track->poses++ % GOUGE_POSES] = (struct gouge_pose){ball, axis, below, clear};
-    return clear;
-}
-
-bool gouge_track_clear(struct gouge_track *track, const struct gouge_check *guard,
-                       const struct holder *holder, struct vec3 ball, struct vec3 axis,
-                       double least)
-{
-    double lever = holder_reach(holder);
-
-    if (track->clear > 0 &&
-        most_moved(lever, track->ball, track->axis, ball, axis) + least <= track->clear)
-        return true;
-    track->clear = gouge_track_holder(track, guard, holder, ball, axis, fmax(CLEAR, 2 * least));
-    track->ball = ball;
-    track->axis = axis;
-    return track->clear >= least;
 }

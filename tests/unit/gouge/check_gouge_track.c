@@ -1,5 +1,5 @@
 /* gouge_track: along a way over a wavy ground, there and back and beside, it says what the guard
- * says, digit by digit; a holder is clear where the guard says so, and as far from it. */
+ * says, digit by digit. */
 #include "gouge/gouge_track.h"
 
 #include <check.h>
@@ -54,70 +54,11 @@ START_TEST(it_says_what_the_guard_says)
 }
 END_TEST
 
-START_TEST(a_holder_is_clear_where_the_guard_says_so)
-{
-    struct gouge_check *guard = make_ground();
-    struct holder holder = {1, {{BALL, BALL, 20}}};
-    struct gouge_track track = {0};
-    size_t clear = 0, asked = 0;
-
-    for (double s = -9; s < 9; s += 0.05) {
-        double lean = 1.4 * sin(s);
-        struct vec3 axis = vec(0, sin(lean), cos(lean));
-        for (double least = 0.01; least < 3; least *= 3) {
-            double distance = gouge_holder(guard, &holder, on_way(s, 0), axis, 10);
-            bool found = gouge_track_clear(&track, guard, &holder, on_way(s, 0), axis, least);
-            if (found)
-                ck_assert_double_ge(distance, least);
-            /* and the other way round, whatever it remembers */
-            if (distance >= least)
-                ck_assert(found);
-            clear += found;
-            asked++;
-        }
-    }
-    ck_assert_uint_gt(clear, asked / 4);
-    ck_assert_uint_lt(clear, asked);
-    gouge_track_free(&track);
-    gouge_free(guard);
-}
-END_TEST
-
-/* Poses that follow each other closely, jump, and come again, asked about nearer and farther. */
-START_TEST(a_holder_is_as_far_as_the_guard_says)
-{
-    struct gouge_check *guard = make_ground();
-    struct holder holder = {1, {{BALL, BALL, 20}}};
-    struct gouge_track track = {0};
-    size_t near = 0, again = 0;
-
-    for (int k = 0; k < 900; k++) {
-        double s = -9 + 18 * (k % 100 / 100.0) + (k % 7 == 0 ? 3 : 0), lean = 1.4 * sin(s);
-        struct vec3 axis = vec(0, sin(lean), cos(lean));
-        for (int turn = 0; turn < 4; turn++) {
-            double below = turn == 0 ? 0.02 : turn == 1 ? 10 : turn == 2 ? 1 : -0.05;
-            double distance = gouge_holder(guard, &holder, on_way(s, 0), axis, below);
-            size_t before = track.poses;
-            ck_assert_double_eq(
-                gouge_track_holder(&track, guard, &holder, on_way(s, 0), axis, below), distance);
-            near += distance < below;
-            again += track.poses == before;
-        }
-    }
-    ck_assert_uint_gt(near, 900);
-    ck_assert_uint_gt(again, 900);
-    gouge_track_free(&track);
-    gouge_free(guard);
-}
-END_TEST
-
 int main(void)
 {
     Suite *suite = suite_create("gouge_track");
     TCase *tests = tcase_create("gouge_track");
     tcase_add_test(tests, it_says_what_the_guard_says);
-    tcase_add_test(tests, a_holder_is_clear_where_the_guard_says_so);
-    tcase_add_test(tests, a_holder_is_as_far_as_the_guard_says);
     suite_add_tcase(suite, tests);
     SRunner *runner = srunner_create(suite);
     srunner_run_all(runner, CK_NORMAL);
