@@ -164,8 +164,8 @@ size_t arcfit_cut(const struct reference *reference, const struct deviation *wit
 
 /*
  * Fits the pieces [from, to) anew where their part of the reference has moved a little, between the
- * directions of those beside them: as many pieces, or up to `more` more, proven as by
- * arcfit_reduce.  What does not touch them stays.  False: all stay.
+ * directions of those beside them: as many pieces, from their joints as they are or spaced anew, or
+ * up to `more` more, proven as by arcfit_reduce.  What does not touch them stays.  False: all stay.
  */
 bool arcfit_refit(const struct reference *reference, const struct deviation *within, int digits,
                   size_t from, size_t to, size_t more, struct pieces *pieces);

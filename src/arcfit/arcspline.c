@@ -44,17 +44,34 @@ static double held_turn(struct vec3 axis, double turn)
     return fmax(-most, fmin(turn, most));
 }
 
+/* To the side of the other point's path, square to the axis. */
+static struct vec3 side_at(const struct reference *reference, double place, struct vec3 axis)
+{
+    size_t k = (size_t)place < reference->n - 1 ? (size_t)place : reference->n - 2;
+
+    return vec_unit(vec_cross(vec_sub(reference->other[k + 1], reference->other[k]), axis));
+}
+
 void arcspline_set_axis(struct arcspline *spline, const struct reference *reference, size_t joint)
 {
     struct joint *j = &spline->joint[joint];
     j->place = reference_place(reference, j->p, j->place);
     j->axis = reference_axis(reference, j->place);
-    size_t k = (size_t)j->place < reference->n - 1 ? (size_t)j->place : reference->n - 2;
-    struct vec3 ahead = vec_sub(reference->other[k + 1], reference->other[k]);
-    struct vec3 side = vec_unit(vec_cross(ahead, j->axis));
+    struct vec3 side = side_at(reference, j->place, j->axis);
     if (reference->offset != 0)
         j->axis =
             vec_unit(vec_along(j->axis, held_turn(j->axis, j->side / reference->offset), side));
+}
+
+void arcspline_lean_axis(struct arcspline *spline, const struct reference *reference, size_t joint,
+                         struct vec3 axis)
+{
+    struct joint *j = &spline->joint[joint];
+    j->side = 0;
+    arcspline_set_axis(spline, reference, joint);
+    double aside = vec_dot(axis, side_at(reference, j->place, j->axis));
+    j->side = reference->offset * aside / fmax(vec_dot(axis, j->axis), 0.5);
+    arcspline_set_axis(spline, reference, joint);
 }
 
 struct arc arcspline_arc(const struct arcspline *spline, size_t i)

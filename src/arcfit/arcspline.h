@@ -30,6 +30,10 @@ void arcspline_set_tangents(struct arcspline *spline, size_t from);
  * side. */
 void arcspline_set_axis(struct arcspline *spline, const struct reference *reference, size_t joint);
 
+/* The same, with the axis turned to its side so that it is as near as may be to the one given. */
+void arcspline_lean_axis(struct arcspline *spline, const struct reference *reference, size_t joint,
+                         struct vec3 axis);
+
 /* Arc number i, between joints i and i + 1. */
 struct arc arcspline_arc(const struct arcspline *spline, size_t i);
 
@@ -82,10 +86,11 @@ struct arcspline_fit {
     bool start_held;  /* the tangent at the start may not turn */
     bool end_held;    /* the tangent at the end shall be `end` */
     struct vec3 end;
-    size_t stage; /* the norm that it has come to: 0 to begin with, ARCSPLINE_NEARLY nearly there */
+    size_t stage; /* the norm that it has come to: 0 to begin with */
 };
 
-enum { ARCSPLINE_NEARLY = 3 };
+/* Where a spline begins that was near to a reference which has moved a little; and nearly there. */
+enum { ARCSPLINE_MOVED = 2, ARCSPLINE_NEARLY = 3 };
 
 /*
  * Moves inner joints, axes there, and the tangent at the start, until no point is off by more than

@@ -25,6 +25,7 @@ struct refit {
     bool start_held, end_held;   /* the direction there stays */
     bool thorough;               /* many spacings of the joints also where the axis turns */
     bool even;                   /* the joints begin spaced by length alone */
+    bool moved;                  /* they begin where they are: the reference moved a little */
 };
 
 static const double POWER = 0.5; /* of an arc's residual, when joints are spaced by it */
@@ -92,7 +93,7 @@ static void space_by_length(const struct refit *part, struct arcspline *spline)
     }
 }
 
-/* The joints of the old pieces but for one of them. */
+/* The joints of the old pieces but for one of them; those of all where there is no such one. */
 static void space_without(const struct refit *part, size_t without, struct arcspline *spline)
 {
     set_ends(part, spline);
@@ -101,6 +102,14 @@ static void space_without(const struct refit *part, size_t without, struct arcsp
         set_joint(part, spline, i, p->from);
         spline->joint[i].p = p->arc.from;
     }
+}
+
+/* Where the old pieces are, with their axes. */
+static void space_alike(const struct refit *part, struct arcspline *spline)
+{
+    space_without(part, part->n, spline);
+    for (size_t i = 1; i < spline->n; i++)
+        arcspline_lean_axis(spline, part->reference, i, part->old[i].axis);
 }
 
 /* How far off the points are that each arc passes, as a part of the largest. */
@@ -189,7 +198,7 @@ static bool fit_and_prove(const struct refit *part, struct arcspline_fit *m, dou
 {
     double enough = ARC_ENOUGH;
 
-    m->stage = 0;
+    m->stage = part->moved ? ARCSPLINE_MOVED : 0;
     for (int i = 0; i < 4; i++) {
         double worst = arcspline_optimize(m, enough);
         *nearest = fmin(*nearest, worst);
@@ -254,6 +263,8 @@ static bool refit_with(const struct refit *part, size_t arcs, struct pieces *out
     bool free = !part->start_held && !part->end_held && m.offset == 0;
     if (part->even)
         space_by_length(part, &m.spline);
+    else if (part->moved)
+        space_alike(part, &m.spline);
     else
         space_evenly(part, &m.spline);
     double nearest = HUGE_VAL;
@@ -377,6 +388,9 @@ bool arcfit_refit(const struct reference *reference, const struct deviation *wit
     struct pieces some = {0};
     bool good = false;
 
+    part.moved = true;
+    good = refit_with(&part, part.n, &some);
+    part.moved = false;
     for (size_t arcs = part.n; arcs <= part.n + more && !good; arcs++)
         good = refit_with(&part, arcs, &some);
     if (good)

@@ -94,6 +94,34 @@ START_TEST(a_kink_stays)
 }
 END_TEST
 
+/* Fitted anew, pieces that keep the tolerance stay; where the reference has moved a little, there
+ * are as many, and those outside stay. */
+START_TEST(what_still_holds_stays)
+{
+    static const struct deviation less = {0.0095, 0.0095, 0.019};
+    struct reference t = trial_wave(401, 0.25, 0.3, 0);
+    struct pieces p = {0}, before = {0};
+    arcfit_beam(&t, &less, 6, ARCFIT_QUICK, &p);
+    ck_assert_uint_gt(p.n, 10);
+    for (size_t i = 0; i < p.n; i++)
+        *array_push(&before) = p.item[i];
+    ck_assert(arcfit_refit(&t, &WITHIN, 6, 2, 9, 0, &p));
+    ck_assert_uint_eq(p.n, before.n);
+    for (size_t i = 0; i < p.n; i++)
+        ck_assert_double_lt(vec_distance(p.item[i].arc.to, before.item[i].arc.to), 2e-6);
+    for (size_t i = (size_t)p.item[4].from; i <= (size_t)p.item[6].from; i++) {
+        t.point[i].z += 0.005;
+        t.other[i].z += 0.005;
+    }
+    ck_assert(arcfit_refit(&t, &WITHIN, 6, 2, 9, 0, &p));
+    ck_assert_uint_eq(p.n, before.n);
+    trial_assert_chain(&t, &WITHIN, &p);
+    array_free(&p);
+    array_free(&before);
+    reference_free(&t);
+}
+END_TEST
+
 int main(void)
 {
     TCase *t = tcase_create("arcspline_reduce");
@@ -103,6 +131,7 @@ int main(void)
     tcase_add_test(t, with_the_axis_swinging);
     tcase_add_test(t, from_few_to_many);
     tcase_add_test(t, a_kink_stays);
+    tcase_add_test(t, what_still_holds_stays);
     Suite *s = suite_create("arcspline_reduce");
     suite_add_tcase(s, t);
     SRunner *r = srunner_create(s);
