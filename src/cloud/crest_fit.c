@@ -46,10 +46,11 @@ bool crest_fit_local(const struct crest_fit *fit, double x, double y, double *s,
 /* How far the sides, of these slopes, are below their sharp crest; *slope: of that. */
 static double fall(double left, double right, double radius, double d, double *slope)
 {
+    *slope = d > 0 ? right : -left;
+    if (!(radius > 0))
+        return *slope * d;
     double cos_l = 1 / sqrt(1 + left * left), cos_r = 1 / sqrt(1 + right * right);
     double touch = radius * (left * cos_l + right * cos_r) / (cos_l + cos_r);
-
-    *slope = d > 0 ? right : -left;
     if (!(touch > 0) || d <= -touch * cos_l || d >= touch * cos_r)
         return *slope * d;
     double off = d + touch * cos_l - radius * left * cos_l,
@@ -112,11 +113,13 @@ static struct crest_fit stepped(struct crest_fit fit, int term, double step)
 struct equations {
     int n, of[ALL];
     double a[ALL][ALL], b[ALL], sum2, count;
+    double most; /* of the sum of squares: beyond it no more is asked for */
 };
 
 static void set_terms(struct equations *e, const int *term, int n)
 {
     e->n = n;
+    e->most = HUGE_VAL;
     for (int i = 0; i < n; i++)
         e->of[i] = term[i];
 }
@@ -193,7 +196,7 @@ static void sum_points(const struct crest_fit *fit, const struct vec3 *point, si
         for (int j = 0; j <= i; j++)
             e->a[i][j] = 0;
     }
-    for (size_t k = 0; k < n; k++) {
+    for (size_t k = 0; k < n && (slopes || e->sum2 < e->most); k++) {
         double off = distance(fit, point[k], &s, &d);
         double part = fmin(fabs(off), least);
         e->sum2 += part * part;
@@ -233,6 +236,7 @@ static void settle(struct crest_fit *fit, const struct vec3 *point, size_t n, do
             return;
         for (int i = 0; i < e->n; i++)
             next = stepped(next, e->of[i], x[i]);
+        then.most = e->sum2;
         sum_points(&next, point, n, least, false, &then);
         if (!(then.sum2 < e->sum2)) {
             damp *= 20;
