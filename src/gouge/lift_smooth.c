@@ -39,7 +39,8 @@ static double spacing_of(const struct gouge_lift_options *rule)
 }
 
 /* A place between two points: on the smooth curve if the ball is nearly clear there, else on the
- * straight line, which was looked at; and out of what it is in yet. */
+ * straight line, which was looked at; and out of what it is in yet, where it takes no more than the
+ * tolerance to come out: along the flank of a spike it may take a millimetre. */
 static struct run_point between(const struct run_point *a, const struct vec3 *tangent, double s,
                                 const struct gouge_lift_options *rule, double radius)
 {
@@ -55,19 +56,29 @@ static struct run_point between(const struct run_point *a, const struct vec3 *ta
 
     if (lift < 0) {
         curve = line;
-        lift = gouge_least_lift(rule->guard, line, p.normal, rule->offset, rule->limit, NULL);
+        lift = gouge_least_lift(rule->guard, line, p.normal, rule->offset, rule->tolerance, NULL);
     }
     lift_place_along(&p, vec_along(curve, fmax(lift, 0), p.normal), rule, radius);
     return p;
 }
 
-/* Appends the points of a piece, at even distances along it. */
+static bool is_clear(const struct run_point *p, size_t n, const struct gouge_lift_options *rule)
+{
+    for (size_t i = 1; i < n; i++)
+        if (!lift_line_clear(&p[i - 1], &p[i], rule))
+            return false;
+    return true;
+}
+
+/* Appends the points of a piece, at even distances along it; as they were, where the way between
+ * these is not clear. */
 static void spread_piece(const struct run_point *p, size_t n, const struct gouge_lift_options *rule,
                          struct run *to)
 {
     struct run piece = {.n = n, .item = (struct run_point *)p, .radius = to->radius};
     struct vec3 *tangent = mem_alloc(n + 1, sizeof *tangent);
     double length = 0, before = 0;
+    size_t first = to->n;
 
     run_tangents(&piece, false, tangent);
     for (size_t i = 1; i < n; i++)
@@ -88,6 +99,11 @@ static void spread_piece(const struct run_point *p, size_t n, const struct gouge
     }
     if (parts > 0)
         *array_push(to) = p[n - 1];
+    if (parts > 0 && !is_clear(to->item + first, to->n - first, rule)) {
+        to->n = first;
+        for (size_t i = 0; i < n; i++)
+            *array_push(to) = p[i];
+    }
     free(tangent);
 }
 

@@ -106,6 +106,36 @@ START_TEST(single_points)
 }
 END_TEST
 
+/* Points as high as the ball's centre, that it passes beside: between two of its places, where it is
+ * clear, it is in them by no more than a straight line may be.  Nothing has to be lifted, and to
+ * come out of them straight up would take a tenth of a millimetre. */
+START_TEST(along_a_flank)
+{
+    const double step = 0.25, in = 0.0012;
+    struct vec3s point = {0};
+    struct lifted_strip lifted = {.run = {.radius = R}};
+
+    for (int k = -2; k <= 2; k++)
+        *array_push(&point) = vec((4 * k + 0.5) * step, R - in, R);
+    struct gouge_check *guard = gouge_new(point, 1);
+    struct gouge_lift_options rule = make_rule(guard);
+    for (int i = -12; i <= 12; i++)
+        gouge_lift_contact(&lifted.run, &rule, vec(step * i, 0, 0), vec(0, 0, 1));
+    *array_push(&lifted.end) = lifted.run.n;
+    struct figures before = figures_of(&lifted, guard);
+    ck_assert_double_eq_tol(before.deepest, in, 1e-6);
+    lift_smooth_spread(&lifted, &rule);
+    struct figures spread = figures_of(&lifted, guard);
+    ck_assert_double_le(spread.highest, R + TOLERANCE);
+    ck_assert_double_le(spread.deepest, GOUGE_SAFE * TOLERANCE);
+    struct figures after = raised(&lifted, &rule, 0.02);
+    ck_assert_double_le(after.deepest, GOUGE_SAFE * TOLERANCE);
+    ck_assert_double_le(after.highest, R + 0.02);
+    lifted_strip_free(&lifted);
+    gouge_free(guard);
+}
+END_TEST
+
 /* A groove narrower than the ball, which rests on its two edges: its centre has a corner over the
  * middle. */
 START_TEST(corner_over_a_groove)
@@ -167,6 +197,7 @@ int main(void)
     TCase *tests = tcase_create("lift_smooth");
     SRunner *runner = srunner_create(suite);
     tcase_add_test(tests, single_points);
+    tcase_add_test(tests, along_a_flank);
     tcase_add_test(tests, corner_over_a_groove);
     tcase_add_test(tests, stays);
     suite_add_tcase(suite, tests);
