@@ -106,9 +106,9 @@ START_TEST(single_points)
 }
 END_TEST
 
-/* Points as high as the ball's centre, that it passes beside: between two of its places, where it is
- * clear, it is in them by no more than a straight line may be.  Nothing has to be lifted, and to
- * come out of them straight up would take a tenth of a millimetre. */
+/* Points as high as the ball's centre, that it passes beside: between two of its places, where it
+ * is clear, it is in them by no more than a straight line may be.  Nothing has to be lifted, and
+ * to come out of them straight up would take a tenth of a millimetre. */
 START_TEST(along_a_flank)
 {
     const double step = 0.25, in = 0.0012;
