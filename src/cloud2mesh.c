@@ -106,8 +106,9 @@ static struct settings read_options(struct cli *cli, int argc, char **argv)
          &s.meshing.subdivide, 0, 0, 0, NULL},
         {0, "stream", NULL,
          "read the file again instead of keeping its points: memory goes with\n"
-         "the nodes of the grid (normals: facet; files of 8 MB and more are read\n"
-         "so anyway where these are asked for)",
+         "the nodes of the grid (normals: facet, or as asked for; no outliers,\n"
+         "creases, walls and ribs are looked for; with normals of facets files\n"
+         "of 8 MB and more are read so anyway)",
          CLI_FLAG, &s.stream, 0, 0, 0, NULL},
         EFFORT_OPTION(&s.meshing.effort),
         {0, "paper", NULL,
@@ -122,11 +123,12 @@ static struct settings read_options(struct cli *cli, int argc, char **argv)
                             : normals_find(true, normals);
     s.meshing.method = (enum cloudmesh_method)method;
     s.meshing.scan_nodes = nodes == 1;
-    s.meshing.smooth = s.meshing.smooth || s.meshing.paper || !s.meshing.normals->of_surface;
+    s.meshing.smooth =
+        s.meshing.smooth || s.meshing.paper || s.stream || !s.meshing.normals->of_surface;
     if (s.extend > 0 && (s.meshing.paper || s.meshing.subdivide))
         die_usage("found --extend with %s, expected one of them",
                   s.meshing.paper ? "--paper" : "--subdivide");
-    s.clean = s.clean || s.meshing.normals->of_surface;
+    s.clean = s.clean || (s.meshing.normals->of_surface && !s.stream);
     if (s.clean_file && strcmp(s.clean_file, "-") == 0)
         die_usage("option --clean: found -, expected a file: standard output is for the mesh");
     check_method(&s);
@@ -150,7 +152,6 @@ static const char *name_of(const struct cli *cli)
 static double clean_cloud(const char *name, const struct settings *s, struct vec3s *points,
                           int threads, struct mesh_origin *origin, double *known)
 {
-    const double least = 0.004; /* in spacings: less does not matter beside the facets */
     struct cloud_prepare cloud_prepare;
     struct error error;
     double mean = points->n >= 3 ? cloudmesh_spacing(&s->meshing, points->item, points->n) : 0;
@@ -166,7 +167,7 @@ static double clean_cloud(const char *name, const struct settings *s, struct vec
     *known = points->n == read ? mean : 0;
     origin->noise = isnan(s->noise) ? cloud_prepare.noise : s->noise;
     note("noise of the scan %.4f mm (one standard deviation)", cloud_prepare.noise);
-    return isnan(s->noise) && cloud_prepare.noise < least * mean ? 0 : origin->noise;
+    return cloud_prepare_noise(isnan(s->noise) ? -1 : s->noise, cloud_prepare.noise, mean);
 }
 
 static void say_left_out(const struct settings *settings, const struct grid_mesh_count *count)
@@ -281,8 +282,8 @@ static bool may_stream(const struct cli *cli, const struct settings *s)
                   !s->clean_file && !s->origin && !(s->extend > 0);
 
     if (s->stream && !serves)
-        die_usage("--stream takes one file, nodes of a grid and the normals of facets: found more "
-                  "files or an option that needs all points at once");
+        die_usage("--stream takes one file and nodes of a grid: found more files or an option that "
+                  "needs all points at once");
     return serves && (s->stream || (stat(cli->file[0], &st) == 0 && st.st_size >= LARGE_FILE));
 }
 
@@ -309,6 +310,14 @@ static bool stream_mesh(const struct cli *cli, const struct settings *s)
     say_size(name, s, stream.n, stream.box);
     if (cloud_stream_nodes(&stream, &error) < 0)
         die("%s: %s", name, error.text);
+    if (s->meshing.normals->of_surface) {
+        if (cloud_stream_surface(&stream, isnan(s->noise) ? -1 : s->noise,
+                                 cloud_stream_at_a_time(&stream), &error) < 0)
+            die_error(&error);
+        origin.noise = stream.noise;
+        origin.ledger = stream.ledger;
+        origin.maker = mem_string("cloud2mesh", strlen("cloud2mesh"));
+    }
     say_left_out(s, &stream.facets.count);
     say_steep(s, stream.facets.steep);
     const struct cloud_count *count = &stream.count;
@@ -323,6 +332,7 @@ static bool stream_mesh(const struct cli *cli, const struct settings *s)
     out_close(out);
     scan_sources_free(&origin.scan);
     free(origin.source);
+    free(origin.maker);
     cloud_stream_free(&stream);
     return true;
 }

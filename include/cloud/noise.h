@@ -4,7 +4,7 @@
  * Noise is said in one standard deviation everywhere, in mm; who needs a bound multiplies it by a
  * constant that has a name.
  *
- * At up to PLACES places over the cloud a quadric is fitted to the fewest nearest points that carry
+ * At up to NOISE_PLACES places over the cloud a quadric is fitted to the fewest nearest points that carry
  * one and to twice as many.  What the fits leave, for their degrees of freedom, is noise and what
  * of the surface is no quadric: the latter grows with the width as its third power or faster, so
  * that its variance is GROWTH times as large over twice the points, and the former does not grow.
@@ -33,6 +33,13 @@ struct noise {
 };
 
 struct noise noise_measure(const struct point_grid *point_grid, int threads);
+
+/* The same at the points of which the numbers are place[], of a grid that holds a scan about these
+ * alone; and the number in its order of place i of those where noise_measure looks at n points. */
+enum { NOISE_PLACES = 2000 };
+size_t noise_place(size_t i, size_t n);
+struct noise noise_measure_at(const struct point_grid *point_grid, const uint32_t *place,
+                              size_t places, int threads);
 
 /* Its sigma alone. */
 double noise_sigma(const struct point_grid *point_grid, int threads);

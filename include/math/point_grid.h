@@ -33,6 +33,19 @@ int point_grid_make(struct vec3 *point, size_t n, double spacing, int threads,
                     struct point_grid *point_grid, struct error *error);
 void point_grid_free(struct point_grid *point_grid);
 
+/*
+ * For a cloud that is never whole in memory: the cells that point_grid_make lays over n points in
+ * the box from `low` to `high` (where the box is mostly empty, cells over all of it), without
+ * points; and some of them, all those of the cells that are looked at, sorted into these.  What is
+ * found there is what would be found in the grid of all points, in the same order.
+ */
+struct point_grid point_grid_lattice(struct vec3 low, struct vec3 high, size_t n, double spacing);
+int point_grid_make_in(const struct point_grid *lattice, struct vec3 *point, size_t n, int threads,
+                       struct point_grid *point_grid, struct error *error);
+
+/* The number of a place's cell, from 0 on row by row. */
+size_t point_grid_cell(const struct point_grid *point_grid, struct vec3 place);
+
 /* The mean spacing of the points, by the width of the cells. */
 double point_grid_spacing(const struct point_grid *point_grid);
 

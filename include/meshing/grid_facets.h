@@ -31,4 +31,14 @@ void grid_facets_vertices(const struct grid_facets *facets,
 void grid_facets_faces(const struct grid_facets *facets,
                        void (*take)(void *context, const int corner[3]), void *context);
 
+/* Appends to the mesh the part of it between two rows and two columns (these included): vertices
+ * with row and column, and the facets with all corners there, in the order of the whole. */
+void grid_facets_part(const struct grid_facets *facets, int row0, int row1, int column0,
+                      int column1, struct mesh *mesh);
+
+/* The row and the column of n vertices of these numbers, which rise; and where one of them is. */
+void grid_facets_numbered(const struct grid_facets *facets, const size_t *number, size_t n,
+                          int *row, int *column);
+struct vec3 grid_facets_vertex(const struct grid_facets *facets, size_t number);
+
 #endif

@@ -67,6 +67,9 @@ void reposition_fill(struct reposition *reposition, const struct vec3 *point, si
 void reposition_settle(struct reposition *reposition);
 void reposition_free(struct reposition *reposition);
 
+/* Puts what a node has elsewhere, once all nodes have theirs. */
+void reposition_move(struct reposition *reposition, int column, int row, struct vec3 to);
+
 /* The choice of a node, NULL: outside, or without a point. */
 const struct node_choice *reposition_node(const struct reposition *reposition, int column, int row);
 

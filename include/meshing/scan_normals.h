@@ -24,6 +24,14 @@ struct scan_normals_options {
     const double *certain; /* what is known already: node_heights.h; NULL: nothing */
 };
 
+/* What is said of the distances of vertices from their quadrics (not below 0 where there is one),
+ * which are changed. */
+struct scan_normals scan_normals_summary(double *distance, size_t n);
+
+/* scan_normals_quadric without that: distance[] of each vertex. */
+void scan_normals_fit(struct mesh *mesh, const struct point_grid *point_grid,
+                      const struct scan_normals_options *options, double *distance);
+
 /*
  * In a first round, the surface through the points of a ball (math/moment_fit.h): a cubic where it
  * explains them clearly better than a quadric does.  It counts where the points lie around the

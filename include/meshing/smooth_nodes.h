@@ -9,6 +9,7 @@
 #define CLOUDMILL_SMOOTH_NODES_H
 
 #include "math/point_grid.h"
+#include "math/surface_fit.h"
 #include "mesh/mesh.h"
 
 struct smooth_nodes {
@@ -34,5 +35,23 @@ struct smooth_nodes_options {
 /* The mesh gets normals and kmax. */
 struct smooth_nodes smooth_nodes(struct mesh *mesh, const struct point_grid *point_grid,
                                  const struct smooth_nodes_options *options);
+
+/* The same for a mesh part by part: how surfaces are fitted to the vertices of a mesh with so many,
+ * by a sample of their places with a normal each; `r` gets what it says of that. */
+struct surface_fit_options smooth_nodes_rule(const struct point_grid *point_grid,
+                                             const struct smooth_nodes_options *options,
+                                             size_t vertices, const struct vec3 *place,
+                                             const struct vec3 *normal, size_t places,
+                                             struct smooth_nodes *r);
+
+/* ... the vertices of a part: variance[] of each that was moved, in sigma^2, negative: it was not;
+ * distance[] by which, mm, negative: there was no surface; the mesh gets normals and kmax. */
+void smooth_nodes_fit(struct mesh *mesh, const struct surface_fit_options *rule, int threads,
+                      double *variance, double *distance);
+
+/* ... what came of them added to `r`, the first of these n vertices being number `first`; and its
+ * error, of the sum of their variances. */
+void smooth_nodes_count(const double *variance, const double *distance, size_t n, size_t first,
+                        struct smooth_nodes *r, double *sum);
 
 #endif

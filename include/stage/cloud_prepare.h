@@ -36,6 +36,11 @@ struct cloud_prepare {
 
 enum cloud_prepare_drop { CLOUD_PREPARE_KEEP, CLOUD_PREPARE_DROP_OUTLIERS, CLOUD_PREPARE_DROP };
 
+/* The noise that vertices are to be rid of, mm: what the user says of it or, negative, what was
+ * measured, unless that is so little, by the `spacing` of the points, that it does not matter
+ * beside the facets. */
+double cloud_prepare_noise(double asked, double measured, double spacing);
+
 /*
  * Takes out points that are there twice and, as `drop` says, outliers or these and points under a
  * roof, and measures the noise; says what it found.  `spacing` is the mean spacing, mm, `noise`

@@ -3,8 +3,8 @@
  * each look at it, and what is kept goes with the nodes of the grid.  The points of a small file
  * may be kept, for to read them takes longer than to look at them.
  *
- * Nodes on points of the scan and normals of the facets (--normals facet) need no more: the same
- * mesh as cloudmesh.h makes, byte by byte.  The looks:
+ * Nodes and normals of the facets (--normals facet) need no more: the same mesh as cloudmesh.h
+ * makes, byte by byte.  The looks:
  *
  *   1. the extent, how many points, their hash
  *   2. the mean spacing (again where the cloud has gaps), and whether there is an area
@@ -12,6 +12,16 @@
  *   4. which cells have points (cloud/holes.h), and points for the nodes left empty
  *
  * About 40 bytes a node, and a bit for each quarter of a point.
+ *
+ * Normals of quadrics are the same as cloudmesh.h makes, too (of a cloud of which no point is taken
+ * out, without creases, walls and ribs), by points that are in memory for a band of rows at a time
+ * (stream_surface.h).  More looks:
+ *
+ *   5. the points about places that tell the noise, and how many points a surface takes
+ *   6. and on: those about the rows of a band, each: two for five
+ *      vertices, but two million at least
+ *
+ * About 80 bytes a node, half a byte a point, and 40 MB.
  */
 #ifndef CLOUDMILL_CLOUD_STREAM_H
 #define CLOUDMILL_CLOUD_STREAM_H
@@ -21,6 +31,13 @@
 #include "math/box.h"
 #include "meshing/grid_facets.h"
 #include "stage/cloudmesh.h"
+
+/* A vertex on the surface of the scan. */
+struct stream_vertex {
+    int32_t normal[3]; /* in 1e-9: the digits that are written */
+    float off;         /* from its quadric, mm; negative: it has none */
+    double kmax;       /* mesh.h */
+};
 
 struct cloud_stream {
     const char *file;
@@ -37,6 +54,9 @@ struct cloud_stream {
     struct reposition nodes;
     struct holes holes;
     struct grid_facets facets;
+    struct stream_counts *counts; /* stream_surface.h */
+    struct stream_vertex *vertex; /* in order; NULL: normals are those of the facets */
+    double noise, ledger;         /* with them: mesh_origin has them */
 };
 
 /* May a mesh be made so: a grid of one spacing, one projection, nodes on points, normals of facets?
@@ -53,6 +73,17 @@ int cloud_stream_begin(const char *file, const struct transform *place,
 
 /* The others.  -1: as cloudmesh_make. */
 int cloud_stream_nodes(struct cloud_stream *stream, struct error *error);
+
+/* Where normals are those of the surface (normals.h), after that: vertices at their nodes, normals,
+ * curvatures, `noise` and ledger.  `noise` is what the user says of it, negative: it is measured;
+ * `at_a_time` points are in memory, unless one row needs more: of which the result does not depend.
+ * -1: the file cannot be read again. */
+int cloud_stream_surface(struct cloud_stream *stream, double noise, size_t at_a_time,
+                         struct error *error);
+
+/* As many as are no great matter beside the nodes: two for five vertices, two million
+ * at least. */
+size_t cloud_stream_at_a_time(const struct cloud_stream *stream);
 
 void cloud_stream_free(struct cloud_stream *stream);
 

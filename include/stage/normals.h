@@ -12,6 +12,12 @@
 #include "base/error.h"
 #include "math/point_grid.h"
 #include "mesh/mesh.h"
+#include "meshing/meshing.h"
+
+/* Points that a quadric goes through unless it is said; and what the mesh says that its vertices
+ * may be off: so many standard deviations. */
+enum { NORMALS_NEIGHBOURS = 40 };
+#define LEDGER_SIGMAS 3.0
 
 /* What normals are estimated from, besides the mesh. */
 struct normals_options {
@@ -42,6 +48,12 @@ struct normal_estimator {
  * estimator of word k. */
 const char *normals_words(bool of_scan);
 const struct normal_estimator *normals_find(bool of_scan, int k);
+
+/* Says how far vertices are off their quadrics, the worst of which is `at`; and how they were moved,
+ * one to `at` the farthest. */
+void say_fitted(const struct scan_normals *r, size_t vertices, struct vec3 at);
+void say_smoothed(const struct smooth_nodes *r, size_t vertices, struct vec3 at,
+                  const struct normals_options *options);
 
 /* The estimator of that name. */
 const struct normal_estimator *normals_of(const char *name);

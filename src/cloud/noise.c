@@ -7,7 +7,7 @@
 #include "base/parallel.h"
 #include "math/quadric.h"
 
-enum { PLACES = 2000, FEWEST = 16, MOST = 512, TERMS = 6 };
+enum { FEWEST = 16, MOST = 512, TERMS = 6 };
 
 /* Variance of the bend over twice the points. */
 static const double GROWTH = 8;
@@ -35,7 +35,7 @@ static const double CELL = 3; /* width of a cell in mean spacings of the points 
 
 struct measurement {
     const struct point_grid *point_grid;
-    size_t places;
+    const uint32_t *place;
     double *fewer, *twice; /* variance at each place; negative: none */
 };
 
@@ -92,9 +92,8 @@ static void measure_places(void *context, size_t from, size_t to)
     const struct point_grid *b = m->point_grid;
     struct neighbourhood near;
     for (size_t i = from; i < to; i++) {
-        size_t place = (size_t)(((double)i + 0.5) / (double)m->places * (double)b->n);
         m->fewer[i] = m->twice[i] = -1;
-        measure_at(b, b->point[place], &near, &m->fewer[i], &m->twice[i]);
+        measure_at(b, b->point[m->place[i]], &near, &m->fewer[i], &m->twice[i]);
     }
 }
 
@@ -144,10 +143,27 @@ static double lower_part(const double *variance, size_t n, const double *twice, 
     return even && twice[m / 4] <= PART_TWICE * quarter ? quarter / PART_THIRD : 0;
 }
 
+size_t noise_place(size_t i, size_t n)
+{
+    size_t places = n < NOISE_PLACES ? n : NOISE_PLACES;
+
+    return (size_t)(((double)i + 0.5) / (double)places * (double)n);
+}
+
 struct noise noise_measure(const struct point_grid *point_grid, int threads)
 {
-    size_t places = point_grid->n < PLACES ? point_grid->n : PLACES;
-    struct measurement m = {point_grid, places, mem_alloc(places, sizeof(double)),
+    size_t places = point_grid->n < NOISE_PLACES ? point_grid->n : NOISE_PLACES;
+    uint32_t place[NOISE_PLACES];
+
+    for (size_t i = 0; i < places; i++)
+        place[i] = (uint32_t)noise_place(i, point_grid->n);
+    return noise_measure_at(point_grid, place, places, threads);
+}
+
+struct noise noise_measure_at(const struct point_grid *point_grid, const uint32_t *place,
+                              size_t places, int threads)
+{
+    struct measurement m = {point_grid, place, mem_alloc(places, sizeof(double)),
                             mem_alloc(places, sizeof(double))};
     struct noise noise = {.sigma = 0};
     parallel_for(threads, places, measure_places, &m);

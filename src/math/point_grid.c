@@ -51,6 +51,19 @@ static void core_of(const struct vec3 *point, size_t n, int axis, double *low, d
     }
 }
 
+/* Columns and rows up to there, of wider cells where these would be too many. */
+static void count_cells(struct point_grid *b, double x1, double y1, double most)
+{
+    double columns, rows;
+
+    while ((columns = floor((x1 - b->x) / b->cell) + 1) *
+               (rows = floor((y1 - b->y) / b->cell) + 1) >
+           most)
+        b->cell *= 2;
+    b->columns = (size_t)columns;
+    b->rows = (size_t)rows;
+}
+
 /* Cells over the box of the points; over their core where the box is mostly empty. */
 static void lay_out(struct point_grid *b, double spacing)
 {
@@ -65,13 +78,7 @@ static void lay_out(struct point_grid *b, double spacing)
         core_of(b->point, b->n, 0, &b->x, &x1);
         core_of(b->point, b->n, 1, &b->y, &y1);
     }
-    double columns, rows;
-    while ((columns = floor((x1 - b->x) / b->cell) + 1) *
-               (rows = floor((y1 - b->y) / b->cell) + 1) >
-           most)
-        b->cell *= 2;
-    b->columns = (size_t)columns;
-    b->rows = (size_t)rows;
+    count_cells(b, x1, y1, most);
 }
 
 static size_t cell_from(double from, double cell, double v, size_t cells)
@@ -92,16 +99,49 @@ size_t point_grid_row(const struct point_grid *b, double y)
     return cell_from(b->y, b->cell, y, b->rows);
 }
 
+static int check_count(size_t n, struct error *error)
+{
+    return n > 0 && n <= UINT32_MAX ? 0
+                                    : error_set(error, "found %zu points, expected 1 to %lu", n,
+                                                (unsigned long)UINT32_MAX);
+}
+
 int point_grid_make(struct vec3 *point, size_t n, double spacing, int threads,
                     struct point_grid *point_grid, struct error *error)
 {
-    if (n == 0 || n > UINT32_MAX)
-        return error_set(error, "found %zu points, expected 1 to %lu", n,
-                         (unsigned long)UINT32_MAX);
+    if (check_count(n, error) < 0)
+        return -1;
     *point_grid = (struct point_grid){.point = point, .n = n};
     lay_out(point_grid, spacing);
     point_grid_sort(point_grid, threads);
     return 0;
+}
+
+struct point_grid point_grid_lattice(struct vec3 low, struct vec3 high, size_t n, double spacing)
+{
+    const double room = 4; /* cells a point: of a box that is mostly empty */
+    double most = fmin(room * (double)n + 64, UINT32_MAX);
+    struct point_grid b = {.x = low.x, .y = low.y, .cell = CELLS_WIDE * spacing};
+
+    count_cells(&b, high.x, high.y, most);
+    return b;
+}
+
+int point_grid_make_in(const struct point_grid *lattice, struct vec3 *point, size_t n, int threads,
+                       struct point_grid *point_grid, struct error *error)
+{
+    if (check_count(n, error) < 0)
+        return -1;
+    *point_grid = *lattice;
+    point_grid->point = point;
+    point_grid->n = n;
+    point_grid_sort(point_grid, threads);
+    return 0;
+}
+
+size_t point_grid_cell(const struct point_grid *b, struct vec3 place)
+{
+    return point_grid_row(b, place.y) * b->columns + point_grid_column(b, place.x);
 }
 
 double point_grid_spacing(const struct point_grid *b)

@@ -152,3 +152,74 @@ void grid_facets_faces(const struct grid_facets *f,
     free(number[0]);
     free(number[1]);
 }
+
+void grid_facets_numbered(const struct grid_facets *f, const size_t *number, size_t n, int *row,
+                          int *column)
+{
+    size_t width = (size_t)f->nodes->width, nodes = width * (size_t)f->nodes->grid.rows;
+
+    for (size_t node = 0, vertex = 0, i = 0; node < nodes && i < n; node++) {
+        if (!(f->mark[node] & VERTEX) || vertex++ != number[i])
+            continue;
+        row[i] = (int)(node / width);
+        column[i] = f->nodes->first[row[i]] + (int)(node % width);
+        i++;
+    }
+}
+
+struct vec3 grid_facets_vertex(const struct grid_facets *f, size_t number)
+{
+    int row = 0, column = 0;
+
+    grid_facets_numbered(f, &number, 1, &row, &column);
+    const struct node_choice *c = reposition_node(f->nodes, column, row);
+    return c ? c->at : vec(0, 0, 0);
+}
+
+/* The vertices of a row from one column to another; number[] of each, counted from column0. */
+static void part_of_row(const struct grid_facets *f, int row, int column0, int column1, int *number,
+                        struct mesh *mesh)
+{
+    for (int column = column0; column <= column1; column++) {
+        const unsigned char *mark = mark_of(f, column, row);
+        number[column - column0] = (int)mesh->vertex.n;
+        if (!mark || !(*mark & VERTEX))
+            continue;
+        *array_push(&mesh->vertex) = reposition_node(f->nodes, column, row)->at;
+        *array_push(&mesh->row) = row;
+        *array_push(&mesh->col) = column;
+    }
+}
+
+static void faces_of_part(const struct grid_facets *f, int row, int down, int column0, int column1,
+                          int *const number[2], struct mesh *mesh)
+{
+    for (int column = column0; column < column1; column++) {
+        const unsigned char *mark = mark_of(f, column, row);
+        struct face face;
+        if (!mark || !(*mark & (down ? POINTS_DOWN : POINTS_UP)))
+            continue;
+        for (int i = 0; i < 3; i++)
+            face.v[i] = number[CORNER[down][i][1]][column + CORNER[down][i][0] - column0];
+        *array_push(&mesh->face) = face;
+    }
+}
+
+void grid_facets_part(const struct grid_facets *f, int row0, int row1, int column0, int column1,
+                      struct mesh *mesh)
+{
+    size_t width = (size_t)(column1 - column0) + 1;
+    int *number[2] = {mem_alloc(width, sizeof(int)), mem_alloc(width, sizeof(int))};
+
+    part_of_row(f, row0, column0, column1, number[1], mesh);
+    for (int row = row0; row < row1; row++) {
+        int *low = number[1];
+        number[1] = number[0];
+        number[0] = low;
+        part_of_row(f, row + 1, column0, column1, number[1], mesh);
+        for (int down = 0; down < 2; down++)
+            faces_of_part(f, row, down, column0, column1, number, mesh);
+    }
+    free(number[0]);
+    free(number[1]);
+}

@@ -59,6 +59,14 @@ const struct node_choice *reposition_node(const struct reposition *r, int column
     return at == NO_POINT || r->choice[at].point == NO_CHOICE ? NULL : &r->choice[at];
 }
 
+void reposition_move(struct reposition *r, int column, int row, struct vec3 to)
+{
+    size_t at = index_of(r, column, row);
+
+    if (at != NO_POINT)
+        r->choice[at].at = to;
+}
+
 static uint32_t nearness_of(double distance2)
 {
     return (uint32_t)(distance2 * STEPS + 0.5);

@@ -116,7 +116,7 @@ static void fit_vertices(void *context, size_t from, size_t to)
 }
 
 /* Gathers the distances that are there (not below 0) to the front of the array. */
-static struct scan_normals summarize(double *distance, size_t n)
+struct scan_normals scan_normals_summary(double *distance, size_t n)
 {
     struct scan_normals s = {0};
     double sum2 = 0;
@@ -137,8 +137,8 @@ static struct scan_normals summarize(double *distance, size_t n)
     return s;
 }
 
-struct scan_normals scan_normals_quadric(struct mesh *mesh, const struct point_grid *point_grid,
-                                         const struct scan_normals_options *options)
+void scan_normals_fit(struct mesh *mesh, const struct point_grid *point_grid,
+                      const struct scan_normals_options *options, double *distance)
 {
     size_t vertices = mesh->vertex.n;
     struct estimation e = {mesh,
@@ -146,13 +146,22 @@ struct scan_normals scan_normals_quadric(struct mesh *mesh, const struct point_g
                            (size_t)options->neighbours,
                            options->certain,
                            point_grid_spacing(point_grid),
-                           mem_alloc(vertices, sizeof *e.distance)};
+                           distance};
+
     if (!options->certain)
         mesh_normals_facet(mesh);
     array_reserve(&mesh->kmax, vertices);
     mesh->kmax.n = vertices;
     parallel_for(options->threads, vertices, fit_vertices, &e);
-    struct scan_normals result = summarize(e.distance, vertices);
-    free(e.distance);
+}
+
+struct scan_normals scan_normals_quadric(struct mesh *mesh, const struct point_grid *point_grid,
+                                         const struct scan_normals_options *options)
+{
+    double *distance = mem_alloc(mesh->vertex.n, sizeof *distance);
+
+    scan_normals_fit(mesh, point_grid, options, distance);
+    struct scan_normals result = scan_normals_summary(distance, mesh->vertex.n);
+    free(distance);
     return result;
 }

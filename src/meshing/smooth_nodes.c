@@ -45,24 +45,21 @@ static void smooth_vertices(void *context, size_t from, size_t to)
     surface_fit_hood_free(hood);
 }
 
-static struct smooth_nodes summarize(const struct smoothing *s)
+void smooth_nodes_count(const double *variance, const double *distance, size_t n, size_t first,
+                        struct smooth_nodes *r, double *sum)
 {
-    struct smooth_nodes r = {.typical = s->rule.neighbours};
-    double sum = 0;
-    for (size_t i = 0; i < s->mesh->vertex.n; i++) {
-        r.thin += s->distance[i] < 0;
-        r.kept += s->distance[i] >= 0 && s->variance[i] < 0;
-        if (s->variance[i] < 0)
+    for (size_t i = 0; i < n; i++) {
+        r->thin += distance[i] < 0;
+        r->kept += distance[i] >= 0 && variance[i] < 0;
+        if (variance[i] < 0)
             continue;
-        r.moved++;
-        sum += s->variance[i];
-        if (s->distance[i] > r.farthest) {
-            r.farthest = s->distance[i];
-            r.at = i;
+        r->moved++;
+        *sum += variance[i];
+        if (distance[i] > r->farthest) {
+            r->farthest = distance[i];
+            r->at = first + i;
         }
     }
-    r.error = r.moved > 0 ? s->rule.sigma * sqrt(sum / (double)r.moved) : 0;
-    return r;
 }
 
 /* How many points to begin with: `wanted`, but for the effort. */
@@ -74,28 +71,50 @@ static size_t neighbours_of(size_t wanted, size_t vertices, double effort)
     return (double)wanted > affordable ? (size_t)affordable : wanted;
 }
 
+struct surface_fit_options smooth_nodes_rule(const struct point_grid *point_grid,
+                                             const struct smooth_nodes_options *options,
+                                             size_t vertices, const struct vec3 *place,
+                                             const struct vec3 *normal, size_t places,
+                                             struct smooth_nodes *r)
+{
+    struct surface_fit_options rule = {point_grid, options->sigma, options->neighbours,
+                                       effort_covers(EFFORT_ALONG, options->effort, vertices),
+                                       options->first};
+
+    r->wanted = options->neighbours;
+    if (r->wanted == 0) {
+        r->wanted = surface_fit_typical(&rule, place, normal, places, options->threads);
+        rule.neighbours = neighbours_of(r->wanted, vertices, options->effort);
+    }
+    r->typical = rule.neighbours;
+    return rule;
+}
+
+void smooth_nodes_fit(struct mesh *mesh, const struct surface_fit_options *rule, int threads,
+                      double *variance, double *distance)
+{
+    struct smoothing s = {mesh, *rule, variance, distance};
+
+    array_reserve(&mesh->kmax, mesh->vertex.n);
+    mesh->kmax.n = mesh->vertex.n;
+    parallel_for(threads, mesh->vertex.n, smooth_vertices, &s);
+}
+
 struct smooth_nodes smooth_nodes(struct mesh *mesh, const struct point_grid *point_grid,
                                  const struct smooth_nodes_options *options)
 {
-    size_t n = mesh->vertex.n, wanted = options->neighbours;
-    struct smoothing s = {.mesh = mesh,
-                          .rule = {point_grid, options->sigma, options->neighbours,
-                                   effort_covers(EFFORT_ALONG, options->effort, n),
-                                   options->first}};
+    size_t n = mesh->vertex.n;
+    struct smooth_nodes r = {.moved = 0};
+    double *variance = mem_alloc(n, sizeof *variance), *distance = mem_alloc(n, sizeof *distance);
+    double sum = 0;
+
     mesh_normals_facet(mesh);
-    array_reserve(&mesh->kmax, n);
-    mesh->kmax.n = n;
-    if (wanted == 0) {
-        wanted =
-            surface_fit_typical(&s.rule, mesh->vertex.item, mesh->normal.item, n, options->threads);
-        s.rule.neighbours = neighbours_of(wanted, n, options->effort);
-    }
-    s.variance = mem_alloc(n, sizeof *s.variance);
-    s.distance = mem_alloc(n, sizeof *s.distance);
-    parallel_for(options->threads, n, smooth_vertices, &s);
-    struct smooth_nodes result = summarize(&s);
-    result.wanted = wanted;
-    free(s.variance);
-    free(s.distance);
-    return result;
+    const struct surface_fit_options rule =
+        smooth_nodes_rule(point_grid, options, n, mesh->vertex.item, mesh->normal.item, n, &r);
+    smooth_nodes_fit(mesh, &rule, options->threads, variance, distance);
+    smooth_nodes_count(variance, distance, n, 0, &r, &sum);
+    r.error = r.moved > 0 ? options->sigma * sqrt(sum / (double)r.moved) : 0;
+    free(variance);
+    free(distance);
+    return r;
 }

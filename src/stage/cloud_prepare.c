@@ -92,6 +92,15 @@ void say_sheets(const struct sheets *sheets)
             sheets->at.y, sheets->at.z);
 }
 
+double cloud_prepare_noise(double asked, double measured, double spacing)
+{
+    const double least = 0.004; /* in spacings */
+
+    if (asked >= 0)
+        return asked;
+    return measured < least * spacing ? 0 : measured;
+}
+
 static void say_cleaned(const struct cloud_prepare *c, bool drop)
 {
     const char *left = drop ? "left out" : "found, and kept,";

@@ -9,6 +9,7 @@
 #include "cloud/cloud.h"
 #include "cloudmesh_steps.h"
 #include "io/mesh/ply.h"
+#include "stream_surface.h"
 
 enum { SHORT_ROW = 6 /* bytes */ };
 
@@ -23,12 +24,13 @@ struct look {
     struct plan_cells cells;
     bool early; /* the spacing is given: nodes take their points in the look for the mean one */
     bool empty; /* there are nodes to be filled */
+    const struct viewer *viewer; /* another that looks */
 };
 
 bool cloud_stream_serves(const struct cloudmesh_options *o)
 {
     return o->method == CLOUDMESH_CHUI && !o->paper && !o->subdivide && !(o->error > 0) &&
-           !o->normals->of_surface && o->smooth;
+           o->smooth;
 }
 
 static void take_block(void *context, const struct vec3 *point, size_t n)
@@ -68,6 +70,28 @@ static int look_again(struct look *l,
                         "changes while it is read",
                         count.points, l->stream->n);
     return 0;
+}
+
+struct viewer {
+    void (*see)(void *context, const struct vec3 *point, size_t n);
+    void *context;
+};
+
+static void show(struct look *l, const struct vec3 *point, size_t n)
+{
+    l->viewer->see(l->viewer->context, point, n);
+}
+
+int cloud_stream_look(struct cloud_stream *stream,
+                      void (*see)(void *context, const struct vec3 *point, size_t n), void *context,
+                      struct error *error)
+{
+    const struct viewer viewer = {see, context};
+    struct look look = {.stream = stream, .viewer = &viewer};
+    int status = look_again(&look, show, error);
+
+    array_free(&look.placed);
+    return status;
 }
 
 /* ---- the first look */
@@ -178,6 +202,8 @@ static void see_rest(struct look *l, const struct vec3 *point, size_t n)
     holes_add(&l->stream->holes, point, n);
     if (l->empty)
         reposition_fill(&l->stream->nodes, point, n);
+    if (l->stream->counts)
+        stream_counts_add(l->stream->counts, &l->stream->nodes.grid, point, n);
 }
 
 static int find_nodes(struct look *l, struct error *error)
@@ -192,12 +218,15 @@ static int find_nodes(struct look *l, struct error *error)
         (!seen && look_again(l, see_nodes, error) < 0))
         return -1;
     l->empty = reposition_empty(&s->nodes);
+    if (s->options.normals->of_surface)
+        s->counts = stream_counts_new(s);
     if (look_again(l, see_rest, error) < 0)
         return -1;
     holes_end(&s->holes);
     if (l->empty)
         reposition_settle(&s->nodes);
     s->facets = grid_facets_find(&s->nodes, &s->holes);
+    holes_free(&s->holes);
     if (s->facets.facets == 0)
         return error_set(error, CLOUDMESH_NO_FACET, t, s->turned.xmax - s->turned.xmin,
                          s->turned.ymax - s->turned.ymin);
@@ -273,6 +302,10 @@ void cloud_stream_free(struct cloud_stream *stream)
     reposition_free(&stream->nodes);
     holes_free(&stream->holes);
     grid_facets_free(&stream->facets);
+    stream_counts_free(stream->counts);
+    stream->counts = NULL;
+    free(stream->vertex);
+    stream->vertex = NULL;
 }
 
 /* ---- the mesh stream */
@@ -280,12 +313,20 @@ void cloud_stream_free(struct cloud_stream *stream)
 struct writing {
     struct out *out;
     struct ply_shape shape;
+    const struct stream_vertex *next; /* NULL: normals are those of the facets */
 };
 
 static void write_vertex(void *context, struct vec3 at, struct vec3 normal, int row, int column)
 {
-    const struct writing *w = context;
-    const struct ply_vertex vertex = {at, normal, row, column, 0};
+    const double unit = 1e9;
+    struct writing *w = context;
+    struct ply_vertex vertex = {at, normal, row, column, 0};
+
+    if (w->next) {
+        const int32_t *n = w->next->normal;
+        vertex.normal = vec(n[0] / unit, n[1] / unit, n[2] / unit);
+        vertex.kmax = w->next++->kmax;
+    }
     ply_vertex_write(w->out, &vertex, &w->shape);
 }
 
@@ -302,7 +343,9 @@ void cloud_stream_write(struct out *out, const struct cloud_stream *stream,
                         {.vertices = stream->facets.vertices,
                          .faces = stream->facets.facets,
                          .normals = true,
-                         .rows = true}};
+                         .kmax = stream->vertex != NULL,
+                         .rows = true},
+                        stream->vertex};
 
     ply_head_write(out, origin, &w.shape);
     grid_facets_vertices(&stream->facets, write_vertex, &w);

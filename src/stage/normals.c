@@ -8,33 +8,48 @@
 #include "base/effort.h"
 #include "meshing/meshing.h"
 
-enum { NEIGHBOURS = 40 };
-
-/* What the mesh says that its vertices may be off: so many standard deviations. */
-static const double LEDGER_SIGMAS = 3;
-
-static void say_thin(size_t thin, const struct mesh *mesh)
+static void say_thin(size_t thin, size_t vertices)
 {
     if (thin > 0)
         say("%zu of %zu vertices have too few points about them for a quadric: their normals are "
             "the facets'",
-            thin, mesh->vertex.n);
+            thin, vertices);
+}
+
+void say_fitted(const struct scan_normals *r, size_t vertices, struct vec3 at)
+{
+    say_thin(r->thin, vertices);
+    note("vertices are off their quadrics by %.4f mm at worst (at %.3f %.3f %.3f), %.4f mm rms; "
+         "three sigma of the noise %.4f mm",
+         r->worst, at.x, at.y, at.z, r->rms, LEDGER_SIGMAS * r->sigma);
+}
+
+void say_smoothed(const struct smooth_nodes *r, size_t vertices, struct vec3 at,
+                  const struct normals_options *o)
+{
+    if (!o->explained)
+        say_thin(r->thin, vertices);
+    say("noise %.4f mm (one standard deviation): %zu of %zu vertices moved onto surfaces through "
+        "about %zu points, to within %.4f mm (one standard deviation)",
+        o->noise, r->moved, vertices, r->typical, r->error);
+    if (r->kept > 0)
+        say("%zu vertices not moved: no surface explains the points about them", r->kept);
+    if (!o->explained)
+        effort_say(EFFORT_ALONG, o->effort, vertices);
+    if (r->typical < r->wanted)
+        effort_say(EFFORT_NEIGHBOURS, o->effort, r->wanted * vertices);
+    note("moved by %.4f mm at most, to %.3f %.3f %.3f", r->farthest, at.x, at.y, at.z);
 }
 
 /* Normals of the points as they are; returns the standard deviation of the vertices. */
 static double fit_points(struct mesh *mesh, const struct normals_options *o,
                          const struct point_grid *scan)
 {
-    struct scan_normals_options how = {o->neighbours ? o->neighbours : NEIGHBOURS, o->threads,
+    struct scan_normals_options how = {o->neighbours ? o->neighbours : NORMALS_NEIGHBOURS, o->threads,
                                        o->certain};
     struct scan_normals r = scan_normals_quadric(mesh, scan, &how);
-    if (o->silent)
-        return r.sigma;
-    say_thin(r.thin, mesh);
-    struct vec3 at = mesh->vertex.item[r.at];
-    note("vertices are off their quadrics by %.4f mm at worst (at %.3f %.3f %.3f), %.4f mm rms; "
-         "three sigma of the noise %.4f mm",
-         r.worst, at.x, at.y, at.z, r.rms, LEDGER_SIGMAS * r.sigma);
+    if (!o->silent)
+        say_fitted(&r, mesh->vertex.n, mesh->vertex.item[r.at]);
     return r.sigma;
 }
 
@@ -45,21 +60,8 @@ static double move_vertices(struct mesh *mesh, const struct normals_options *o,
     struct smooth_nodes_options options = {o->noise, (size_t)o->neighbours, o->effort, o->threads,
                                            o->explained};
     struct smooth_nodes r = smooth_nodes(mesh, scan, &options);
-    if (o->silent)
-        return r.error;
-    if (!o->explained)
-        say_thin(r.thin, mesh);
-    say("noise %.4f mm (one standard deviation): %zu of %zu vertices moved onto surfaces through "
-        "about %zu points, to within %.4f mm (one standard deviation)",
-        o->noise, r.moved, mesh->vertex.n, r.typical, r.error);
-    if (r.kept > 0)
-        say("%zu vertices not moved: no surface explains the points about them", r.kept);
-    if (!o->explained)
-        effort_say(EFFORT_ALONG, o->effort, mesh->vertex.n);
-    if (r.typical < r.wanted)
-        effort_say(EFFORT_NEIGHBOURS, o->effort, r.wanted * mesh->vertex.n);
-    struct vec3 at = mesh->vertex.item[r.at];
-    note("moved by %.4f mm at most, to %.3f %.3f %.3f", r.farthest, at.x, at.y, at.z);
+    if (!o->silent)
+        say_smoothed(&r, mesh->vertex.n, mesh->vertex.item[r.at], o);
     return r.error;
 }
 

@@ -37,6 +37,32 @@ alike 'empty nodes are filled' "$TMP/plate.xyz" -t 0.9
 printf '0 -1 0 5\n1 0 0 6\n0 0 1 7\n0 0 0 1\n' >"$TMP/turn.txt"
 alike 'placed by a matrix' "$TMP/plate.xyz" -t 1.5 --matrix "$TMP/turn.txt"
 
+# normals of quadrics, of a cloud that nothing is taken out of
+quadrics() { # NAME FILE OPTIONS...
+	name=$1 file=$2
+	shift 2
+	cloud2mesh -v --no-features --outliers keep "$@" "$file" >"$TMP/kept.ply" 2>"$TMP/kept.log"
+	status 0 "$name: by bands" cloud2mesh -v --stream --normals quadric -o "$TMP/stream.ply" "$@" "$file"
+	cp "$TMP/err" "$TMP/stream.log"
+	same "$name: the same mesh" "$TMP/kept.ply" "$TMP/stream.ply"
+	for log in kept stream; do
+		grep -e noise -e rms -e moved -e 'left out' -e 'points in,' "$TMP/$log.log" | sort >"$TMP/$log.said"
+	done
+	same "$name: the same is said of it" "$TMP/kept.said" "$TMP/stream.said"
+}
+quadrics 'quadrics of a face' "$face"
+quadrics 'quadrics, turned, in inches' "$face" -t 80 --max-gap 90 -u in -a 33
+quadrics 'quadrics, nodes on points' "$face" -t 4 --nodes scan --noise 0.02
+quadrics 'quadrics of a plate with a hole' "$TMP/plate.xyz" -t 1.5 --noise 0 --neighbours 25
+quadrics 'quadrics, placed by a matrix' "$TMP/plate.xyz" -t 1.5 --matrix "$TMP/turn.txt"
+head -c 400000 "$face" | sed '$d' >"$TMP/cut.xyz"
+status 0 'one thread' cloud2mesh -j 1 --stream --normals quadric -o "$TMP/one.ply" "$TMP/cut.xyz"
+status 0 'four' cloud2mesh -j 4 --stream --normals quadric -o "$TMP/four.ply" "$TMP/cut.xyz"
+same 'threads do not matter' "$TMP/one.ply" "$TMP/four.ply"
+(cat "$TMP/cut.xyz"; echo 'one two three') >"$TMP/broken.xyz"
+status 1 'a row that is none' cloud2mesh --stream --normals quadric -o "$TMP/none.ply" "$TMP/broken.xyz"
+ok 'nothing is written' test ! -e "$TMP/none.ply"
+
 # refusals
 awk 'BEGIN { for (i = 0; i < 100; i++) print i, 2 * i, 3 }' >"$TMP/line.xyz"
 alike 'points on one line' "$TMP/line.xyz"
@@ -46,7 +72,8 @@ alike 'a spacing too fine' "$TMP/plate.xyz" -t 0.0001
 alike 'a spacing too wide' "$TMP/plate.xyz" -t 5000
 { cat "$TMP/plate.xyz" && echo 'one two three'; } >"$TMP/bad.xyz"
 alike 'a row that is none' "$TMP/bad.xyz"
-status 2 'quadrics need the points' cloud2mesh --stream --normals quadric "$face"
+status 2 'outliers need the points' cloud2mesh --stream --outliers drop "$face"
+status 2 'so does a mesh within an error' cloud2mesh --stream --normals quadric -e 0.1 "$face"
 status 2 'so do several files' cloud2mesh --stream "$face" "$face"
 
 # a large file is read so by itself; a pipe is not

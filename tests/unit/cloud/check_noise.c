@@ -144,6 +144,42 @@ START_TEST(no_even_places)
 }
 END_TEST
 
+/* At the places where it looks in all points, by the points about these alone. */
+START_TEST(by_the_points_about_its_places)
+{
+    static uint32_t place[NOISE_PLACES];
+    static unsigned char near[40000];
+    struct point_grid all, about;
+    struct error error;
+    struct vec3s some = {0};
+    noisy_seed(5);
+    noisy_scan(&scan, wave, 30000, NOISY_RANDOM, 0.02);
+    ck_assert_int_eq(point_grid_make(scan.item, scan.n, 0.36, 1, &all, &error), 0);
+    const double part = 0.2; /* of the places: others would leave no point out */
+    size_t places = (size_t)(part * NOISE_PLACES);
+    for (size_t i = 0; i < places; i++)
+        place[i] = (uint32_t)noise_place(i * 5 + 2, scan.n);
+    struct noise want = noise_measure_at(&all, place, places, 1);
+    for (size_t i = 0; i < scan.n; i++)
+        for (size_t k = 0; k < places && !near[i]; k++)
+            near[i] = vec_distance(scan.item[i], scan.item[place[k]]) < 4.5;
+    for (size_t i = 0, k = 0; i < scan.n; i++) {
+        if (k < places && place[k] == i)
+            place[k++] = (uint32_t)some.n;
+        if (near[i])
+            *array_push(&some) = scan.item[i];
+    }
+    ck_assert_int_eq(point_grid_make_in(&all, some.item, some.n, 1, &about, &error), 0);
+    struct noise got = noise_measure_at(&about, place, places, 1);
+    ck_assert_double_eq(got.sigma, want.sigma);
+    ck_assert_double_eq_tol(got.sigma, 0.02, 0.002);
+    point_grid_free(&all);
+    point_grid_free(&about);
+    array_free(&some);
+    array_free(&scan);
+}
+END_TEST
+
 START_TEST(fewer_points_than_it_takes)
 {
     for (int i = 0; i < 10; i++)
@@ -163,6 +199,7 @@ int main(void)
     tcase_add_test(tests, over_steps);
     tcase_add_test(tests, over_edges);
     tcase_add_test(tests, no_even_places);
+    tcase_add_test(tests, by_the_points_about_its_places);
     tcase_add_test(tests, fewer_points_than_it_takes);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);

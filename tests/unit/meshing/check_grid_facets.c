@@ -61,6 +61,55 @@ static void in_blocks(struct reposition *r, size_t n, size_t block, bool fill)
         (fill ? reposition_fill : reposition_add)(r, point + i, n - i < block ? n - i : block);
 }
 
+/* Rows and columns of it as a mesh: the vertices there, and the facets between them. */
+static void check_part(const struct grid_facets *facets, const struct mesh *mesh, int row0,
+                       int row1, int column0, int column1)
+{
+    struct mesh part = {.origin.ledger = NAN};
+    int *number = malloc(mesh->vertex.n * sizeof *number);
+    size_t vertices = 0, faces = 0;
+
+    grid_facets_part(facets, row0, row1, column0, column1, &part);
+    for (size_t v = 0; v < mesh->vertex.n; v++) {
+        int row = mesh->row.item[v], column = mesh->col.item[v];
+        number[v] = -1;
+        if (row < row0 || row > row1 || column < column0 || column > column1)
+            continue;
+        ck_assert_uint_lt(vertices, part.vertex.n);
+        ck_assert_int_eq(part.row.item[vertices], row);
+        ck_assert_int_eq(part.col.item[vertices], column);
+        ck_assert_double_eq(vec_distance(part.vertex.item[vertices], mesh->vertex.item[v]), 0);
+        number[v] = (int)vertices++;
+    }
+    for (size_t f = 0; f < mesh->face.n; f++) {
+        const int *v = mesh->face.item[f].v;
+        if (number[v[0]] < 0 || number[v[1]] < 0 || number[v[2]] < 0)
+            continue;
+        ck_assert_uint_lt(faces, part.face.n);
+        for (int i = 0; i < 3; i++)
+            ck_assert_int_eq(part.face.item[faces].v[i], number[v[i]]);
+        faces++;
+    }
+    ck_assert_uint_eq(part.vertex.n, vertices);
+    ck_assert_uint_eq(part.face.n, faces);
+    free(number);
+    mesh_free(&part);
+}
+
+static void check_numbers(const struct grid_facets *facets, const struct mesh *mesh)
+{
+    size_t n = mesh->vertex.n, number[4] = {0, 1, n / 2, n - 1};
+    int row[4], column[4];
+
+    grid_facets_numbered(facets, number, 4, row, column);
+    for (int i = 0; i < 4; i++) {
+        ck_assert_int_eq(row[i], mesh->row.item[number[i]]);
+        ck_assert_int_eq(column[i], mesh->col.item[number[i]]);
+        struct vec3 at = grid_facets_vertex(facets, number[i]);
+        ck_assert_double_eq(vec_distance(at, mesh->vertex.item[number[i]]), 0);
+    }
+}
+
 START_TEST(as_the_mesh_that_is_kept)
 {
     static const double spacing[] = {0.5, 1, 3}, direction[] = {0, 33, -70};
@@ -96,6 +145,10 @@ START_TEST(as_the_mesh_that_is_kept)
     ck_assert_uint_eq(facets.count.bridges, count.bridges);
     ck_assert_uint_eq(facets.count.alone, count.alone);
     ck_assert_double_eq(facets.steep, mesh_steep_part(&mesh, vec(0, 0, 1)));
+    check_part(&facets, &mesh, 0, grid.rows - 1, 0, grid.columns - 1);
+    check_part(&facets, &mesh, grid.rows / 3, grid.rows / 2, 0, grid.columns - 1);
+    check_part(&facets, &mesh, 3, 7, grid.columns / 3, grid.columns / 2);
+    check_numbers(&facets, &mesh);
     grid_facets_free(&facets);
     reposition_free(&r);
     holes_free(&holes);
