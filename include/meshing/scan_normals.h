@@ -19,16 +19,16 @@ struct scan_normals {
 };
 
 struct scan_normals_options {
-    int neighbours;        /* points that a surface goes through */
-    int threads;           /* of which the result does not depend */
-    const double *certain; /* what is known already: node_heights.h; NULL: nothing */
+    int neighbours;  /* points that a surface goes through */
+    int threads;     /* of which the result does not depend */
+    double *certain; /* what is known already: node_heights.h; NULL: nothing.  It is changed */
 };
 
 /* What is said of the distances of vertices from their quadrics (not below 0 where there is one),
  * which are changed. */
 struct scan_normals scan_normals_summary(double *distance, size_t n);
 
-/* scan_normals_quadric without that: distance[] of each vertex. */
+/* scan_normals_quadric without that: distance[] of each vertex, which may be options->certain. */
 void scan_normals_fit(struct mesh *mesh, const struct point_grid *point_grid,
                       const struct scan_normals_options *options, double *distance);
 

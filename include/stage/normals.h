@@ -28,10 +28,10 @@ struct normals_options {
     double noise; /* of the points, one standard deviation, mm, that vertices are rid of; 0: none */
     int neighbours; /* points that a surface goes through; 0: chosen */
     int threads;
-    const double *certain; /* vertices that have theirs: meshing/node_heights.h; NULL: none */
-    double effort;         /* effort.h */
-    bool silent;           /* a trial: nothing is said */
-    bool explained; /* vertices are rid of noise only where a surface soon explains the points */
+    double *certain; /* vertices that have theirs: meshing/node_heights.h; NULL: none */
+    double effort;   /* effort.h */
+    bool silent;     /* a trial: nothing is said */
+    bool explained;  /* vertices are rid of noise only where a surface soon explains the points */
 };
 
 struct normal_estimator {

@@ -158,10 +158,12 @@ void scan_normals_fit(struct mesh *mesh, const struct point_grid *point_grid,
 struct scan_normals scan_normals_quadric(struct mesh *mesh, const struct point_grid *point_grid,
                                          const struct scan_normals_options *options)
 {
-    double *distance = mem_alloc(mesh->vertex.n, sizeof *distance);
+    double *certain = options->certain;
+    double *distance = certain ? certain : mem_alloc(mesh->vertex.n, sizeof *distance);
 
     scan_normals_fit(mesh, point_grid, options, distance);
     struct scan_normals result = scan_normals_summary(distance, mesh->vertex.n);
-    free(distance);
+    if (!certain)
+        free(distance);
     return result;
 }
