@@ -229,7 +229,7 @@ static void both(int k, double sigma, double noise, struct vec3 origin, double s
     struct cloudmesh_options options = usual(spacing, direction, scan_nodes);
     scan(&surface[k], sigma, origin);
     struct mesh want = in_memory(&options, noise);
-    for (size_t at_a_time = 1; at_a_time < 10 * points.n; at_a_time *= 300) {
+    for (size_t at_a_time = 1; at_a_time<20 * points.n; at_a_time *= sigma> 0 ? 90000 : 300) {
         struct mesh got = in_bands(&options, noise, at_a_time, at_a_time > 1 ? 2 : 1);
         same(&got, &want);
         double off = off_truth(&got, &surface[k], origin);
@@ -263,14 +263,21 @@ START_TEST(far_from_the_origin)
 }
 END_TEST
 
+static const struct {
+    double sigma, noise, spacing, direction;
+    bool scan_nodes;
+    double most;
+} way[] = {{0, -1, 1, 27, false, 2e-3},
+           {0.02, -1, 4, -60, false, 0.016},
+           {0.02, 0.03, 0.8, 90, false, 0.016},
+           {0.01, 0, 1.2, 5, false, 0.03}, /* no noise, says the user */
+           {0.02, -1, 1.2, 5, true, 0.016},
+           {0, 0, 1.2, 5, true, 4e-3}};
+
 START_TEST(turned_coarse_fine)
 {
-    both(4, 0, -1, vec(0, 0, 0), 1, 27, false, 2e-3);
-    both(4, 0.02, -1, vec(0, 0, 0), 4, -60, false, 0.016);
-    both(4, 0.02, 0.03, vec(0, 0, 0), 0.7, 90, false, 0.016);
-    both(4, 0.01, 0, vec(0, 0, 0), 1.2, 5, false, 0.03); /* no noise, says the user */
-    both(4, 0.02, -1, vec(0, 0, 0), 1.2, 5, true, 0.016);
-    both(4, 0, 0, vec(0, 0, 0), 1.2, 5, true, 4e-3);
+    both(4, way[_i].sigma, way[_i].noise, vec(0, 0, 0), way[_i].spacing, way[_i].direction,
+         way[_i].scan_nodes, way[_i].most);
 }
 END_TEST
 
@@ -330,7 +337,7 @@ int main(void)
     tcase_add_loop_test(tests, without_noise, 0, SURFACES);
     tcase_add_loop_test(tests, with_noise, 0, SURFACES);
     tcase_add_loop_test(tests, far_from_the_origin, 0, SURFACES);
-    tcase_add_test(tests, turned_coarse_fine);
+    tcase_add_loop_test(tests, turned_coarse_fine, 0, sizeof way / sizeof *way);
     tcase_add_test(tests, points_twice);
     tcase_add_test(tests, what_cannot_be);
     suite_add_tcase(suite, tests);
