@@ -4,10 +4,11 @@
  * Noise is said in one standard deviation everywhere, in mm; who needs a bound multiplies it by a
  * constant that has a name.
  *
- * At up to NOISE_PLACES places over the cloud a quadric is fitted to the fewest nearest points that carry
- * one and to twice as many.  What the fits leave, for their degrees of freedom, is noise and what
- * of the surface is no quadric: the latter grows with the width as its third power or faster, so
- * that its variance is GROWTH times as large over twice the points, and the former does not grow.
+ * At up to NOISE_PLACES places over the cloud a quadric is fitted to the fewest nearest points that
+ * carry one and to twice as many.  What the fits leave, for their degrees of freedom, is noise and
+ * what of the surface is no quadric: the latter grows with the width as its third power or faster,
+ * so that its variance is GROWTH times as large over twice the points, and the former does not
+ * grow.
  * Medians over the places, so that edges, outliers and the few tight bends do not count.  Where
  * most places lie over edges, as of terraces, a median is of these: then the variances fall into
  * two groups with nothing between, and the lower one tells.

@@ -49,8 +49,8 @@ struct normal_estimator {
 const char *normals_words(bool of_scan);
 const struct normal_estimator *normals_find(bool of_scan, int k);
 
-/* Says how far vertices are off their quadrics, the worst of which is `at`; and how they were moved,
- * one to `at` the farthest. */
+/* Says how far vertices are off their quadrics, the worst of which is `at`; and how they were
+ * moved, one to `at` the farthest. */
 void say_fitted(const struct scan_normals *r, size_t vertices, struct vec3 at);
 void say_smoothed(const struct smooth_nodes *r, size_t vertices, struct vec3 at,
                   const struct normals_options *options);

@@ -105,8 +105,7 @@ static void stand_at_nodes(const struct cloudmesh_options *options, const struct
 /* Normals, and vertices moved where there is noise, with what is known of them already. */
 static int normals_of_nodes(const struct cloudmesh_options *options, struct vec3 *point, size_t n,
                             const struct point_grid *scan, double spacing, double noise,
-                            double *certain, int threads, struct mesh *mesh,
-                            struct error *error)
+                            double *certain, int threads, struct mesh *mesh, struct error *error)
 {
     struct normals_options normals = {.point = point,
                                       .n = n,

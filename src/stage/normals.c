@@ -45,8 +45,8 @@ void say_smoothed(const struct smooth_nodes *r, size_t vertices, struct vec3 at,
 static double fit_points(struct mesh *mesh, const struct normals_options *o,
                          const struct point_grid *scan)
 {
-    struct scan_normals_options how = {o->neighbours ? o->neighbours : NORMALS_NEIGHBOURS, o->threads,
-                                       o->certain};
+    int neighbours = o->neighbours ? o->neighbours : NORMALS_NEIGHBOURS;
+    struct scan_normals_options how = {neighbours, o->threads, o->certain};
     struct scan_normals r = scan_normals_quadric(mesh, scan, &how);
     if (!o->silent)
         say_fitted(&r, mesh->vertex.n, mesh->vertex.item[r.at]);

@@ -29,7 +29,8 @@ void stream_counts_add(struct stream_counts *counts, const struct grid *grid,
                        const struct vec3 *point, size_t n);
 void stream_counts_free(struct stream_counts *counts);
 
-/* Shows all points of the file, as placed, to `see`.  -1: also where they are others than before. */
+/* Shows all points of the file, as placed, to `see`.  -1: also where they are others than before.
+ */
 int cloud_stream_look(struct cloud_stream *stream,
                       void (*see)(void *context, const struct vec3 *point, size_t n), void *context,
                       struct error *error);

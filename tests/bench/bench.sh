@@ -100,8 +100,6 @@ if wanted cloud2mesh; then
 	ours 'the same, all processors' '' "$BIN/cloud2mesh" -q -t 1 --normals facet "$tmp/cloud.xyz"
 	ours 'cloud2mesh -t 1' '2.5 x' "$BIN/cloud2mesh" -q -j 1 -t 1 "$tmp/cloud.xyz"
 	ours 'the same, all processors' '' "$BIN/cloud2mesh" -q -t 1 "$tmp/cloud.xyz"
-	ours 'the same, --stream, normals of facets' '' "$BIN/cloud2mesh" -q -j 1 -t 1 --stream "$tmp/cloud.xyz"
-	ours 'the same, --stream, normals of quadrics' '28 B a point' "$BIN/cloud2mesh" -q -j 1 -t 1 --stream --normals quadric "$tmp/cloud.xyz"
 	command -v gmt >/dev/null && ours 'peer: gmt blockmedian, the points alone' '' \
 		gmt blockmedian -R0/1000/0/1000 -I1 "$tmp/cloud.xyz"
 	python3 -c 'import scipy' 2>/dev/null && ours 'peer: scipy, the nearest point of each node' '' \
