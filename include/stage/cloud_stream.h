@@ -21,7 +21,7 @@
  *   6. and on: those about the rows of a band, each: two for five
  *      vertices, but two million at least
  *
- * About 80 bytes a node, half a byte a point, and 40 MB.
+ * About 80 bytes a node, half a byte a point, and 100 MB.
  */
 #ifndef CLOUDMILL_CLOUD_STREAM_H
 #define CLOUDMILL_CLOUD_STREAM_H

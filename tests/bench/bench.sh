@@ -2,7 +2,8 @@
 # bench.sh - how long the tools take and how much memory, beside bare C loops that do the least that
 # must be done.  BIN: the tools, FLOOR: the loops and makers of inputs (tests/bench/*.c).
 #
-# A row: what was done; the goal; ours: CPU seconds of all threads, and by the clock; the floor's CPU
+# A row: what was done; the goal; ours: CPU seconds of all threads, and by the clock; the
+# floor's CPU
 # and how many times that is; the most memory.  Each is the quickest of RUNS (default 3) runs.
 #
 #	make bench                          a million points
@@ -39,7 +40,8 @@ floor() {
 	shift
 	measure "$@"
 	cp "$tmp/took" "$tmp/floor"
-	awk -v name="$name" '{ printf "%-52s %9.3f s CPU %38.1f MB\n", "floor: " name, $1, $3 }' "$tmp/took"
+	awk -v name="$name" '{ printf "%-52s %9.3f s CPU %38.1f MB\n", "floor: " name, $1, $3 }' \
+		"$tmp/took"
 }
 
 # ours NAME GOAL CMD...: a row
@@ -88,7 +90,8 @@ if wanted reading; then
 	floor 'read and a hand-made parser' "$FLOOR/floor_read" "$tmp/cloud.xyz"
 	ours 'the reader of clouds' '1.2 x' "$FLOOR/read_cloud" "$tmp/cloud.xyz"
 	# shellcheck disable=SC2016 # for the inner shell
-	ours 'the same through a pipe (with cat)' '1.2 x' sh -c 'cat "$2" | "$1" -' sh "$FLOOR/read_cloud" "$tmp/cloud.xyz"
+	ours 'the same through a pipe (with cat)' '1.2 x' \
+		sh -c 'cat "$2" | "$1" -' sh "$FLOOR/read_cloud" "$tmp/cloud.xyz"
 	floor 'fgets and strtod' "$FLOOR/floor_strtod" "$tmp/cloud.xyz"
 	ours 'one million hard decimals, equal to strtod' '' "$FLOOR/prove_decimals" 1
 fi
@@ -96,22 +99,30 @@ fi
 if wanted cloud2mesh; then
 	head_row "$points points in random order, 1 mm mesh"
 	floor 'read twice, grid, facet normals, PLY' "$FLOOR/floor_mesh" 1 "$tmp/cloud.xyz"
-	ours 'cloud2mesh -t 1 --normals facet' '1.3 x, 64 MB' "$BIN/cloud2mesh" -q -j 1 -t 1 --normals facet "$tmp/cloud.xyz"
+	ours 'cloud2mesh -t 1 --normals facet' '1.3 x, 64 MB' \
+		"$BIN/cloud2mesh" -q -j 1 -t 1 --normals facet "$tmp/cloud.xyz"
 	ours 'the same, all processors' '' "$BIN/cloud2mesh" -q -t 1 --normals facet "$tmp/cloud.xyz"
 	ours 'cloud2mesh -t 1' '2.5 x' "$BIN/cloud2mesh" -q -j 1 -t 1 "$tmp/cloud.xyz"
 	ours 'the same, all processors' '' "$BIN/cloud2mesh" -q -t 1 "$tmp/cloud.xyz"
+	ours 'the same, --stream, normals of facets' '' \
+		"$BIN/cloud2mesh" -q -j 1 -t 1 --stream "$tmp/cloud.xyz"
+	ours 'the same, --stream, normals of quadrics' '28 B a point' \
+		"$BIN/cloud2mesh" -q -j 1 -t 1 --stream --normals quadric "$tmp/cloud.xyz"
 	command -v gmt >/dev/null && ours 'peer: gmt blockmedian, the points alone' '' \
 		gmt blockmedian -R0/1000/0/1000 -I1 "$tmp/cloud.xyz"
 	python3 -c 'import scipy' 2>/dev/null && ours 'peer: scipy, the nearest point of each node' '' \
 		python3 -c 'import sys, numpy as n, scipy.spatial as s
-p = n.loadtxt(sys.argv[1]); x = n.arange(p[:, 0].min(), p[:, 0].max()); y = n.arange(p[:, 1].min(), p[:, 1].max())
-print(p[s.cKDTree(p[:, :2]).query(n.array(n.meshgrid(x, y)).reshape(2, -1).T)[1]].sum())' "$tmp/cloud.xyz"
+p = n.loadtxt(sys.argv[1]); x = n.arange(p[:, 0].min(), p[:, 0].max())
+y = n.arange(p[:, 1].min(), p[:, 1].max())
+near = s.cKDTree(p[:, :2]).query(n.array(n.meshgrid(x, y)).reshape(2, -1).T)[1]
+print(p[near].sum())' "$tmp/cloud.xyz"
 
 	head_row 'Growth: microseconds a point'
 	for n in ${GROWTH:-100000 1000000 10000000}; do
 		"$FLOOR/make_cloud" random "$n" >"$tmp/growing.xyz"
 		floor "$n points" "$FLOOR/floor_mesh" 1 "$tmp/growing.xyz"
-		each "cloud2mesh -t 1 --normals facet, $n points" 'linear' "$n" "$BIN/cloud2mesh" -q -j 1 -t 1 --normals facet "$tmp/growing.xyz"
+		each "cloud2mesh -t 1 --normals facet, $n points" 'linear' "$n" \
+			"$BIN/cloud2mesh" -q -j 1 -t 1 --normals facet "$tmp/growing.xyz"
 		each "cloud2mesh -t 1, $n points" 'linear' "$n" "$BIN/cloud2mesh" -q -j 1 -t 1 "$tmp/growing.xyz"
 	done
 	rm -f "$tmp/growing.xyz" "$tmp/cloud.xyz" "$tmp/floor"
@@ -124,10 +135,12 @@ print(p[s.cKDTree(p[:, :2]).query(n.array(n.meshgrid(x, y)).reshape(2, -1).T)[1]
 		each "cloud2mesh -e 0.05 ${scan##*/}" '20 us' "$n" "$BIN/cloud2mesh" -q -j 1 -e 0.05 "$scan"
 	done
 	"$FLOOR/make_cloud" lidar "$points" >"$tmp/lidar.xyz"
-	each "cloud2mesh, lidar, $points points" '1.1 us, 66 B' "$points" "$BIN/cloud2mesh" -q -j 1 "$tmp/lidar.xyz"
+	each "cloud2mesh, lidar, $points points" '1.1 us, 66 B' "$points" \
+		"$BIN/cloud2mesh" -q -j 1 "$tmp/lidar.xyz"
 	large=${LIDAR:-10650000} often=$runs runs=1
 	"$FLOOR/make_cloud" lidar "$large" >"$tmp/lidar.xyz"
-	each "cloud2mesh, lidar, $large points, once" '12 s, 700 MB' "$large" "$BIN/cloud2mesh" -q -j 1 "$tmp/lidar.xyz"
+	each "cloud2mesh, lidar, $large points, once" '12 s, 700 MB' "$large" \
+		"$BIN/cloud2mesh" -q -j 1 "$tmp/lidar.xyz"
 	runs=$often
 	rm -f "$tmp/lidar.xyz"
 fi
@@ -150,11 +163,14 @@ if wanted fit; then
 		}
 	}' >"$tmp/part.ply"
 	n=$(sed -n 's/^element face //p' "$tmp/part.ply")
-	ours "planecut -r 4 -s 2, $n facets of a fine grid: the clock" '2 s' "$BIN/planecut" -q -r 4 -s 2 "$tmp/part.ply"
-	"$FLOOR/make_cloud" random 300000 | "$BIN/cloud2mesh" -q -t 1 --normals facet -o "$tmp/part.ply" - 2>/dev/null
+	ours "planecut -r 4 -s 2, $n facets of a fine grid: the clock" '2 s' \
+		"$BIN/planecut" -q -r 4 -s 2 "$tmp/part.ply"
+	"$FLOOR/make_cloud" random 300000 |
+		"$BIN/cloud2mesh" -q -t 1 --normals facet -o "$tmp/part.ply" - 2>/dev/null
 	n=$(sed -n 's/^element face //p' "$tmp/part.ply")
 	ours "planecut -r 6 -s 3, $n facets" 'linear' "$BIN/planecut" -q -r 6 -s 3 "$tmp/part.ply"
-	"$FLOOR/make_cloud" random "${CUT:-3000000}" | "$BIN/cloud2mesh" -q -t 1 --normals facet -o "$tmp/part.ply" - 2>/dev/null
+	"$FLOOR/make_cloud" random "${CUT:-3000000}" |
+		"$BIN/cloud2mesh" -q -t 1 --normals facet -o "$tmp/part.ply" - 2>/dev/null
 	n=$(sed -n 's/^element face //p' "$tmp/part.ply")
 	ours "planecut -r 6 -s 3, $n facets: the clock" '2 s' "$BIN/planecut" -q -r 6 -s 3 "$tmp/part.ply"
 	awk 'BEGIN {
@@ -171,8 +187,10 @@ if wanted fit; then
 	scan=$samples/face_nefertiti_26493.xyz
 	"$BIN/cloud2mesh" -q -t 3 "$scan" >"$tmp/face.ply" 2>/dev/null
 	"$BIN/meshnorm" -q -r 5 --rows mesh "$tmp/face.ply" >"$tmp/face.cl" 2>/dev/null
-	ours 'biarcfit, guarded by a face of 26,493 points' '3 s' "$BIN/biarcfit" -q -e 0.02 -g "$scan" "$tmp/face.cl"
-	ours 'bsplfit, guarded by a face of 26,493 points' '6 s' "$BIN/bsplfit" -q -e 0.02 -g "$scan" "$tmp/face.cl"
+	ours 'biarcfit, guarded by a face of 26,493 points' '3 s' \
+		"$BIN/biarcfit" -q -e 0.02 -g "$scan" "$tmp/face.cl"
+	ours 'bsplfit, guarded by a face of 26,493 points' '6 s' \
+		"$BIN/bsplfit" -q -e 0.02 -g "$scan" "$tmp/face.cl"
 fi
 
 if wanted post; then
@@ -228,11 +246,14 @@ blocks() { # TCP: 1 with tool-centre-point control, 0 the places of the axes
 		i = n % 2500; j = (n - i) / 2500; side = j % 2 ? -1 : 1
 		u = side * (-50 + i * 100 / 2499); v = -50 + j * 100 / 399
 		l = sqrt(u * u + v * v + 40000); a = 0.25 + 0.2 * sin(u / 9)
-		x = u + 5 * u / l - 5 * sin(a); y = v + 5 * v / l; z = 1000 / l - (u * u + v * v) / 400 - 5 * cos(a)
+		x = u + 5 * u / l - 5 * sin(a); y = v + 5 * v / l
+		z = 1000 / l - (u * u + v * v) / 400 - 5 * cos(a)
 		if (!tcp) { t = x; x = y; y = z * sin(a) - t * cos(a); z = t * sin(a) + z * cos(a) }
-		printf "N%d G1 X%.4f Y%.4f Z%.4f A%.4f%s\n", n + 8, x, y, z, a * 57.29577951308232, n ? "" : " F2000."
+		printf "N%d G1 X%.4f Y%.4f Z%.4f A%.4f%s\n", n + 8, x, y, z,
+			a * 57.29577951308232, n ? "" : " F2000."
 	}
-	printf "N%d G0 Z90.\nN%d G49\nN%d G53 G0 Z0.\nN%d M5\nN%d M30\n%%\n", n + 8, n + 9, n + 10, n + 11, n + 12
+	printf "N%d G0 Z90.\nN%d G49\nN%d G53 G0 Z0.\nN%d M5\nN%d M30\n%%\n",
+		n + 8, n + 9, n + 10, n + 11, n + 12
 	}' | sed 's/\([XYZA]\)-\(0\.0000\)/\1\2/g'
 }
 blocks 1 >"$tmp/dome.nc"
@@ -241,7 +262,9 @@ rm -f "$tmp/floor"
 head_row "$(wc -l <"$tmp/dome.nc") blocks, $(wc -l <"$tmp/dome.xyz") points"
 # exit 3 is a verdict too
 ours 'ncverify' '' "$BIN/ncverify" -q -g "$tmp/dome.xyz" -r 5 "$tmp/dome.nc"
-ours 'ncverify, no tool centre point control' '' "$BIN/ncverify" -q -g "$tmp/dome.xyz" -r 5 --set tcp=no "$tmp/axes.nc"
-ours 'ncverify --stock box,1' '' "$BIN/ncverify" -q -g "$tmp/dome.xyz" -r 5 --stock box,1 "$tmp/dome.nc"
+ours 'ncverify, no tool centre point control' '' \
+	"$BIN/ncverify" -q -g "$tmp/dome.xyz" -r 5 --set tcp=no "$tmp/axes.nc"
+ours 'ncverify --stock box,1' '' \
+	"$BIN/ncverify" -q -g "$tmp/dome.xyz" -r 5 --stock box,1 "$tmp/dome.nc"
 fi
 exit 0
