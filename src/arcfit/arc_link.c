@@ -216,30 +216,48 @@ static bool try_on(struct link_search *s, struct link_joint *a, int *at)
     return false;
 }
 
-/* One biarc after the other, from a direction turned out so far, at most `most` of them. */
-static bool try_chain(struct link_search *s, double turned, int most)
-{
-    struct link_joint a = {s->reference->point[0], turned_out(s, false, turned), 0};
-    int at = 0;
+/* One biarc after the other, as far as they have come. */
+struct link_chain {
+    struct link_joint end;
+    int at; /* of PLACES */
+    bool stuck;
+    size_t n;
+    struct arc_piece piece[2 * CHAINED];
+};
 
+/* The chain, of `had` biarcs that do not come to the end, with up to `most` of them. */
+static bool try_chain(struct link_search *s, struct link_chain *chain, int had, int most)
+{
     s->pieces->n = 0;
-    for (int i = 1; i <= most; i++) {
-        if (try_end(s, &a))
+    for (size_t i = 0; i < chain->n; i++)
+        *array_push(s->pieces) = chain->piece[i];
+    for (int i = had; i < most && !chain->stuck; i++) {
+        chain->stuck = i > 0 && !try_on(s, &chain->end, &chain->at);
+        if (!chain->stuck && try_end(s, &chain->end))
             return true;
-        if (i < most && !try_on(s, &a, &at))
-            return false;
     }
+    chain->n = s->pieces->n;
+    for (size_t i = 0; i < chain->n; i++)
+        chain->piece[i] = s->pieces->item[i];
     return false;
 }
 
-/* The shorter ones first. */
+/* From directions turned out, the shorter ones first. */
 static bool try_chains(struct link_search *s)
 {
-    static const int most[] = {1, 2, CHAINED};
+    static const int most[] = {0, 1, 2, CHAINED};
+    struct link_chain chain[TURNS];
 
-    for (size_t i = 0; i < sizeof most / sizeof *most; i++)
+    for (int k = 0; k < TURNS; k++) {
+        double turned = TURNED[k] * ARC_LINK_KINK;
+        chain[k].end = (struct link_joint){s->reference->point[0], turned_out(s, false, turned), 0};
+        chain[k].at = 0;
+        chain[k].stuck = false;
+        chain[k].n = 0;
+    }
+    for (size_t i = 1; i < sizeof most / sizeof *most; i++)
         for (int k = 0; k < TURNS; k++)
-            if (try_chain(s, TURNED[k] * ARC_LINK_KINK, most[i]))
+            if (try_chain(s, &chain[k], most[i - 1], most[i]))
                 return true;
     return false;
 }
