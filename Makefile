@@ -96,11 +96,12 @@ small := io/nurbs/nurbs_text% machine/machine machine/machine_options machine/te
   stage/tool_% stage/nurbs_report stage/path_options stage/gouge_options stage/guard_read \
   stage/toolpath_report stage/path_coverage stage/path_check io/nurbs/iges% io/nurbs/step% \
   cloud/edge_unknown cloud/edge_cliff cloud/edge_foot cloud/sheets cloud/holes cloud/roof \
-  cloud/edge_points toolpath/rest_% stage/toolpath_shorten \
-  stage/toolpath_order simulate/unseen_% io/path/path_cycle \
+  cloud/rim_points cloud/edge_points cloud/cone_tip toolpath/rest_% stage/toolpath_shorten \
+  stage/toolpath_moves stage/toolpath_order simulate/unseen_% io/path/path_cycle \
   nurbs/construct mesh/mesh_repair io/path/path_tool mesh/mesh_clip nurbs/uv_polygon \
   stage/plane_passes stage/mesh_% stage/coverage_judge gouge/link_retract toolpath/pass_extend \
-  io/path/path_head math/region io/path/path_write io/mesh/ply_origin gouge/link io/cloud/cloud_formats
+  io/path/path_head math/region io/path/path_write io/mesh/ply_origin gouge/link \
+  io/cloud/cloud_formats nurbs/primitive nurbs/approximate stage/toolpath gouge/guard_mesh
 $(small:%=$(BUILD)/src/%.o): CFLAGS := $(patsubst -O2,-Os,$(CFLAGS:-O3=-Os))
 
 # The file VERSION is what `--version`, the tarball and the packages say.

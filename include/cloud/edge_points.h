@@ -35,7 +35,8 @@
  *      or a tip, and neither its surface nor a place of an edge is known, the part may go on in
  *      front of it; the same where a point stands out from those about it and no surface that bends
  *      comes near to all of these, as on a rib as thin as points are apart; and at corners of less
- *      than 75 degrees of flanks that end above a wall.  It is counted, if there are two such
+ *      than 75 degrees of flanks that end above a wall, of which those are spurs that are such
+ *      corners farther about, too.  It is counted, if there are two such
  *      points near each other, the scan goes on round them, and the surface of a third of the
  *      points about is certain (elsewhere all of it is rough).  Points are put so far in front of
  *      it, from there to its neighbours, and between two of them that may be on one feature; what
@@ -73,9 +74,9 @@ struct edge_gaps {
     size_t n;
     double widest; /* mm, seen from above */
     struct vec3 at;
-    size_t certain; /* points whose surface is */
-    size_t unknown;
-    double depth; /* the edges may stand so far in front of these, mm, ... */
+    size_t certain;        /* points whose surface is */
+    size_t unknown, spurs; /* spurs: how many of these are */
+    double depth;          /* the edges may stand so far in front of these, mm, ... */
     struct vec3 unknown_at;
 };
 

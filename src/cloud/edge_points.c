@@ -170,6 +170,7 @@ static struct edge_gaps sum_gaps(const struct edge_work *work)
         if (!(work->unknown[i] > 0) || !edge_unknown_counts(work, i))
             continue;
         gaps.unknown++;
+        gaps.spurs += edge_unknown_spur(work, i);
         if (work->unknown[i] > gaps.depth) {
             gaps.depth = work->unknown[i];
             gaps.unknown_at = work->options->point_grid->point[i];

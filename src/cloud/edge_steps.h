@@ -167,6 +167,10 @@ bool edge_on_known(const struct edge_work *work, size_t i);
 /* There is one more such point near (work->unknown): a single one may be astray. */
 bool edge_unknown_counts(const struct edge_work *work, size_t i);
 
+/* The point is a corner above a wall, and wider about it, too, only points steeply below lie over
+ * three quarters of a turn: a spur, and not the rim that points anywhere make. */
+bool edge_unknown_spur(const struct edge_work *work, size_t i);
+
 /* ---- edge_fill: appends places on the flank of point i, up to its edges (work->found) and into
  * sharp hollows, as dense as those of edges are on these. */
 

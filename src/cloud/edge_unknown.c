@@ -25,6 +25,10 @@ static const double OUT = 0.1, ROUGH = 0.08, BARE = 1;
  * tells that they are not. */
 static const double LINKED = 4, ASIDE = 0.3;
 
+/* In spacings: wider about a corner of a wall, too, the upper side has points in a quarter of the
+ * turn alone. */
+static const double WIDER = 5.6;
+
 /* Least z of the middle of these directions: no ball comes from below. */
 static const double UP = 0.05;
 
@@ -131,6 +135,32 @@ static bool is_at_border(const struct edge_hood *near)
             return true;
     }
     return false;
+}
+
+bool edge_unknown_spur(const struct edge_work *work, size_t i)
+{
+    enum { SECTORS = 24, OPEN = 18 };
+    const struct point_grid *grid = work->options->point_grid;
+    struct sizes about = {0};
+    struct edge_hood near;
+    unsigned has = 0, widest = 0, run = 0;
+
+    if (!(work->gap[i] > 0))
+        return false;
+    edge_hood_find(work, i, &near);
+    point_grid_within(grid, near.point[0], WIDER * near.spacing, &about);
+    for (size_t k = 0; k < about.n; k++) {
+        struct vec3 to = vec_sub(grid->point[about.item[k]], near.point[0]);
+        double far = hypot(to.x, to.y);
+        if (far > 0 && -to.z < fmin(far, EDGE_REACH * near.spacing))
+            has |= 1u << (unsigned)((atan2(to.y, to.x) + PI) / (2 * PI) * SECTORS) % SECTORS;
+    }
+    for (unsigned k = 0; k < 2 * SECTORS; k++) {
+        run = has & 1u << k % SECTORS ? 0 : run + 1;
+        widest = run > widest ? run : widest;
+    }
+    array_free(&about);
+    return widest >= OPEN;
 }
 
 bool edge_on_known(const struct edge_work *work, size_t i)

@@ -9,6 +9,7 @@
 #include "io/cloud/cloud.h"
 #include "cloud/plan_extent.h"
 #include "cloud/believed.h"
+#include "cloud/rim_points.h"
 #include "cloud/roof.h"
 #include "stage/cloud_prepare.h"
 #include "gouge/guard_mesh.h"
@@ -16,6 +17,9 @@
 #include "cloud/outliers.h"
 #include "math/box.h"
 #include "math/kdtree.h"
+
+/* Of the radius: points that hang down are so far apart. */
+static const double CURTAIN = 0.25;
 
 /* Appends a file's points; says what was left out of them. */
 static int read_file(const char *name, struct vec3s *points, struct error *error)
@@ -178,18 +182,32 @@ static void add_edges(const struct mesh *mesh, double spacing, const struct poin
 static void add_curtain(const struct point_grid *point_grid, struct guard_read_options *rule,
                         struct vec3s *points)
 {
-    const double gap = 0.25; /* of the radius */
     struct box box = box_around(point_grid->point, point_grid->n);
     unsigned char *roof = mem_alloc(point_grid->n + 1, 1);
 
     if (roof_find(point_grid, ROOF_GUARD, rule->threads, roof) > 0)
-        roof_curtain(point_grid, roof, gap * rule->radius, box.low.z, rule->threads,
+        roof_curtain(point_grid, roof, CURTAIN * rule->radius, box.low.z, rule->threads,
                      &rule->curtain);
     free(roof);
     for (size_t i = 0; i < rule->curtain.n; i++)
         *array_push(points) = rule->curtain.item[i];
     if (rule->curtain.n > 0)
         note("and by %zu points under the rims of the scan", rule->curtain.n);
+}
+
+/* Beyond its rim the part goes on, unseen. */
+static void add_rim(const struct point_grid *point_grid, const struct guard_read_options *rule,
+                    double sink, struct vec3s *points)
+{
+    const struct rim_points_options options = {.pitch = sqrt(8 * rule->radius * sink),
+                                               .gap = CURTAIN * rule->radius,
+                                               .radius = rule->radius,
+                                               .noise = rule->noise,
+                                               .threads = rule->threads};
+    size_t before = points->n, rim = rim_points(point_grid, &options, points);
+
+    if (rim > 0)
+        note("and by %zu points beyond %zu at the rim of the scan", points->n - before, rim);
 }
 
 static void say_bounded(const struct guard_points *surface, const struct guard_read_options *rule,
@@ -203,11 +221,14 @@ static void say_bounded(const struct guard_points *surface, const struct guard_r
 }
 
 /* Of `points`.  Where they are no more than one in two thousand they are said alone: of any scan of
- * a real thing a few stand out of what is about them; but not of one whose surface is certain
- * nearly everywhere. */
+ * a real thing a few stand out of what is about them; of one whose surface is certain nearly
+ * everywhere one in three thousand, as at its rims, and none is a spur. */
 static void say_edges(const struct edge_gaps *gaps, size_t points, struct unmets *unmet)
 {
-    const double even = 0.6, few = (double)gaps->certain > even * (double)points ? 0 : 0.0005;
+    const double even = 0.6, sure = 1.0 / 3000, rough = 1.0 / 2000;
+    bool certain = (double)gaps->certain > even * (double)points;
+    double few = certain ? sure : rough;
+    bool many = (double)gaps->unknown > few * (double)points || (certain && gaps->spurs > 0);
     struct vec3 at = gaps->at;
 
     if (gaps->n > 0)
@@ -218,7 +239,7 @@ static void say_edges(const struct edge_gaps *gaps, size_t points, struct unmets
     at = gaps->unknown_at;
     if (gaps->unknown > 0)
         unmet_say(
-            (double)gaps->unknown > few * (double)points ? unmet : NULL,
+            many ? unmet : NULL,
             "sharp edge not resolved at %.3f %.3f %.3f, one of %zu such points: by the points "
             "beside it the part may go on up to %.3f mm in front of it, and further between such "
             "points; only so far it is guarded",
@@ -282,6 +303,7 @@ static struct gouge_check *gouge_of(struct vec3s *points, const struct mesh *mes
     say_edges(&surface.gaps, point_grid.n, stays ? NULL : rule->unmet);
     if (mesh)
         add_edges(mesh, sqrt(8 * rule->radius * how.sink), &point_grid, &surface.point);
+    add_rim(&point_grid, rule, how.sink, &surface.point);
     add_curtain(&point_grid, rule, &surface.point);
     point_grid_free(&point_grid);
     rule->certain = surface.certain;

@@ -1,0 +1,29 @@
+/*
+ * rim_points - the surface of a scan, gone on with beyond its rim.
+ *
+ * Seen from above a scan ends where the scanner saw no more: the part goes on, by less than points
+ * are apart until it turns down, or down a flank too steep to be seen.  A ball that follows the
+ * last points from beside would go into that.  So from each point that has none of the scan to one
+ * side, seen from above over a third of a turn, places go on along the quadric of the points about
+ * it, down a steep flank straight on, as far as the ball is wide, and from there upright.  To a
+ * ball that touches the scan they are no hindrance: it touches them, too, or less.
+ */
+#ifndef CLOUDMILL_RIM_POINTS_H
+#define CLOUDMILL_RIM_POINTS_H
+
+#include "base/array.h"
+#include "math/point_grid.h"
+
+struct rim_points_options {
+    double pitch;  /* of the places, mm */
+    double gap;    /* of those that hang down from there, mm */
+    double radius; /* of the ball, mm */
+    double noise;  /* standard deviation of the points, mm */
+    int threads;   /* as of parallel_for */
+};
+
+/* Appends the places; returns how many points are at the rim. */
+size_t rim_points(const struct point_grid *scan, const struct rim_points_options *options,
+                  struct vec3s *to);
+
+#endif

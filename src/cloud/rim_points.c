@@ -1,0 +1,216 @@
+/* rim_points - see rim_points.h. */
+#include "cloud/rim_points.h"
+
+#include <stdlib.h>
+
+#include "base/parallel.h"
+#include "math/quadric.h"
+
+enum {
+    SECTORS = 24, /* of a turn, in which there are points, or none ... */
+    OPEN = 8,     /* ... at a rim in so many beside each other */
+    WAYS = 3,     /* on which the surface is gone on with, from one rim point */
+    SMOOTH = 24,  /* points that a surface goes through, ... */
+    FEW = 12,     /* ... or where these are none: half as many */
+    TERMS = 6     /* of a quadric */
+};
+
+/* In mean spacings, seen from above: so far there is no point beyond a rim; so far the surface is
+ * gone on with. */
+static const double ABOUT = 3, BEYOND = 1.5;
+
+/* In mean spacings, and in noises: points are no further off a surface of theirs on average. */
+static const double EVEN = 0.04, SIGMAS = 1.5;
+
+/* Standard deviations that a place may lie too high by, of the points from their surface; and of
+ * points that lie on no surface from their plane. */
+static const double SURE = 2, LOW = 2;
+
+/* Sines of the slope down: a flank is gone on with further from the first on, as far as the ball is
+ * wide if it is upright; where it goes down less than the last, or up, the scan was cut off. */
+static const double STEEP = 0.8, UPRIGHT = 0.02, FLANK = 0.5;
+
+/* Cosine of 45 degrees: points so far aside of a way lie that way. */
+static const double AHEAD = 0.7;
+
+/* From that slope on (68 degrees) no curtain hangs (roof.h): one hangs where the flank ends. */
+static const double HANGS = 0.93;
+
+struct rim_work {
+    const struct point_grid *scan;
+    uint32_t *filled; /* of each point the sectors that have points */
+};
+
+static unsigned sector_of(double x, double y)
+{
+    return (unsigned)((atan2(y, x) + PI) / (2 * PI) * SECTORS) % SECTORS;
+}
+
+static uint32_t look_about(const struct point_grid *g, size_t i)
+{
+    double reach = ABOUT * point_grid_spacing(g);
+    size_t column = point_grid_column(g, g->point[i].x - reach),
+           last = point_grid_column(g, g->point[i].x + reach),
+           top = point_grid_row(g, g->point[i].y + reach);
+    uint32_t filled = 0;
+
+    for (size_t r = point_grid_row(g, g->point[i].y - reach); r <= top; r++)
+        for (size_t k = g->first[r * g->columns + column]; k < g->first[r * g->columns + last + 1];
+             k++) {
+            double x = g->point[k].x - g->point[i].x, y = g->point[k].y - g->point[i].y;
+            if (x * x + y * y < reach * reach && (x != 0 || y != 0))
+                filled |= 1u << sector_of(x, y);
+        }
+    return filled;
+}
+
+static void find_filled(void *context, size_t from, size_t to)
+{
+    const struct rim_work *work = context;
+
+    for (size_t i = from; i < to; i++)
+        work->filled[i] = look_about(work->scan, i);
+}
+
+/* The widest run of empty sectors: its first in *first. */
+static unsigned widest_open(uint32_t filled, unsigned *first)
+{
+    unsigned widest = 0, run = 0;
+
+    for (unsigned k = 0; k < 2 * SECTORS; k++) {
+        run = filled & 1u << k % SECTORS ? 0 : run + 1;
+        if (run > widest && run <= SECTORS) {
+            widest = run;
+            *first = (k + 1 - run) % SECTORS;
+        }
+    }
+    return widest;
+}
+
+/* The surface at a point of the rim, how far it is gone on with, and the lowest place. */
+struct rim_way {
+    struct vec3 near[SMOOTH]; /* the points about it, itself the first */
+    struct quadric q;
+    double beyond, bottom;
+    double off; /* standard deviation of points from it, mm */
+};
+
+/* A plane along the points, and below nearly all of them. */
+static struct quadric plane_below(const struct vec3 *near, size_t n)
+{
+    struct quadric plane = quadric_frame(near[0], plane_normal(near, n));
+
+    quadric_face_up(&plane);
+    for (size_t k = 0; k < n; k++)
+        plane.c[0] += quadric_local(&plane, near[k]).z / (double)n;
+    plane.c[0] -= LOW * quadric_rms(&plane, near, n);
+    return plane;
+}
+
+/* The surface about point i, or, where none is even, a plane; facing up.  -1: it is upright. */
+static int surface_about(const struct point_grid *scan, double noise, size_t i, struct rim_way *rim)
+{
+    struct vec3 *near = rim->near;
+    struct quadric *q = &rim->q;
+    size_t n = point_grid_near(scan, scan->point[i], SMOOTH, near);
+    double even = fmax(EVEN * point_grid_spacing(scan), SIGMAS * noise);
+
+    if (n < SMOOTH)
+        return -1;
+    for (; n >= FEW; n /= 2)
+        if (quadric_fit_free(near, n, near[0], q) == 0 && quadric_rms(q, near, n) <= even)
+            break;
+    if (n < FEW)
+        *q = plane_below(near, FEW);
+    else
+        rim->off = fmax(noise, quadric_spread(q, near, n, TERMS));
+    quadric_face_up(q);
+    return quadric_normal(q).z > UPRIGHT ? 0 : -1;
+}
+
+/* Points of the scan lie that way: it has an undercut, that was scanned. */
+static bool has_ahead(const struct rim_way *rim, struct vec3 way)
+{
+    for (int k = 1; k < SMOOTH; k++) {
+        struct vec3 to = vec_sub(rim->near[k], rim->near[0]);
+        if (vec_dot(to, way) > AHEAD * vec_length(to))
+            return true;
+    }
+    return false;
+}
+
+/* What the surface is surely no lower than, so far from its origin: the lower of it and of its
+ * tangent plane, less what these are uncertain by. */
+static struct vec3 surely(const struct rim_way *rim, double u, double v)
+{
+    const struct quadric *q = &rim->q;
+    double far2 = u * u + v * v;
+
+    struct vec3 at = vec_along(vec_along(q->origin, u, q->u), v, q->v);
+    double plane = q->c[0] + q->c[1] * u + q->c[2] * v;
+    double w = fmin(vec_dot(vec_sub(quadric_at(q, u, v), q->origin), q->w), plane);
+    struct vec3 way = vec_add(vec_scale(u, q->u), vec_scale(v, q->v));
+    double tilt = far2 > 0 ? sqrt(far2 * quadric_tilt_along(q, way)) : 0;
+    return vec_along(at, w - SURE * rim->off * (sqrt(q->variance) + tilt), q->w);
+}
+
+/* From the point over the surface's origin along (x, y), as seen from above; down to the bottom
+ * where it hangs. */
+static void go_on(const struct rim_way *rim, double x, double y, bool hangs,
+                  const struct rim_points_options *options, struct vec3s *to)
+{
+    const struct quadric *q = &rim->q;
+    struct vec3 n = quadric_normal(q);
+    struct vec3 way = vec_unit(vec(x * n.z, y * n.z, -(x * n.x + y * n.y)));
+    double u = vec_dot(way, q->u), v = vec_dot(way, q->v), pitch = options->pitch;
+    double beyond = rim->beyond;
+    struct vec3 last = surely(rim, 0, 0), before = last;
+    size_t steps = (size_t)ceil(beyond / pitch);
+
+    if (way.z > -FLANK || has_ahead(rim, way))
+        return;
+
+    for (size_t k = 1; k <= steps; k++) {
+        double far = beyond * (double)k / (double)steps;
+        before = last;
+        last = surely(rim, far * u, far * v);
+        *array_push(to) = last;
+    }
+    way = vec_unit(vec_sub(last, before));
+    double down = fmin((-way.z - STEEP) / (1 - STEEP), 1) * options->radius, far = pitch;
+    if (way.x * x + way.y * y < 0)
+        return;
+    for (; far < down; far += pitch)
+        *array_push(to) = vec_along(last, far, way);
+    last = vec_along(last, far, way);
+    for (double low = last.z; hangs && -way.z > HANGS && low > rim->bottom; low -= options->gap)
+        *array_push(to) = vec(last.x, last.y, low);
+}
+
+size_t rim_points(const struct point_grid *scan, const struct rim_points_options *options,
+                  struct vec3s *to)
+{
+    struct rim_work work = {scan, mem_alloc(scan->n + 1, sizeof *work.filled)};
+    struct rim_way way = {
+        .beyond = BEYOND * point_grid_spacing(scan),
+        .bottom = HUGE_VAL,
+    };
+    size_t rim = 0;
+
+    for (size_t i = 0; i < scan->n; i++)
+        way.bottom = fmin(way.bottom, scan->point[i].z);
+    parallel_for(options->threads, scan->n, find_filled, &work);
+    for (size_t i = 0; i < scan->n; i++) {
+        unsigned first = 0, open = widest_open(work.filled[i], &first);
+        if (open < OPEN || open == SECTORS || surface_about(scan, options->noise, i, &way) != 0)
+            continue;
+        rim++;
+        for (int k = 1; k <= WAYS; k++) {
+            double sector = first + (double)open * k / (WAYS + 1);
+            double angle = 2 * PI * sector / SECTORS - PI;
+            go_on(&way, cos(angle), sin(angle), 2 * k == WAYS + 1, options, to);
+        }
+    }
+    free(work.filled);
+    return rim;
+}
