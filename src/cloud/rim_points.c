@@ -8,11 +8,13 @@
 
 enum {
     SECTORS = 24, /* of a turn, in which there are points, or none ... */
-    OPEN = 8,     /* ... at a rim in so many beside each other */
+    OPEN = 8,     /* ... at a rim in so many beside each other, ... */
+    SPUR = 13,    /* ... and at what is as narrow as points are apart */
     WAYS = 3,     /* on which the surface is gone on with, from one rim point */
     SMOOTH = 24,  /* points that a surface goes through, ... */
-    FEW = 12,     /* ... or where these are none: half as many */
-    TERMS = 6     /* of a quadric */
+    FEW = 12,     /* ... or where these are none: half as many; a plane through ... */
+    LEAST = 7,
+    TERMS = 6 /* of a quadric */
 };
 
 /* In mean spacings, seen from above: so far there is no point beyond a rim; so far the surface is
@@ -24,11 +26,17 @@ static const double EVEN = 0.04, SIGMAS = 1.5;
 
 /* Standard deviations that a place may lie too high by, of the points from their surface; and of
  * points that lie on no surface from their plane. */
-static const double SURE = 2, LOW = 2;
+static const double SURE = 2, LOW = 1;
 
 /* Sines of the slope down: a flank is gone on with further from the first on, as far as the ball is
- * wide if it is upright; where it goes down less than the last, or up, the scan was cut off. */
-static const double STEEP = 0.8, UPRIGHT = 0.02, FLANK = 0.5;
+ * wide if it is upright; an even one that goes down less than the last, or up, was cut off. */
+static const double STEEP = 0.8, UPRIGHT = 0.02, LEVEL = 0.05;
+
+/* Of the way on: where it goes up. */
+static const double RISES = 0.5;
+
+/* In mean spacings: a chord along a spur is so long; it goes on so far, up by no more than that. */
+static const double SHORT = 0.6, LONG = 2, TIP = 1;
 
 /* Cosine of 45 degrees: points so far aside of a way lie that way. */
 static const double AHEAD = 0.7;
@@ -87,11 +95,13 @@ static unsigned widest_open(uint32_t filled, unsigned *first)
     return widest;
 }
 
-/* The surface at a point of the rim, how far it is gone on with, and the lowest place. */
+/* The surface at a point of the rim, how far it is gone on with, and the lowest place.  Not even:
+ * it is a plane along the nearest points. */
 struct rim_way {
     struct vec3 near[SMOOTH]; /* the points about it, itself the first */
     struct quadric q;
-    double beyond, bottom;
+    bool even;
+    double beyond, bottom, spacing;
     double off; /* standard deviation of points from it, mm */
 };
 
@@ -120,10 +130,10 @@ static int surface_about(const struct point_grid *scan, double noise, size_t i, 
     for (; n >= FEW; n /= 2)
         if (quadric_fit_free(near, n, near[0], q) == 0 && quadric_rms(q, near, n) <= even)
             break;
-    if (n < FEW)
-        *q = plane_below(near, FEW);
-    else
-        rim->off = fmax(noise, quadric_spread(q, near, n, TERMS));
+    rim->even = n >= FEW;
+    if (!rim->even)
+        *q = plane_below(near, LEAST);
+    rim->off = rim->even ? fmax(noise, quadric_spread(q, near, n, TERMS)) : 0;
     quadric_face_up(q);
     return quadric_normal(q).z > UPRIGHT ? 0 : -1;
 }
@@ -154,6 +164,21 @@ static struct vec3 surely(const struct rim_way *rim, double u, double v)
     return vec_along(at, w - SURE * rim->off * (sqrt(q->variance) + tilt), q->w);
 }
 
+/* On from a place the way from the one before, as far as the flank is steep. */
+static void go_down(struct vec3 before, struct vec3 last, const struct rim_way *rim, bool hangs,
+                    const struct rim_points_options *options, struct vec3s *to)
+{
+    struct vec3 way = vec_unit(vec_sub(last, before));
+    double pitch = options->pitch, far = pitch;
+    double down = fmin((-way.z - STEEP) / (1 - STEEP), 1) * options->radius;
+
+    for (; far < down; far += pitch)
+        *array_push(to) = vec_along(last, far, way);
+    last = vec_along(last, far, way);
+    for (double low = last.z; hangs && -way.z > HANGS && low > rim->bottom; low -= options->gap)
+        *array_push(to) = vec(last.x, last.y, low);
+}
+
 /* From the point over the surface's origin along (x, y), as seen from above; down to the bottom
  * where it hangs. */
 static void go_on(const struct rim_way *rim, double x, double y, bool hangs,
@@ -162,29 +187,51 @@ static void go_on(const struct rim_way *rim, double x, double y, bool hangs,
     const struct quadric *q = &rim->q;
     struct vec3 n = quadric_normal(q);
     struct vec3 way = vec_unit(vec(x * n.z, y * n.z, -(x * n.x + y * n.y)));
-    double u = vec_dot(way, q->u), v = vec_dot(way, q->v), pitch = options->pitch;
-    double beyond = rim->beyond;
+    double u = vec_dot(way, q->u), v = vec_dot(way, q->v);
+    double beyond = (way.z > 0 ? RISES : 1) * rim->beyond;
     struct vec3 last = surely(rim, 0, 0), before = last;
-    size_t steps = (size_t)ceil(beyond / pitch);
+    size_t steps = (size_t)ceil(beyond / options->pitch);
 
-    if (way.z > -FLANK || has_ahead(rim, way))
+    if ((rim->even && way.z > -LEVEL) || has_ahead(rim, way))
         return;
-
     for (size_t k = 1; k <= steps; k++) {
         double far = beyond * (double)k / (double)steps;
         before = last;
         last = surely(rim, far * u, far * v);
         *array_push(to) = last;
     }
-    way = vec_unit(vec_sub(last, before));
-    double down = fmin((-way.z - STEEP) / (1 - STEEP), 1) * options->radius, far = pitch;
-    if (way.x * x + way.y * y < 0)
+    go_down(before, last, rim, hangs, options, to);
+}
+
+/* The steepest way up from a point behind, as far back as a chord is long: its rise for its length
+ * as seen from above; -HUGE_VAL without such a point. */
+static double chord_on(const struct rim_way *rim, double x, double y)
+{
+    double steepest = -HUGE_VAL;
+
+    for (int k = 1; k < FEW; k++) {
+        struct vec3 from = vec_sub(rim->near[0], rim->near[k]);
+        double far = hypot(from.x, from.y);
+        if (far > SHORT * rim->spacing && far < LONG * rim->spacing &&
+            from.x * x + from.y * y > AHEAD * far)
+            steepest = fmax(steepest, from.z / far);
+    }
+    return steepest;
+}
+
+/* At the tip of what is as narrow as points are apart: its crest may go on. */
+static void go_on_tip(const struct rim_way *rim, double x, double y,
+                      const struct rim_points_options *options, struct vec3s *to)
+{
+    double rise = fmin(chord_on(rim, x, y), TIP), far = TIP * rim->spacing;
+    struct vec3 way = vec_unit(vec(x, y, rise));
+    size_t steps = (size_t)ceil(far / options->pitch);
+
+    if (rise == -HUGE_VAL || has_ahead(rim, way))
         return;
-    for (; far < down; far += pitch)
-        *array_push(to) = vec_along(last, far, way);
-    last = vec_along(last, far, way);
-    for (double low = last.z; hangs && -way.z > HANGS && low > rim->bottom; low -= options->gap)
-        *array_push(to) = vec(last.x, last.y, low);
+    for (size_t k = 1; k <= steps; k++)
+        *array_push(to) = vec_along(rim->near[0], far * (double)k / (double)steps, way);
+    go_down(rim->near[0], to->item[to->n - 1], rim, false, options, to);
 }
 
 size_t rim_points(const struct point_grid *scan, const struct rim_points_options *options,
@@ -193,6 +240,7 @@ size_t rim_points(const struct point_grid *scan, const struct rim_points_options
     struct rim_work work = {scan, mem_alloc(scan->n + 1, sizeof *work.filled)};
     struct rim_way way = {
         .beyond = BEYOND * point_grid_spacing(scan),
+        .spacing = point_grid_spacing(scan),
         .bottom = HUGE_VAL,
     };
     size_t rim = 0;
@@ -206,9 +254,11 @@ size_t rim_points(const struct point_grid *scan, const struct rim_points_options
             continue;
         rim++;
         for (int k = 1; k <= WAYS; k++) {
-            double sector = first + (double)open * k / (WAYS + 1);
-            double angle = 2 * PI * sector / SECTORS - PI;
-            go_on(&way, cos(angle), sin(angle), 2 * k == WAYS + 1, options, to);
+            double angle = 2 * PI * (first + (double)open * k / (WAYS + 1)) / SECTORS - PI;
+            double x = cos(angle), y = sin(angle);
+            go_on(&way, x, y, 2 * k == WAYS + 1, options, to);
+            if (!way.even && open >= SPUR)
+                go_on_tip(&way, x, y, options, to);
         }
     }
     free(work.filled);

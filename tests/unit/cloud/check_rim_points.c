@@ -77,8 +77,8 @@ static size_t beyond_sheet(double slope, double step, struct vec3s *place)
     return rim;
 }
 
-/* A level sheet was cut off there: it goes on nowhere; a flank down from its lower rims, as a
- * plane, and not up. */
+/* A level sheet was cut off there: it goes on nowhere; one that goes down, down and aside from its
+ * rims, as a plane, and not up. */
 START_TEST(sheet)
 {
     const double step = 0.5, slope = 1;
@@ -90,8 +90,34 @@ START_TEST(sheet)
     ck_assert_uint_gt(place.n, 40);
     for (size_t i = 0; i < place.n; i++) {
         ck_assert_double_eq_tol(place.item[i].z, 1 - slope * place.item[i].x, 1e-9);
-        ck_assert_double_ge(place.item[i].x, step);
+        ck_assert_double_ge(place.item[i].x, 0);
     }
+    array_free(&place);
+}
+END_TEST
+
+/* A crest as narrow as points are apart, that rises to its tip: what is beyond the last points is
+ * guarded as far as it may go on. */
+START_TEST(tip)
+{
+    const double spacing = 0.3, rise = 0.5;
+    struct vec3s scan = {0}, place = {0};
+
+    const double side[] = {0, 0.15, -0.15, 0.3, -0.3};
+    for (int x = 0; x < 20; x++)
+        for (int k = 0; k < 5; k++)
+            *array_push(&scan) =
+                vec(-spacing * x - fabs(side[k]), side[k], rise * -spacing * x - 2 * fabs(side[k]));
+    ck_assert_uint_gt(beyond(&scan, spacing, 0, &place), 20);
+    struct kdtree *tree = kdtree_new(place.item, place.n);
+    for (double x = 0.1; x < 0.25; x += 0.05) {
+        size_t at;
+        double distance2;
+        kdtree_nearest(tree, vec(x, 0, rise * x), 1, &at, &distance2);
+        ck_assert_double_lt(sqrt(distance2), 0.15);
+    }
+    kdtree_free(tree);
+    array_free(&scan);
     array_free(&place);
 }
 END_TEST
@@ -103,6 +129,7 @@ int main(void)
 
     tcase_add_test(tests, steep_flank);
     tcase_add_test(tests, sheet);
+    tcase_add_test(tests, tip);
     suite_add_tcase(suite, tests);
     SRunner *runner = srunner_create(suite);
     srunner_run_all(runner, CK_ENV);
