@@ -5,11 +5,11 @@
  * are apart until it turns down, or down a flank too steep to be seen.  A ball that follows the
  * last points from beside would go into that.  So from each point that has none of the scan to one
  * side, seen from above over a third of a turn, places go on along the quadric of the points about
- * it where that goes down; down a steep flank straight on, as far as the ball is wide, and from there
- * upright.  Where no quadric goes through these points, as on an edge rounded more sharply than they
- * are apart, along the plane of the nearest, up too; and from the tip of what is as narrow as that
- * along the highest chord from a point behind.  To a ball that touches the scan they are no
- * hindrance, but where it is so sharp: it touches them, too, or less.
+ * it where that goes down; down a steep flank straight on, as far as the ball is wide, and from
+ * there upright.  Where no quadric goes through these points, as on an edge rounded more sharply
+ * than they are apart, along the plane of the nearest, up too; and from the tip of what is as
+ * narrow as that along the highest chord from a point behind.  To a ball that touches the scan they
+ * are no hindrance, but where it is so sharp: it touches them, too, or less.
  */
 #ifndef CLOUDMILL_RIM_POINTS_H
 #define CLOUDMILL_RIM_POINTS_H

@@ -105,7 +105,7 @@ struct rim_way {
     double off; /* standard deviation of points from it, mm */
 };
 
-/* A plane along the points, and below nearly all of them. */
+/* A plane along the points, and below most of them. */
 static struct quadric plane_below(const struct vec3 *near, size_t n)
 {
     struct quadric plane = quadric_frame(near[0], plane_normal(near, n));
