@@ -29,8 +29,13 @@ static const double EVEN = 0.04, SIGMAS = 1.5;
 static const double SURE = 2, LOW = 1;
 
 /* Sines of the slope down: a flank is gone on with further from the first on, as far as the ball is
- * wide if it is upright; an even one that goes down less than the last, or up, was cut off. */
-static const double STEEP = 0.8, UPRIGHT = 0.02, LEVEL = 0.05;
+ * wide if it is upright; an even one that goes down less than the last but one, or up, was cut off;
+ * one that nobody knows goes on where it goes down by more than the last. */
+static const double STEEP = 0.8, UPRIGHT = 0.02, LEVEL = 0.05, FLANK = 0.5;
+
+/* Variance of a plane's slope, for points off it by as much as they are apart: it is unknown, as
+ * where all points are on one line of a scan. */
+static const double VAGUE = 3;
 
 /* Of the way on: where it goes up. */
 static const double RISES = 0.5;
@@ -100,7 +105,7 @@ static unsigned widest_open(uint32_t filled, unsigned *first)
 struct rim_way {
     struct vec3 near[SMOOTH]; /* the points about it, itself the first */
     struct quadric q;
-    bool even;
+    bool even, vague; /* vague: not even the plane is known */
     double beyond, bottom, spacing;
     double off; /* standard deviation of points from it, mm */
 };
@@ -109,11 +114,21 @@ struct rim_way {
 static struct quadric plane_below(const struct vec3 *near, size_t n)
 {
     struct quadric plane = quadric_frame(near[0], plane_normal(near, n));
+    double uu = 0, vv = 0, uv = 0;
 
     quadric_face_up(&plane);
-    for (size_t k = 0; k < n; k++)
-        plane.c[0] += quadric_local(&plane, near[k]).z / (double)n;
+    for (size_t k = 0; k < n; k++) {
+        struct vec3 at = quadric_local(&plane, near[k]);
+        plane.c[0] += at.z / (double)n;
+        uu += at.x * at.x;
+        vv += at.y * at.y;
+        uv += at.x * at.y;
+    }
     plane.c[0] -= LOW * quadric_rms(&plane, near, n);
+    plane.variance = 1 / (double)n;
+    plane.tilt_u = vv / (uu * vv - uv * uv);
+    plane.tilt = plane.tilt_u + uu / (uu * vv - uv * uv);
+    plane.tilt_uv = -uv / (uu * vv - uv * uv);
     return plane;
 }
 
@@ -133,7 +148,10 @@ static int surface_about(const struct point_grid *scan, double noise, size_t i, 
     rim->even = n >= FEW;
     if (!rim->even)
         *q = plane_below(near, LEAST);
-    rim->off = rim->even ? fmax(noise, quadric_spread(q, near, n, TERMS)) : 0;
+    rim->vague = !rim->even && !(q->tilt * rim->spacing * rim->spacing < VAGUE);
+    if (rim->vague)
+        *q = plane_below(near, FEW);
+    rim->off = rim->even ? fmax(noise, quadric_spread(q, near, n, TERMS)) : noise;
     quadric_face_up(q);
     return quadric_normal(q).z > UPRIGHT ? 0 : -1;
 }
@@ -192,7 +210,7 @@ static void go_on(const struct rim_way *rim, double x, double y, bool hangs,
     struct vec3 last = surely(rim, 0, 0), before = last;
     size_t steps = (size_t)ceil(beyond / options->pitch);
 
-    if ((rim->even && way.z > -LEVEL) || has_ahead(rim, way))
+    if ((rim->even && way.z > -LEVEL) || (rim->vague && way.z > -FLANK) || has_ahead(rim, way))
         return;
     for (size_t k = 1; k <= steps; k++) {
         double far = beyond * (double)k / (double)steps;
@@ -257,7 +275,7 @@ size_t rim_points(const struct point_grid *scan, const struct rim_points_options
             double angle = 2 * PI * (first + (double)open * k / (WAYS + 1)) / SECTORS - PI;
             double x = cos(angle), y = sin(angle);
             go_on(&way, x, y, 2 * k == WAYS + 1, options, to);
-            if (!way.even && open >= SPUR)
+            if (!way.even && !way.vague && open >= SPUR)
                 go_on_tip(&way, x, y, options, to);
         }
     }
