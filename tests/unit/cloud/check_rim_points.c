@@ -1,5 +1,5 @@
-/* rim_points: beyond the rim of a scan its surface goes on, so that no ball comes from beside into a
- * flank too steep to be seen; and a ball that touches the scan is let be. */
+/* rim_points: beyond the rim of a scan its surface goes on, so that no ball comes from beside into
+ * a flank too steep to be seen; and a ball that touches the scan is let be. */
 #include <check.h>
 #include <stdlib.h>
 
