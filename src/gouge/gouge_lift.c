@@ -16,6 +16,8 @@
 
 enum { HALVINGS = 20 }; /* of a jump of the lift, at most */
 
+static const double SPECK = 0.5; /* of the radius: from end to end */
+
 static const struct vec3 UP = {0, 0, 1};
 
 /* A point with what became of it. */
@@ -231,6 +233,24 @@ static bool lift_jumps(const struct lifted_point *a, const struct lifted_point *
     return apart > 4 * vec_distance(a->touching, b->touching) + 2 * rule->step;
 }
 
+/* The centre half way between two, out of what is there: straight up, or where that is nearer along
+ * what they touch, for up may lead over all that hangs there. */
+static struct vec3 over_middle(const struct run_point *a, const struct run_point *b,
+                               const struct gouge_lift_options *rule)
+{
+    struct vec3 middle = vec_mix(a->ball, b->ball, 0.5);
+    struct vec3 normal = vec_unit(vec_add(a->normal, b->normal));
+    double rise = gouge_rise(rule->guard, middle, UP, rule->offset);
+
+    if (rise > 0 && vec_length(normal) > 0) {
+        double lift = gouge_least_lift(rule->guard, middle, normal, rule->offset,
+                                       fmin(rise, rule->limit), NULL);
+        if (lift >= 0 && lift < rise)
+            return vec_along(middle, lift, normal);
+    }
+    return vec_along(middle, rise, UP);
+}
+
 /* From one side of a jump to the other, over what is between; false when that is in the way too,
  * as under an overhang. */
 static bool bridge(const struct run_point *a, const struct run_point *b, int halvings,
@@ -241,8 +261,7 @@ static bool bridge(const struct run_point *a, const struct run_point *b, int hal
     if (halvings == 0)
         return false;
     struct run_point p = {.axis = vec_slerp(a->axis, b->axis, 0.5)};
-    p.ball = vec_mix(a->ball, b->ball, 0.5);
-    p.ball.z += gouge_rise(rule->guard, p.ball, UP, rule->offset);
+    p.ball = over_middle(a, b, rule);
     p.tip = vec_along(p.ball, -dense->radius, p.axis);
     if (!bridge(a, &p, halvings - 1, rule, dense))
         return false;
@@ -438,6 +457,36 @@ static void straighten_points(struct lifted_points *points, const struct gouge_l
     }
 }
 
+/* The next point that is reached, no further off than a ball that is not can be seen as a speck; or
+ * the point itself. */
+static size_t next_reached(const struct lifted_points *points, size_t i,
+                           const struct gouge_lift_options *rule)
+{
+    const struct lifted_point *l = points->item;
+
+    for (size_t k = i + 1;
+         k < points->n && vec_distance(l[i].touching, l[k].touching) < SPECK * rule->offset; k++)
+        if (!l[k].unreachable)
+            return k;
+    return i;
+}
+
+/* Leaves out places that are not reached between two that are, where the way past them is clear:
+ * the ball would go up over all that stands there and down again for nothing. */
+static void leave_specks(struct lifted_points *points, const struct gouge_lift_options *rule)
+{
+    struct lifted_point *l = points->item;
+    size_t kept = 0;
+
+    for (size_t i = 0, next; i < points->n; i = next) {
+        size_t reached = l[i].unreachable ? i : next_reached(points, i, rule);
+        bool past = reached > i + 1 && lift_line_clear(&l[i].p, &l[reached].p, rule);
+        next = past ? reached : i + 1;
+        l[kept++] = l[i];
+    }
+    points->n = kept;
+}
+
 /* The run with its normals averaged, and what follows from them. */
 static struct run even_run(const struct run *run, const struct gouge_lift_options *rule)
 {
@@ -470,6 +519,8 @@ void gouge_lift_run(const struct run *run, const struct gouge_lift_options *rule
         straighten_points(&points, rule, run->radius);
     for (size_t i = 0; !rule->between && i < run->n; i++)
         *array_push(&points) = lift_point(&run->item[i], &nothing, rule, run->radius);
+    if (rule->between && rule->guard)
+        leave_specks(&points, rule);
     add_points(to, &points, rule);
     array_free(&points);
 }

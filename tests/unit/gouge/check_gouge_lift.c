@@ -143,6 +143,46 @@ START_TEST(a_tower_is_passed_over_without_a_touch)
 }
 END_TEST
 
+/* One contact lies 2 mm under the floor, more than the ball is lifted, and a plate hangs over it:
+ * from there it would go straight up over the plate and back, 14 mm.  What is as wide as the ball is
+ * no speck, and is passed over. */
+START_TEST(a_speck_is_passed_by)
+{
+    for (int wide = 0; wide < 2; wide++) {
+        struct vec3s point = {0};
+        struct run run = {.radius = R};
+        struct lifted_strip lifted = {.run = {.radius = R}};
+        double highest = 0;
+
+        for (int i = -30; i <= 30; i++)
+            for (int k = -30; k <= 30; k++) {
+                *array_push(&point) = vec(i / 2.0, k / 2.0, 0);
+                if (abs(i) <= 2 && abs(k) <= 2)
+                    *array_push(&point) = vec(i / 2.0, k / 2.0, 14);
+            }
+        struct gouge_check *guard = gouge_new(point, 1);
+        struct gouge_lift_options rule = make_rule(guard, true);
+        rule.limit = 1;
+        for (int i = -16; i <= 16; i++)
+            gouge_lift_contact(&run, &rule, vec(i / 2.0, 0, abs(i) <= 6 * wide ? -2 : 0),
+                               vec(0, 0, 1));
+        gouge_lift_run(&run, &rule, &lifted);
+        for (size_t i = 0; i < lifted.run.n; i++)
+            highest = fmax(highest, lifted.run.item[i].ball.z);
+        for (size_t i = 1; i < lifted.end.item[0]; i++)
+            ck_assert_double_le(gouge_depth_along(guard, lifted.run.item[i - 1].ball,
+                                                  lifted.run.item[i].ball, R),
+                                rule.tolerance);
+        ck_assert(wide ? highest > 14 + R - 0.1 : highest < R + 0.1);
+        ck_assert(wide == (lifted.report.unreachable > 0));
+        ck_assert(wide || lifted.end.n == 1);
+        lifted_strip_free(&lifted);
+        array_free(&run);
+        gouge_free(guard);
+    }
+}
+END_TEST
+
 START_TEST(a_hollow_tighter_than_the_ball_is_spanned)
 {
     /* A gutter of radius 4 along y, in points 0.1 mm apart; its flanks go on as planes of 45
@@ -417,6 +457,7 @@ int main(void)
     tcase_add_test(tests, a_ball_rolls_over_a_pin);
     tcase_add_test(tests, only_nodes_without_between);
     tcase_add_test(tests, a_tower_is_passed_over_without_a_touch);
+    tcase_add_test(tests, a_speck_is_passed_by);
     tcase_add_test(tests, a_hollow_tighter_than_the_ball_is_spanned);
     tcase_add_test(tests, what_looks_down_is_touched_from_the_side);
     tcase_add_test(tests, points_are_where_the_ball_comes_down);
