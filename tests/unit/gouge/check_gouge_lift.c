@@ -144,8 +144,8 @@ START_TEST(a_tower_is_passed_over_without_a_touch)
 END_TEST
 
 /* One contact lies 2 mm under the floor, more than the ball is lifted, and a plate hangs over it:
- * from there it would go straight up over the plate and back, 14 mm.  What is as wide as the ball is
- * no speck, and is passed over. */
+ * from there it would go straight up over the plate and back, 14 mm.  What is as wide as the ball
+ * is no speck, and is passed over. */
 START_TEST(a_speck_is_passed_by)
 {
     for (int wide = 0; wide < 2; wide++) {
