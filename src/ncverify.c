@@ -382,7 +382,7 @@ static void find_surface(const struct settings *s, int threads, struct vec3s *po
 {
     const char *file = s->part.item[0];
     struct error error;
-    if (verify_surface_find(points, s->noise, threads, surface, &error) < 0)
+    if (verify_surface_find(points, s->noise, s->radius, threads, surface, &error) < 0)
         die("%s: %s", file, error.text);
     if (surface->noise > 0)
         note("%s: noise of %.3g mm taken out", file, surface->noise);

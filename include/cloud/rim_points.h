@@ -29,4 +29,9 @@ struct rim_points_options {
 size_t rim_points(const struct point_grid *scan, const struct rim_points_options *options,
                   struct vec3s *to);
 
+/* The same for who asks what a ball of this radius could reach, as those find them who keep it
+ * off. */
+void rim_points_asked(const struct point_grid *scan, double radius, double noise, int threads,
+                      struct vec3s *to);
+
 #endif

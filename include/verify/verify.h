@@ -42,7 +42,8 @@ struct verify_surface {
     unsigned char *under;  /* of each point that is left: 1 under a roof, out of reach from above */
     double spacing;        /* of the points, mean, mm */
     struct vec3s roof;     /* points that face up with nothing of the scan below (roof.h) */
-    struct vec3s curtain;  /* what hangs below its rims, down to the lowest point */
+    struct vec3s
+        curtain; /* what hangs below its rims, down to the lowest point, and its rims gone on with */
     double sheets;         /* distance of scans that do not meet, mm; 0: they meet ... */
     struct vec3 sheets_at; /* ... where it is largest */
 };
@@ -52,9 +53,9 @@ struct verify_surface {
  * alike everywhere each point moves onto the quadric through as many of its neighbours as lie about
  * one within it; where even the fewest do not, at an edge, it stays.  The points are sorted.
  * `noise`: of the scan, mm; below zero: measured; 0: every point is believed as it is.  -1: no
- * point, or more than can be sorted.
+ * point, or more than can be sorted.  `radius`: of the ball, which its rims may keep off.
  */
-int verify_surface_find(struct vec3s *point, double noise, int threads,
+int verify_surface_find(struct vec3s *point, double noise, double radius, int threads,
                         struct verify_surface *surface, struct error *error);
 void verify_surface_free(struct verify_surface *surface);
 

@@ -282,3 +282,16 @@ size_t rim_points(const struct point_grid *scan, const struct rim_points_options
     free(work.filled);
     return rim;
 }
+
+void rim_points_asked(const struct point_grid *scan, double radius, double noise, int threads,
+                      struct vec3s *to)
+{
+    const double sink = 0.002, gap = 0.25; /* mm that it sinks between places; of the radius */
+    const struct rim_points_options options = {.pitch = sqrt(8 * radius * sink),
+                                               .gap = gap * radius,
+                                               .radius = radius,
+                                               .noise = noise,
+                                               .threads = threads};
+
+    rim_points(scan, &options, to);
+}

@@ -5,6 +5,7 @@
 
 #include "cloud/outliers.h"
 #include "cloud/plan_extent.h"
+#include "cloud/rim_points.h"
 #include "cloud/roof.h"
 #include "math/kdtree.h"
 #include "math/point_grid.h"
@@ -59,9 +60,10 @@ struct vec3s coverage_judge_axes(const struct kinematic_chain *chain)
 /* ---- the question */
 
 /* What a ball may not be in besides the points, and which of them lie under a roof. */
-static void find_solid(const struct vec3s *place, int threads, struct vec3s *curtain,
-                       unsigned char *under)
+static void find_solid(const struct vec3s *place, const struct coverage_judge_options *options,
+                       struct vec3s *curtain, unsigned char *under)
 {
+    int threads = options->threads;
     struct plan_extent extent = plan_extent_of(place->item, place->n, 0);
     double spacing = plan_extent_spacing(&extent, place->item, place->n);
     struct point_grid grid;
@@ -72,6 +74,7 @@ static void find_solid(const struct vec3s *place, int threads, struct vec3s *cur
         return;
     outliers_under_roof(&grid, threads, under);
     roof_curtain_asked(&grid, threads, curtain);
+    rim_points_asked(&grid, options->radius, options->noise, threads, curtain);
     point_grid_free(&grid);
 }
 
@@ -136,7 +139,7 @@ static size_t ask(const struct vec3 *point, const double *height, struct vec3s *
     for (size_t i = 0; i < n; i++)
         under[i] = 0;
     if (options->scan)
-        find_solid(place, options->threads, &curtain, under);
+        find_solid(place, options, &curtain, under);
     double *left = left_of(point, height, place, options, of);
     struct tool_shape tool = shape_of(options->holder);
     const struct part_coverage_options how = {.radius = options->radius,

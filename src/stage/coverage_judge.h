@@ -16,6 +16,7 @@
 struct coverage_judge_options {
     double radius;                       /* of the ball, mm */
     double limit;                        /* what a program may leave, mm */
+    double noise;                        /* of the points, one standard deviation, mm */
     const struct holder *holder;         /* what is above the ball */
     const struct kinematic_chain *chain; /* of the machine: what directions it has */
     bool scan;                           /* the points are a scan: material hangs below its rims */

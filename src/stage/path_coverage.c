@@ -235,6 +235,7 @@ static size_t judged_left(const struct path_coverage *c, struct coverage_point *
     double limit = c->allowed + STAGES * c->tolerance;
     const struct coverage_judge_options options = {.radius = c->options.radius,
                                                    .limit = limit,
+                                                   .noise = fmax(path_options.noise, 0),
                                                    .holder = c->options.holder,
                                                    .chain = &c->rule->chain,
                                                    .scan = c->scan,

@@ -7,6 +7,7 @@
 #include "cloud/believed.h"
 #include "cloud/outliers.h"
 #include "cloud/plan_extent.h"
+#include "cloud/rim_points.h"
 #include "cloud/roof.h"
 #include "cloud/settle.h"
 #include "math/elementary.h"
@@ -58,7 +59,7 @@ static void find_roof(const struct point_grid *grid, int threads, struct vec3s *
     free(mark);
 }
 
-int verify_surface_find(struct vec3s *point, double noise, int threads,
+int verify_surface_find(struct vec3s *point, double noise, double radius, int threads,
                         struct verify_surface *surface, struct error *error)
 {
     const struct believed_options options = {noise, threads};
@@ -86,6 +87,7 @@ int verify_surface_find(struct vec3s *point, double noise, int threads,
     roof_curtain_asked(&grid, threads, &surface->curtain);
     if (surface->noise > 0)
         settle_all(&grid, surface->noise, threads);
+    rim_points_asked(&grid, radius, surface->noise, threads, &surface->curtain);
     point_grid_free(&grid);
     return 0;
 }

@@ -18,6 +18,7 @@ ncread machine/control.h
 verify cloud/believed.h
 verify cloud/outliers.h
 verify cloud/plan_extent.h
+verify cloud/rim_points.h
 verify cloud/roof.h
 verify cloud/settle.h
 verify io/cloud/cloud.h

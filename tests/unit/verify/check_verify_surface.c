@@ -41,7 +41,7 @@ static void teardown(void)
 
 static int find(double noise, int threads)
 {
-    return verify_surface_find(&point, noise, threads, &surface, &error);
+    return verify_surface_find(&point, noise, 3, threads, &surface, &error);
 }
 
 static double rms_off(void)
@@ -145,6 +145,28 @@ START_TEST(under_a_roof)
 }
 END_TEST
 
+/* Beyond a rim a slope goes on, which keeps a ball off as it does for who makes the path; a plate
+ * ends. */
+START_TEST(beyond_a_rim)
+{
+    const double slope = _i;
+
+    for (int i = 0; i <= 40; i++)
+        for (int k = 0; k <= 40; k++)
+            *array_push(&point) = vec(i / 4.0, k / 4.0, -slope * i / 4.0);
+    ck_assert_int_eq(find(0, 1), 0);
+    size_t on = 0, off = 0;
+    for (size_t i = 0; i < surface.curtain.n; i++) {
+        struct vec3 p = surface.curtain.item[i];
+        bool beyond = p.x > 10.01 && p.y > 1 && p.y < 9;
+        on += beyond && fabs(p.z + slope * p.x) < 0.01;
+        off += beyond && p.z > -slope * p.x + 0.01;
+    }
+    ck_assert(slope > 0 ? on > 30 : on == 0);
+    ck_assert_uint_eq(off, 0);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("verify_surface");
@@ -155,6 +177,7 @@ int main(void)
     tcase_add_test(tests, as_it_is_said);
     tcase_add_test(tests, hardly_a_point);
     tcase_add_test(tests, under_a_roof);
+    tcase_add_loop_test(tests, beyond_a_rim, 0, 2);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);
     int failed = srunner_ntests_failed(runner);
