@@ -42,8 +42,7 @@ struct verify_surface {
     unsigned char *under;  /* of each point that is left: 1 under a roof, out of reach from above */
     double spacing;        /* of the points, mean, mm */
     struct vec3s roof;     /* points that face up with nothing of the scan below (roof.h) */
-    struct vec3s
-        curtain; /* what hangs below its rims, down to the lowest point, and its rims gone on with */
+    struct vec3s curtain;  /* what hangs below its rims and goes on beyond them */
     double sheets;         /* distance of scans that do not meet, mm; 0: they meet ... */
     struct vec3 sheets_at; /* ... where it is largest */
 };
