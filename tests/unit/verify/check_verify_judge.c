@@ -71,6 +71,7 @@ static void trial_begin(struct trial *t)
                                            .band = 1,
                                            .limits = {.rapid = {1e5, 1e5, 1e5, 1e5, 1e5, 1e5}},
                                            .threads = 1};
+    t->v.asked = t->part.n;
     t->v.limit = 0.05;
     struct deviation_map *map = &t->v.map;
     map->points = 1;
