@@ -170,9 +170,9 @@ START_TEST(a_speck_is_passed_by)
         for (size_t i = 0; i < lifted.run.n; i++)
             highest = fmax(highest, lifted.run.item[i].ball.z);
         for (size_t i = 1; i < lifted.end.item[0]; i++)
-            ck_assert_double_le(gouge_depth_along(guard, lifted.run.item[i - 1].ball,
-                                                  lifted.run.item[i].ball, R),
-                                rule.tolerance);
+            ck_assert_double_le(
+                gouge_depth_along(guard, lifted.run.item[i - 1].ball, lifted.run.item[i].ball, R),
+                rule.tolerance);
         ck_assert(wide ? highest > 14 + R - 0.1 : highest < R + 0.1);
         ck_assert(wide == (lifted.report.unreachable > 0));
         ck_assert(wide || lifted.end.n == 1);
