@@ -147,8 +147,8 @@ static void choose_places(struct sample *s, const uint32_t *of_cell, size_t n)
         s->place[i].cell = (uint32_t)cell;
         s->place[i].rank = (uint32_t)(at - before);
         size_t column = cell % b->columns, row = cell / b->columns;
-        struct vec3 middle = vec(b->x + b->cell * ((double)column + 0.5),
-                                 b->y + b->cell * ((double)row + 0.5), 0);
+        struct vec3 middle =
+            vec(b->x + b->cell * ((double)column + 0.5), b->y + b->cell * ((double)row + 0.5), 0);
         mark_around(s, middle, AROUND * b->cell);
     }
 }
