@@ -316,7 +316,7 @@ static size_t parse_plain_rows(const struct cloud_options *style, const char *te
         most = fit;
     if (most == 0)
         return 0;
-    array_reserve(points, points->n + most);
+    array_reserve(points, points->n + most + 1); /* the last may prove to be no whole row */
     struct vec3 *point = points->item + points->n;
     const char *after = style->delimiter == ','   ? halves_of(text, end, ',', point, most, rows)
                         : style->delimiter == ';' ? halves_of(text, end, ';', point, most, rows)
