@@ -222,9 +222,10 @@ START_TEST(noise_is_found_and_taken_out)
             worst = fmax(worst, off);
             inside++;
         }
-        /* the one in fifty that may stay where it is keeps its noise: within five deviations */
+        /* the one in fifty that may stay where it is keeps its noise: within five deviations; what
+         * is filled beside such an edge goes up to it, no further than a point is moved: six */
         ck_assert_double_lt(sqrt(sum2 / (double)inside), 0.35 * noise);
-        ck_assert_double_lt(worst, 5 * noise);
+        ck_assert_double_lt(worst, (s.edges > 0 ? 6 : 5) * noise);
         array_free(&points);
         array_free(&s.point);
     }
