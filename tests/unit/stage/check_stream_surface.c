@@ -281,8 +281,8 @@ START_TEST(turned_coarse_fine)
 }
 END_TEST
 
-/* Points that are there twice count once: to the digits but the last, but where a node at the border
- * takes another point by that, one of a hundred at most. */
+/* Points that are there twice count once: to the digits but the last, but where a node at the
+ * border takes another point by that, one of a hundred at most. */
 START_TEST(points_twice)
 {
     struct cloudmesh_options options = usual(1.2, 0, false);
