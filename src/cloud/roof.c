@@ -22,13 +22,15 @@ struct roof_work {
     double reach;             /* mm */
     unsigned char *roof;      /* what is found */
     const unsigned char *all; /* what was found before; NULL: nothing yet */
-    bool *rim;
+    double *foot;             /* z down to which material shows below a point; it: none */
+    double bottom;            /* z, mm: that of one at the rim */
 };
 
 /* What is about a point. */
 struct about {
     size_t level, off; /* points about as high, nearer than RIM, and others, within reach */
     unsigned eighths;  /* of the turn, in which there is roof nearer than RIM */
+    double lowest;     /* z of that roof, and of the point */
 };
 
 /* The eighth of a turn that a direction is in, counted round. */
@@ -54,8 +56,10 @@ static void add_cell(const struct roof_work *w, size_t i, size_t cell, struct ab
         bool level = fabs(d.z) <= STEEP * fmax(sqrt(away2), least);
         about->level += level && away2 <= rim * rim;
         about->off += !level && away2 <= near * near;
-        if (w->all && w->all[k] && level && away2 <= rim * rim)
+        if (w->all && w->all[k] && level && away2 <= rim * rim) {
             about->eighths |= 1u << eighth_of(d);
+            about->lowest = fmin(about->lowest, g->point[k].z);
+        }
     }
 }
 
@@ -63,7 +67,7 @@ static struct about look_about(const struct roof_work *w, size_t i)
 {
     const struct point_grid *g = w->grid;
     size_t column = point_grid_column(g, g->point[i].x), row = point_grid_row(g, g->point[i].y);
-    struct about about = {0};
+    struct about about = {.lowest = g->point[i].z};
 
     for (size_t r = row > 0 ? row - 1 : 0; r <= row + 1 && r < g->rows; r++)
         for (size_t c = column > 0 ? column - 1 : 0; c <= column + 1 && c < g->columns; c++)
@@ -103,23 +107,27 @@ static bool is_at_rim(unsigned eighths)
     return false;
 }
 
-static void find_rim(void *context, size_t from, size_t to)
+static void find_feet(void *context, size_t from, size_t to)
 {
     const struct roof_work *w = context;
 
-    for (size_t i = from; i < to; i++)
-        w->rim[i] = w->all[i] && is_at_rim(look_about(w, i).eighths);
+    for (size_t i = from; i < to; i++) {
+        struct about about = {.lowest = w->grid->point[i].z};
+        if (w->all[i])
+            about = look_about(w, i);
+        w->foot[i] = w->all[i] && is_at_rim(about.eighths) ? w->bottom : about.lowest;
+    }
 }
 
-/* A point of the rim, by the square that it is in. */
-struct rim_point {
+/* A point that something hangs below, by the square that it is in. */
+struct hook {
     double column, row;
     size_t index;
 };
 
 static int compare_squares(const void *pa, const void *pb)
 {
-    const struct rim_point *a = pa, *b = pb;
+    const struct hook *a = pa, *b = pb;
 
     if (a->row != b->row)
         return a->row < b->row ? -1 : 1;
@@ -128,44 +136,49 @@ static int compare_squares(const void *pa, const void *pb)
     return (a->index > b->index) - (a->index < b->index);
 }
 
-/* One of each square of half the gap, the highest.  The last of a line is at the bottom: a scan
+/* One line of each square of half the gap, below the highest.  The last of it is at the foot: a scan
  * that is flatter than the gap would have none. */
-static void hang(const struct point_grid *grid, struct rim_point *rim, size_t n, double gap,
-                 double bottom, struct vec3s *to)
+static void hang(const struct roof_work *w, struct hook *hook, size_t n, double gap,
+                 struct vec3s *to)
 {
-    qsort(rim, n, sizeof *rim, compare_squares);
+    qsort(hook, n, sizeof *hook, compare_squares);
     for (size_t i = 0, end; i < n; i = end) {
-        struct vec3 top = grid->point[rim[i].index];
-        for (end = i + 1; end < n && rim[end].row == rim[i].row && rim[end].column == rim[i].column;
-             end++)
-            if (grid->point[rim[end].index].z > top.z)
-                top = grid->point[rim[end].index];
-        for (double k = 1; top.z - k * gap > bottom; k++)
+        struct vec3 top = w->grid->point[hook[i].index];
+        double foot = w->foot[hook[i].index];
+        for (end = i + 1;
+             end < n && hook[end].row == hook[i].row && hook[end].column == hook[i].column; end++) {
+            foot = fmin(foot, w->foot[hook[end].index]);
+            if (w->grid->point[hook[end].index].z > top.z)
+                top = w->grid->point[hook[end].index];
+        }
+        for (double k = 1; top.z - k * gap > foot; k++)
             *array_push(to) = vec(top.x, top.y, top.z - k * gap);
-        if (top.z > bottom)
-            *array_push(to) = vec(top.x, top.y, bottom);
+        if (top.z > foot)
+            *array_push(to) = vec(top.x, top.y, foot);
     }
 }
 
 void roof_curtain(const struct point_grid *point_grid, const unsigned char *roof, double gap,
                   double bottom, int threads, struct vec3s *to)
 {
-    size_t n = point_grid->n, at_rim = 0;
+    size_t n = point_grid->n, hooks = 0;
     struct roof_work work = {.grid = point_grid,
                              .reach = RIM * point_grid_spacing(point_grid),
                              .all = roof,
-                             .rim = mem_alloc(n + 1, sizeof *work.rim)};
-    struct rim_point *rim = mem_alloc(n + 1, sizeof *rim);
+                             .foot = mem_alloc(n + 1, sizeof *work.foot),
+                             .bottom = bottom};
+    struct hook *hook = mem_alloc(n + 1, sizeof *hook);
 
-    parallel_for(threads, n, find_rim, &work);
-    for (size_t i = 0; i < n; i++)
-        if (work.rim[i])
-            rim[at_rim++] =
-                (struct rim_point){floor((point_grid->point[i].x - point_grid->x) / (gap / 2)),
-                                   floor((point_grid->point[i].y - point_grid->y) / (gap / 2)), i};
-    hang(point_grid, rim, at_rim, gap, bottom, to);
-    free(rim);
-    free(work.rim);
+    parallel_for(threads, n, find_feet, &work);
+    for (size_t i = 0; i < n; i++) {
+        struct vec3 p = point_grid->point[i];
+        if (p.z - work.foot[i] > (work.foot[i] > bottom ? gap : 0))
+            hook[hooks++] = (struct hook){floor((p.x - point_grid->x) / (gap / 2)),
+                                          floor((p.y - point_grid->y) / (gap / 2)), i};
+    }
+    hang(&work, hook, hooks, gap, to);
+    free(hook);
+    free(work.foot);
 }
 
 void roof_curtain_asked(const struct point_grid *point_grid, int threads, struct vec3s *to)

@@ -1,4 +1,5 @@
-/* roof: where a scan is one sheet that faces up, and the points that hang under its rims. */
+/* roof: where a scan is one sheet that faces up, and the points that hang under its rims and
+ * under what stands out of it. */
 #include <check.h>
 #include <stdlib.h>
 
@@ -198,6 +199,37 @@ START_TEST(a_low_curtain)
 }
 END_TEST
 
+/* A point that stands above all about it, far from any rim: below it points hang down to those,
+ * so that no ball passes under it from the side; nothing else hangs inside. */
+START_TEST(under_a_lone_point)
+{
+    const double gap = 0.4, high = 1.5;
+    struct vec3s p = {0}, curtain = {0};
+    sheet(&p, 0, 0, 20, 20, 0);
+    for (size_t i = 0; i < p.n; i++)
+        if (fabs(p.item[i].x - 10) < STEP / 2 && fabs(p.item[i].y - 10) < STEP / 2)
+            p.item[i].z = high;
+    struct found f = find(&p, ROOF_GUARD, 1);
+    double lowest = high;
+    size_t inside = 0;
+    ck_assert_uint_eq(f.n, p.n);
+    roof_curtain(&f.grid, f.roof, gap, -8, 1, &curtain);
+    for (size_t i = 0; i < curtain.n; i++) {
+        struct vec3 q = curtain.item[i];
+        if (fmin(fmin(q.x, 20 - q.x), fmin(q.y, 20 - q.y)) < STEP / 2)
+            continue;
+        ck_assert(fabs(q.x - 10) < 1e-9 && fabs(q.y - 10) < 1e-9);
+        ck_assert_double_le(lowest - q.z, gap + 1e-9);
+        lowest = q.z;
+        inside++;
+    }
+    ck_assert_uint_eq(inside, 4); /* 1.1, 0.7, 0.3 and 0 */
+    ck_assert_double_eq(lowest, 0);
+    discard(&f, &p);
+    array_free(&curtain);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("roof");
@@ -208,6 +240,7 @@ int main(void)
     tcase_add_test(tcase, judged_by_less);
     tcase_add_test(tcase, a_curtain);
     tcase_add_test(tcase, a_low_curtain);
+    tcase_add_test(tcase, under_a_lone_point);
     suite_add_tcase(suite, tcase);
     SRunner *runner = srunner_create(suite);
     srunner_run_all(runner, CK_ENV);
