@@ -136,8 +136,8 @@ static int compare_squares(const void *pa, const void *pb)
     return (a->index > b->index) - (a->index < b->index);
 }
 
-/* One line of each square of half the gap, below the highest.  The last of it is at the foot: a scan
- * that is flatter than the gap would have none. */
+/* One line of each square of half the gap, below the highest.  The last of it is at the foot: a
+ * scan that is flatter than the gap would have none. */
 static void hang(const struct roof_work *w, struct hook *hook, size_t n, double gap,
                  struct vec3s *to)
 {
