@@ -112,10 +112,11 @@ static void find_feet(void *context, size_t from, size_t to)
     const struct roof_work *w = context;
 
     for (size_t i = from; i < to; i++) {
-        struct about about = {.lowest = w->grid->point[i].z};
-        if (w->all[i])
-            about = look_about(w, i);
-        w->foot[i] = w->all[i] && is_at_rim(about.eighths) ? w->bottom : about.lowest;
+        w->foot[i] = w->grid->point[i].z;
+        if (!w->all[i])
+            continue;
+        struct about about = look_about(w, i);
+        w->foot[i] = is_at_rim(about.eighths) ? w->bottom : about.lowest;
     }
 }
 
