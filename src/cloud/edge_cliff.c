@@ -35,7 +35,9 @@ struct cliff {
     const struct quadric *q;
     bool flanked; /* it is not the surface of all about */
     struct vec3s on, below;
+    size_t feet;        /* of those below, the first: a wall may stand on them */
     struct vec3s under; /* all that are not on it but under it */
+    struct vec3s about; /* all, the point itself the first */
     struct sizes beyond;
 };
 
@@ -120,6 +122,7 @@ static void sort_by_height(const struct edge_work *work, size_t i, size_t k, str
     const struct vec3 p = work->options->point_grid->point[k];
     double off = above_roof(own, cliff->from, p), least = least_off(work, i, k);
 
+    *array_push(&cliff->about) = p;
     if (fabs(off) <= least) {
         *array_push(&cliff->on) = p;
         return;
@@ -163,12 +166,40 @@ static struct cliff find_cliff(const struct edge_work *work, size_t i)
                           .q = &work->flank[i].q,
                           .flanked = work->flank[i].valid};
 
+    *array_push(&cliff.about) = cliff.from;
     if (may_be_off(work, i))
         for (size_t k; edge_about_next(&about, &k);)
             sort_by_height(work, i, k, &cliff);
     if (is_stray(work, i, &cliff))
         cliff.below.n = 0;
+    cliff.feet = cliff.below.n;
     return cliff;
+}
+
+static void free_cliff(struct cliff *cliff)
+{
+    array_free(&cliff->on);
+    array_free(&cliff->below);
+    array_free(&cliff->under);
+    array_free(&cliff->about);
+    array_free(&cliff->beyond);
+}
+
+/* No wall stands on points to which the scan goes down without one: these go last. */
+static void keep_feet(const struct edge_work *work, struct cliff *cliff)
+{
+    const double spacing = point_grid_spacing(work->options->point_grid);
+    struct vec3 *below = cliff->below.item;
+
+    cliff->feet = 0;
+    for (size_t k = 0; k < cliff->below.n; k++) {
+        struct vec3 foot = below[k];
+        double top = place_above(cliff, foot.x, foot.y).z;
+        if (edge_slope_seen(cliff->about.item, cliff->about.n, foot, top, spacing))
+            continue;
+        below[k] = below[cliff->feet];
+        below[cliff->feet++] = foot;
+    }
 }
 
 /* The wall may be beyond the place: this is on the way to a point below it, before all others of
@@ -189,7 +220,7 @@ static bool is_before_wall(const struct cliff *cliff, double u, double v)
         if (ahead > x * x + y * y &&
             (hypot(u, v) > cliff->corner || hypot(x - u, y - v) < past * hypot(u, v)))
             return false;
-        before = before || ahead > beside * sqrt((u * u + v * v) * (x * x + y * y));
+        before = before || (k < cliff->feet && ahead > beside * sqrt((u * u + v * v) * (x * x + y * y)));
     }
     return before;
 }
@@ -371,7 +402,7 @@ static void fill_wall(const struct edge_work *work, const struct cliff *cliff, b
     const double nearly = 0.97, spacing = point_grid_spacing(work->options->point_grid);
     bool steep = quadric_normal_at(cliff->q, cliff->from).z < FACING;
 
-    for (size_t k = 0; k < cliff->below.n; k++) {
+    for (size_t k = 0; k < cliff->feet; k++) {
         struct vec3 foot = cliff->below.item[k];
         double u = nearly * (foot.x - cliff->from.x), v = nearly * (foot.y - cliff->from.y);
         if (!is_before_wall(cliff, u, v))
@@ -395,7 +426,7 @@ static double width_of(const struct cliff *cliff)
 {
     double least = HUGE_VAL;
 
-    for (size_t k = 0; k < cliff->below.n; k++)
+    for (size_t k = 0; k < cliff->feet; k++)
         least = fmin(least, hypot(cliff->below.item[k].x - cliff->from.x,
                                   cliff->below.item[k].y - cliff->from.y));
     return least;
@@ -435,24 +466,23 @@ double edge_cliff_add(const struct edge_work *work, size_t i, struct vec3s *edge
     size_t before = to->n;
     double width = 0;
 
-    if (cliff.below.n > 0 && certain && quadric_normal(&flank->q).z > FACING)
+    if (!certain || cliff.on.n < EDGE_FEWEST)
+        keep_feet(work, &cliff);
+    if (cliff.feet > 0 && certain && quadric_normal(&flank->q).z > FACING)
         fill_cliff(work, &cliff, to);
-    if (cliff.below.n > 0 && cliff.beyond.n == 0 && certain &&
+    if (cliff.feet > 0 && cliff.beyond.n == 0 && certain &&
         quadric_normal(&flank->q).z > LEVEL) {
         struct cliff wider = cliff;
         wider.corner = TIP * point_grid_spacing(work->options->point_grid);
         fill_tips(work, &wider, to);
     }
-    if (cliff.below.n > 0)
+    if (cliff.feet > 0)
         fill_wall(work, &cliff, certain, to);
     if (certain)
         add_edges(work, i, &cliff, edge);
     if (to->n > before)
         width = width_of(&cliff);
-    array_free(&cliff.on);
-    array_free(&cliff.below);
-    array_free(&cliff.under);
-    array_free(&cliff.beyond);
+    free_cliff(&cliff);
     return width;
 }
 
@@ -515,9 +545,6 @@ double edge_cliff_corner(const struct edge_work *work, size_t i, struct vec3 *ah
         up = place_above(&cliff, cliff.from.x + depth * x, cliff.from.y + depth * y).z -
              cliff.from.z;
     *ahead = vec(x, y, depth > 0 ? up / depth : 0);
-    array_free(&cliff.on);
-    array_free(&cliff.below);
-    array_free(&cliff.under);
-    array_free(&cliff.beyond);
+    free_cliff(&cliff);
     return depth;
 }

@@ -129,6 +129,13 @@ void edge_meet_across(const struct edge_work *work, size_t i, const struct sizes
 
 double edge_cliff_add(const struct edge_work *work, size_t i, struct vec3s *edge, struct vec3s *to);
 
+/* ---- edge_slope: the n points about a foot, seen from above, were scanned at all heights from it
+ * up to `top`, with no step of a spacing (mm); or where there is one, others of them, as low, lie
+ * before it, or those above it do not lie aside: no unseen wall stands on the foot. */
+
+bool edge_slope_seen(const struct vec3 *about, size_t n, struct vec3 foot, double top,
+                     double spacing);
+
 /* How far the flank may go on before point i of such a wall, mm seen from above, where that is a
  * sharp corner: a tip of it passes between points below; 0: it is none.  *ahead: that way, along
  * the flank, one mm long seen from above. */

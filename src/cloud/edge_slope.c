@@ -1,0 +1,62 @@
+/* edge_slope - see edge_steps.h. */
+#include "edge_steps.h"
+
+#include <math.h>
+
+static const double ABOUT = 2.8; /* spacings: so far points tell of a foot */
+static const double STEP = 1;    /* spacings: a wall is higher */
+static const double ASIDE = 0.2; /* of ABOUT: the middle of what is above a wall is farther off */
+static const double AHEAD = 0.9; /* cosine: a point that low is before the wall */
+
+static int by_height(const void *pa, const void *pb)
+{
+    const struct vec3 *a = pa, *b = pb;
+
+    return a->z != b->z ? (a->z > b->z) - (a->z < b->z) : vec_compare(a, b);
+}
+
+/* Those above the foot, lowest first. */
+static struct vec3s find_above(const struct vec3 *about, size_t n, struct vec3 foot, double reach)
+{
+    struct vec3s above = {0};
+
+    for (size_t k = 0; k < n; k++)
+        if (about[k].z > foot.z && edge_plan_distance(about[k], foot) < reach)
+            *array_push(&above) = about[k];
+    if (above.n > 0)
+        qsort(above.item, above.n, sizeof *above.item, by_height);
+    return above;
+}
+
+/* The first `low` of the points are below the wall, the others above. */
+static bool is_foot(struct vec3 foot, const struct vec3s *point, size_t low, double aside)
+{
+    double x = 0, y = 0, n = (double)(point->n - low);
+
+    for (size_t k = low; k < point->n; k++) {
+        x += (point->item[k].x - foot.x) / n;
+        y += (point->item[k].y - foot.y) / n;
+    }
+    if (!(hypot(x, y) > aside))
+        return false;
+    for (size_t k = 0; k < low; k++) {
+        double u = point->item[k].x - foot.x, v = point->item[k].y - foot.y;
+        if (u * x + v * y > AHEAD * hypot(u, v) * hypot(x, y))
+            return false;
+    }
+    return true;
+}
+
+bool edge_slope_seen(const struct vec3 *about, size_t n, struct vec3 foot, double top,
+                     double spacing)
+{
+    struct vec3s above = find_above(about, n, foot, ABOUT * spacing);
+    double z = foot.z;
+    size_t low = 0;
+
+    for (; low < above.n && above.item[low].z - z < STEP * spacing; low++)
+        z = above.item[low].z;
+    bool seen = top - z < STEP * spacing || !is_foot(foot, &above, low, ASIDE * ABOUT * spacing);
+    array_free(&above);
+    return seen;
+}
