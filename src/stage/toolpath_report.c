@@ -60,6 +60,12 @@ void toolpath_find_uncut(struct toolpath *t)
     array_free(&t->uncut);
 }
 
+/* Flute and shank were kept clear of the part themselves, whatever its normals are. */
+static bool is_shank_checked(const struct toolpath *t)
+{
+    return t->lift.guard && t->rule.holder.n > 0;
+}
+
 /* What does not hold, and where. */
 static void say_unmet(const struct toolpath *t)
 {
@@ -101,7 +107,7 @@ static void say_unmet(const struct toolpath *t)
             t->skipped, t->skipped_area, t->skipped_pass, at.x, at.y, at.z);
     if (t->shank > 0)
         unmet_say(
-            unmet,
+            is_shank_checked(t) ? NULL : unmet,
             "at %zu points the normal is more than 90 degrees off the axis: the shank touches "
             "there, not the ball",
             t->shank);
@@ -128,5 +134,5 @@ int toolpath_conclude(const struct toolpath *t)
     bool left = (r->unreachable > 0 || t->uncut_places > 0) && !t->rule.avoid;
     left = left || ((t->skipped > 0 || t->blocked > 0) && !t->rule.skip);
     left = path_check_conclude(&t->check, &t->path->head.unmet) != EXIT_DONE || left;
-    return left || t->shank > 0 ? EXIT_UNMET : EXIT_DONE;
+    return left || (t->shank > 0 && !is_shank_checked(t)) ? EXIT_UNMET : EXIT_DONE;
 }

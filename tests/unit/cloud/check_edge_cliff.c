@@ -1,5 +1,5 @@
 /* edge_cliff: the floor of a mesa goes on to the points below its wall, and the wall down to them;
- * a roof has no cliff, nor has noise. */
+ * a roof has no cliff, nor has noise, nor have hills. */
 #include <check.h>
 #include <stdlib.h>
 
@@ -122,6 +122,30 @@ START_TEST(noise_is_none)
 }
 END_TEST
 
+/* Hills no steeper than 60 degrees, as wide as few points are apart. */
+static double hills(double x, double y)
+{
+    return 0.7 * sin(1.9 * x + 0.4 * y) * cos(1.6 * y - 0.3 * x) +
+           0.25 * sin(4.1 * x + 1.2 * y) * sin(3.7 * y - 0.9 * x);
+}
+
+/* The ways down from short flanks were scanned: no wall stands there. */
+START_TEST(hills_have_none)
+{
+    struct edge_trial trial;
+    struct vec3s to = {0}, edge = {0};
+
+    edge_trial_make(&trial, hills, false, 0);
+    edge_flanks_find(&trial.work);
+    for (size_t i = 0; i < trial.grid.n; i++)
+        edge_cliff_add(&trial.work, i, &edge, &to);
+    ck_assert_uint_eq(to.n, 0);
+    array_free(&to);
+    array_free(&edge);
+    edge_trial_free(&trial);
+}
+END_TEST
+
 /* A tip of 33 degrees, its top rising along x: ahead of it the flank goes on rising. */
 static double tip(double x, double y)
 {
@@ -163,6 +187,7 @@ int main(void)
     tcase_add_test(tests, mesa_goes_on_as_far);
     tcase_add_loop_test(tests, roof_has_none, 0, 2);
     tcase_add_loop_test(tests, noise_is_none, 0, 2);
+    tcase_add_test(tests, hills_have_none);
     tcase_add_test(tests, corner_goes_on_along_its_flank);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);
