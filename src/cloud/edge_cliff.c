@@ -186,7 +186,7 @@ static void free_cliff(struct cliff *cliff)
 }
 
 /* No wall stands on points to which the scan goes down without one: these go last. */
-static void keep_feet(const struct edge_work *work, struct cliff *cliff)
+static void keep_feet(const struct edge_work *work, bool certain, struct cliff *cliff)
 {
     const double spacing = point_grid_spacing(work->options->point_grid);
     struct vec3 *below = cliff->below.item;
@@ -195,7 +195,8 @@ static void keep_feet(const struct edge_work *work, struct cliff *cliff)
     for (size_t k = 0; k < cliff->below.n; k++) {
         struct vec3 foot = below[k];
         double top = place_above(cliff, foot.x, foot.y).z;
-        if (edge_slope_seen(cliff->about.item, cliff->about.n, foot, top, spacing))
+        if ((certain ? edge_slope_climbs : edge_slope_seen)(cliff->about.item, cliff->about.n, foot,
+                                                            top, spacing))
             continue;
         below[k] = below[cliff->feet];
         below[cliff->feet++] = foot;
@@ -220,7 +221,8 @@ static bool is_before_wall(const struct cliff *cliff, double u, double v)
         if (ahead > x * x + y * y &&
             (hypot(u, v) > cliff->corner || hypot(x - u, y - v) < past * hypot(u, v)))
             return false;
-        before = before || (k < cliff->feet && ahead > beside * sqrt((u * u + v * v) * (x * x + y * y)));
+        before =
+            before || (k < cliff->feet && ahead > beside * sqrt((u * u + v * v) * (x * x + y * y)));
     }
     return before;
 }
@@ -467,11 +469,10 @@ double edge_cliff_add(const struct edge_work *work, size_t i, struct vec3s *edge
     double width = 0;
 
     if (!certain || cliff.on.n < EDGE_FEWEST)
-        keep_feet(work, &cliff);
+        keep_feet(work, certain, &cliff);
     if (cliff.feet > 0 && certain && quadric_normal(&flank->q).z > FACING)
         fill_cliff(work, &cliff, to);
-    if (cliff.feet > 0 && cliff.beyond.n == 0 && certain &&
-        quadric_normal(&flank->q).z > LEVEL) {
+    if (cliff.feet > 0 && cliff.beyond.n == 0 && certain && quadric_normal(&flank->q).z > LEVEL) {
         struct cliff wider = cliff;
         wider.corner = TIP * point_grid_spacing(work->options->point_grid);
         fill_tips(work, &wider, to);

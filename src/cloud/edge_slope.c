@@ -4,7 +4,8 @@
 #include <math.h>
 
 static const double ABOUT = 2.8; /* spacings: so far points tell of a foot */
-static const double STEP = 1;    /* spacings: a wall is higher */
+static const double STEP = 1;    /* spacings: a wall is higher; ... */
+static const double FINE = 0.3;  /* ... where steps are known to be there */
 static const double ASIDE = 0.2; /* of ABOUT: the middle of what is above a wall is farther off */
 static const double AHEAD = 0.9; /* cosine: a point that low is before the wall */
 
@@ -47,16 +48,35 @@ static bool is_foot(struct vec3 foot, const struct vec3s *point, size_t low, dou
     return true;
 }
 
+/* How many of the points go up from the foot with no such step; *top: the height where they end. */
+static size_t climb(const struct vec3s *above, double step, double *top)
+{
+    size_t low = 0;
+
+    for (; low < above->n && above->item[low].z - *top < step; low++)
+        *top = above->item[low].z;
+    return low;
+}
+
+bool edge_slope_climbs(const struct vec3 *about, size_t n, struct vec3 foot, double top,
+                       double spacing)
+{
+    struct vec3s above = find_above(about, n, foot, ABOUT * spacing);
+    double z = foot.z;
+
+    climb(&above, FINE * spacing, &z);
+    array_free(&above);
+    return top - z < FINE * spacing;
+}
+
 bool edge_slope_seen(const struct vec3 *about, size_t n, struct vec3 foot, double top,
                      double spacing)
 {
     struct vec3s above = find_above(about, n, foot, ABOUT * spacing);
     double z = foot.z;
-    size_t low = 0;
-
-    for (; low < above.n && above.item[low].z - z < STEP * spacing; low++)
-        z = above.item[low].z;
+    size_t low = climb(&above, STEP * spacing, &z);
     bool seen = top - z < STEP * spacing || !is_foot(foot, &above, low, ASIDE * ABOUT * spacing);
+
     array_free(&above);
     return seen;
 }

@@ -130,9 +130,12 @@ void edge_meet_across(const struct edge_work *work, size_t i, const struct sizes
 double edge_cliff_add(const struct edge_work *work, size_t i, struct vec3s *edge, struct vec3s *to);
 
 /* ---- edge_slope: the n points about a foot, seen from above, were scanned at all heights from it
- * up to `top`, with no step of a spacing (mm); or where there is one, others of them, as low, lie
- * before it, or those above it do not lie aside: no unseen wall stands on the foot. */
+ * up to `top`, no two of them 0.3 spacings (mm) apart.  Or, where less is known, a whole spacing;
+ * and where they are farther, others of them, as low, lie before it, or those above it do not lie
+ * aside: no unseen wall stands on the foot. */
 
+bool edge_slope_climbs(const struct vec3 *about, size_t n, struct vec3 foot, double top,
+                       double spacing);
 bool edge_slope_seen(const struct vec3 *about, size_t n, struct vec3 foot, double top,
                      double spacing);
 

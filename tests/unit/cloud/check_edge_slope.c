@@ -78,6 +78,16 @@ START_TEST(low_step_is_none)
 }
 END_TEST
 
+START_TEST(fine_steps_climb)
+{
+    const struct vec3 about[] = {{0, 0, 0}, {0.5, 0, 0.2}, {1, 0, 0.4}, {0.7, 0.7, 0.8}};
+
+    ck_assert(edge_slope_climbs(about, 4, about[0], 0.6, 1));
+    ck_assert(!edge_slope_climbs(about, 4, about[0], 1, 1));
+    ck_assert(edge_slope_seen(about, 4, about[0], 1, 1));
+}
+END_TEST
+
 /* What is above it lies all round: a roof over it, no wall beside. */
 START_TEST(roof_over_it_has_none)
 {
@@ -106,6 +116,7 @@ int main(void)
     tcase_add_test(tests, step_has_feet);
     tcase_add_test(tests, slope_has_none);
     tcase_add_test(tests, low_step_is_none);
+    tcase_add_test(tests, fine_steps_climb);
     tcase_add_test(tests, roof_over_it_has_none);
     tcase_add_test(tests, behind_a_foot_is_none);
     suite_add_tcase(suite, tests);
