@@ -37,7 +37,6 @@ struct cliff {
     struct vec3s on, below;
     size_t feet;        /* of those below, the first: a wall may stand on them */
     struct vec3s under; /* all that are not on it but under it */
-    struct vec3s about; /* all, the point itself the first */
     struct sizes beyond;
 };
 
@@ -122,7 +121,6 @@ static void sort_by_height(const struct edge_work *work, size_t i, size_t k, str
     const struct vec3 p = work->options->point_grid->point[k];
     double off = above_roof(own, cliff->from, p), least = least_off(work, i, k);
 
-    *array_push(&cliff->about) = p;
     if (fabs(off) <= least) {
         *array_push(&cliff->on) = p;
         return;
@@ -166,7 +164,6 @@ static struct cliff find_cliff(const struct edge_work *work, size_t i)
                           .q = &work->flank[i].q,
                           .flanked = work->flank[i].valid};
 
-    *array_push(&cliff.about) = cliff.from;
     if (may_be_off(work, i))
         for (size_t k; edge_about_next(&about, &k);)
             sort_by_height(work, i, k, &cliff);
@@ -181,22 +178,20 @@ static void free_cliff(struct cliff *cliff)
     array_free(&cliff->on);
     array_free(&cliff->below);
     array_free(&cliff->under);
-    array_free(&cliff->about);
     array_free(&cliff->beyond);
 }
 
 /* No wall stands on points to which the scan goes down without one: these go last. */
 static void keep_feet(const struct edge_work *work, bool certain, struct cliff *cliff)
 {
-    const double spacing = point_grid_spacing(work->options->point_grid);
+    const struct point_grid *scan = work->options->point_grid;
     struct vec3 *below = cliff->below.item;
 
     cliff->feet = 0;
     for (size_t k = 0; k < cliff->below.n; k++) {
         struct vec3 foot = below[k];
         double top = place_above(cliff, foot.x, foot.y).z;
-        if ((certain ? edge_slope_climbs : edge_slope_seen)(cliff->about.item, cliff->about.n, foot,
-                                                            top, spacing))
+        if ((certain ? edge_slope_climbs : edge_slope_seen)(scan, foot, top))
             continue;
         below[k] = below[cliff->feet];
         below[cliff->feet++] = foot;

@@ -16,14 +16,20 @@ static int by_height(const void *pa, const void *pb)
     return a->z != b->z ? (a->z > b->z) - (a->z < b->z) : vec_compare(a, b);
 }
 
-/* Those above the foot, lowest first. */
-static struct vec3s find_above(const struct vec3 *about, size_t n, struct vec3 foot, double reach)
+/* Points of the scan above the foot and near to it as seen from above, lowest first. */
+static struct vec3s find_above(const struct point_grid *scan, struct vec3 foot)
 {
+    double reach = ABOUT * point_grid_spacing(scan);
+    size_t first = point_grid_column(scan, foot.x - reach),
+           last = point_grid_column(scan, foot.x + reach),
+           top = point_grid_row(scan, foot.y + reach);
     struct vec3s above = {0};
 
-    for (size_t k = 0; k < n; k++)
-        if (about[k].z > foot.z && edge_plan_distance(about[k], foot) < reach)
-            *array_push(&above) = about[k];
+    for (size_t r = point_grid_row(scan, foot.y - reach); r <= top; r++)
+        for (size_t k = scan->first[r * scan->columns + first];
+             k < scan->first[r * scan->columns + last + 1]; k++)
+            if (scan->point[k].z > foot.z && edge_plan_distance(scan->point[k], foot) < reach)
+                *array_push(&above) = scan->point[k];
     if (above.n > 0)
         qsort(above.item, above.n, sizeof *above.item, by_height);
     return above;
@@ -58,24 +64,22 @@ static size_t climb(const struct vec3s *above, double step, double *top)
     return low;
 }
 
-bool edge_slope_climbs(const struct vec3 *about, size_t n, struct vec3 foot, double top,
-                       double spacing)
+bool edge_slope_climbs(const struct point_grid *scan, struct vec3 foot, double top)
 {
-    struct vec3s above = find_above(about, n, foot, ABOUT * spacing);
-    double z = foot.z;
+    double step = FINE * point_grid_spacing(scan), z = foot.z;
+    struct vec3s above = find_above(scan, foot);
 
-    climb(&above, FINE * spacing, &z);
+    climb(&above, step, &z);
     array_free(&above);
-    return top - z < FINE * spacing;
+    return top - z < step;
 }
 
-bool edge_slope_seen(const struct vec3 *about, size_t n, struct vec3 foot, double top,
-                     double spacing)
+bool edge_slope_seen(const struct point_grid *scan, struct vec3 foot, double top)
 {
-    struct vec3s above = find_above(about, n, foot, ABOUT * spacing);
-    double z = foot.z;
-    size_t low = climb(&above, STEP * spacing, &z);
-    bool seen = top - z < STEP * spacing || !is_foot(foot, &above, low, ASIDE * ABOUT * spacing);
+    double spacing = point_grid_spacing(scan), step = STEP * spacing, z = foot.z;
+    struct vec3s above = find_above(scan, foot);
+    size_t low = climb(&above, step, &z);
+    bool seen = top - z < step || !is_foot(foot, &above, low, ASIDE * ABOUT * spacing);
 
     array_free(&above);
     return seen;

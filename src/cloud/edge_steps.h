@@ -129,15 +129,13 @@ void edge_meet_across(const struct edge_work *work, size_t i, const struct sizes
 
 double edge_cliff_add(const struct edge_work *work, size_t i, struct vec3s *edge, struct vec3s *to);
 
-/* ---- edge_slope: the n points about a foot, seen from above, were scanned at all heights from it
- * up to `top`, no two of them 0.3 spacings (mm) apart.  Or, where less is known, a whole spacing;
- * and where they are farther, others of them, as low, lie before it, or those above it do not lie
- * aside: no unseen wall stands on the foot. */
+/* ---- edge_slope: the points about a foot, seen from above, were scanned at all heights from it up
+ * to `top`, no two of them 0.3 spacings apart.  Or, where less is known, a whole spacing; and where
+ * they are farther, others of them, as low, lie before it, or those above it do not lie aside: no
+ * unseen wall stands on the foot. */
 
-bool edge_slope_climbs(const struct vec3 *about, size_t n, struct vec3 foot, double top,
-                       double spacing);
-bool edge_slope_seen(const struct vec3 *about, size_t n, struct vec3 foot, double top,
-                     double spacing);
+bool edge_slope_climbs(const struct point_grid *scan, struct vec3 foot, double top);
+bool edge_slope_seen(const struct point_grid *scan, struct vec3 foot, double top);
 
 /* How far the flank may go on before point i of such a wall, mm seen from above, where that is a
  * sharp corner: a tip of it passes between points below; 0: it is none.  *ahead: that way, along
