@@ -17,12 +17,13 @@ static const double SIGMA_OF_MEDIAN = 1.4826; /* the median of the sizes, normal
 static const double WHITE = 1.35; /* spread of twice the points by that of once, at most */
 static const double EVEN = 3;     /* spread of the roughest tenth by that of the smoothest */
 
-/* Of the tenth of the variances, which is 0.49 of the true one where all are noise, and 0.72 where
- * a third is: above 6 times it lies one of a thousand of these, and another group from 24 on (twice
- * as far off), with no more than a tenth of all between.  A quarter of noise is above 1.25 of
- * the true one, and one below 0.67: 1.86 times, and more by chance. */
-static const double GROUP = 6, APART = 24, BETWEEN = 0.1, LEAST = 0.12, OTHERS = 0.1,
+/* The tenth of the variances is 0.49 of the true one where all are noise, 0.72 where a third is.
+ * One of a hundred is above 2.4 times the true one; another group begins at 4 times (twice as far
+ * off), with few between.  A quarter of noise is above 1.25 of the true one, and one below 0.67:
+ * 1.86 times, and more by chance. */
+static const double TENTH = 0.6, GROUP = 2.4, APART = 4, BETWEEN = 0.1, LEAST = 0.12, OTHERS = 0.1,
                     QUARTERS = 2.2;
+enum { ROUNDS = 8 };
 
 /* Of noise alone a quarter of the variances is below 0.72 of the true one (which is taken as the
  * median), a twentieth below 0.42, and where noise is half of all, below 0.93 and 0.52: 1.92 times
@@ -118,18 +119,23 @@ static size_t count_below(const double *value, size_t n, double most)
     return below;
 }
 
-/* Of variances in order, in two groups: the middle one of the lower, which are as noise alone lets
- * them be (a chi squared distribution); else 0. */
+/* Of variances in order, in two groups: that of the lower ones, which are as noise alone lets them
+ * be (a chi squared distribution); else 0. */
 static double lower_group(const double *variance, size_t n)
 {
-    double tenth = variance[n / 10];
-    size_t low = count_below(variance, n, GROUP * tenth);
-    size_t high = n - count_below(variance, n, APART * tenth);
-    bool parted = (double)(n - low - high) <= fmin(BETWEEN * (double)n, (double)low / 2);
+    double of = variance[n / 10] / TENTH;
+    size_t low = 0;
+
+    for (int round = 0; round < ROUNDS; round++) {
+        low = count_below(variance, n, GROUP * of);
+        of = variance[low / 2];
+    }
+    size_t high = n - count_below(variance, n, APART * of);
+    bool parted = (double)(n - low - high) <= BETWEEN * (double)low;
     bool even = variance[3 * low / 4] <= QUARTERS * variance[low / 4];
 
     return (double)low >= LEAST * (double)n && (double)high >= OTHERS * (double)n && parted && even
-               ? variance[low / 2]
+               ? of
                : 0;
 }
 

@@ -106,6 +106,31 @@ START_TEST(over_steps)
 }
 END_TEST
 
+/* Square pockets 0.25 mm deep: of the places as many as not lie over their walls, which are not far
+ * higher than noise. */
+static double pockets(double x, double y)
+{
+    const double pitch = 7, wide = 3.5;
+    double u = x - pitch * floor(x / pitch), v = y - pitch * floor(y / pitch);
+
+    return u < wide && v < wide ? 0 : 0.25;
+}
+
+START_TEST(over_low_walls)
+{
+    const double sigma[] = {0.012, 0.015};
+
+    for (int p = NOISY_GRID; p <= NOISY_RANDOM; p++)
+        for (int s = 0; s < 2; s++) {
+            noisy_seed((unsigned)(20 + s));
+            noisy_scan(&scan, pockets, 17000, (enum noisy_pattern)p, sigma[s]);
+            struct noise noise = measured_all();
+            ck_assert_msg(fabs(noise.even / sigma[s] - 1) < 0.15, "%d %g: %g", p, sigma[s],
+                          noise.even);
+        }
+}
+END_TEST
+
 /* Pyramids 16 mm wide: many places lie over an edge, some by little. */
 static double pyramids(double x, double y)
 {
@@ -197,6 +222,7 @@ int main(void)
     tcase_add_loop_test(tests, none, 0, 3);
     tcase_add_test(tests, a_few_outliers_do_not_count);
     tcase_add_test(tests, over_steps);
+    tcase_add_test(tests, over_low_walls);
     tcase_add_test(tests, over_edges);
     tcase_add_test(tests, no_even_places);
     tcase_add_test(tests, by_the_points_about_its_places);
