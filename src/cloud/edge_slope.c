@@ -4,6 +4,7 @@
 #include <math.h>
 
 static const double ABOUT = 2.8; /* spacings: so far points tell of a foot */
+static const double CLOSE = 1.4; /* the same where steps are known to be there */
 static const double STEP = 1;    /* spacings: a wall is higher; ... */
 static const double FINE = 0.3;  /* ... where steps are known to be there */
 static const double ASIDE = 0.2; /* of ABOUT: the middle of what is above a wall is farther off */
@@ -17,9 +18,8 @@ static int by_height(const void *pa, const void *pb)
 }
 
 /* Points of the scan above the foot and near to it as seen from above, lowest first. */
-static struct vec3s find_above(const struct point_grid *scan, struct vec3 foot)
+static struct vec3s find_above(const struct point_grid *scan, struct vec3 foot, double reach)
 {
-    double reach = ABOUT * point_grid_spacing(scan);
     size_t first = point_grid_column(scan, foot.x - reach),
            last = point_grid_column(scan, foot.x + reach),
            top = point_grid_row(scan, foot.y + reach);
@@ -66,8 +66,8 @@ static size_t climb(const struct vec3s *above, double step, double *top)
 
 bool edge_slope_climbs(const struct point_grid *scan, struct vec3 foot, double top)
 {
-    double step = FINE * point_grid_spacing(scan), z = foot.z;
-    struct vec3s above = find_above(scan, foot);
+    double spacing = point_grid_spacing(scan), step = FINE * spacing, z = foot.z;
+    struct vec3s above = find_above(scan, foot, CLOSE * spacing);
 
     climb(&above, step, &z);
     array_free(&above);
@@ -77,7 +77,7 @@ bool edge_slope_climbs(const struct point_grid *scan, struct vec3 foot, double t
 bool edge_slope_seen(const struct point_grid *scan, struct vec3 foot, double top)
 {
     double spacing = point_grid_spacing(scan), step = STEP * spacing, z = foot.z;
-    struct vec3s above = find_above(scan, foot);
+    struct vec3s above = find_above(scan, foot, ABOUT * spacing);
     size_t low = climb(&above, step, &z);
     bool seen = top - z < step || !is_foot(foot, &above, low, ASIDE * ABOUT * spacing);
 
