@@ -130,9 +130,9 @@ void edge_meet_across(const struct edge_work *work, size_t i, const struct sizes
 double edge_cliff_add(const struct edge_work *work, size_t i, struct vec3s *edge, struct vec3s *to);
 
 /* ---- edge_slope: the points close about a foot, seen from above, were scanned at all heights from
- * it up to `top`, no two of them 0.3 spacings apart.  Or, where less is known, those farther about, no
- * two of them a whole spacing apart; and where they are, others of them, as low, lie before it, or those above it do not lie aside: no
- * unseen wall stands on the foot. */
+ * it up to `top`, no two of them 0.3 spacings apart.  Or, where less is known, those farther about,
+ * no two of them a whole spacing apart; and where they are, others of them, as low, lie before it,
+ * or those above it do not lie aside: no unseen wall stands on the foot. */
 
 bool edge_slope_climbs(const struct point_grid *scan, struct vec3 foot, double top);
 bool edge_slope_seen(const struct point_grid *scan, struct vec3 foot, double top);
