@@ -7,6 +7,7 @@
 
 #include "math/elementary.h"
 #include "base/array.h"
+#include "math/pair.h"
 
 struct band band_new(size_t n, size_t width)
 {
@@ -41,25 +42,84 @@ static double dot(const double *a, const double *b, size_t n)
     return (s + t) + (u + v);
 }
 
+enum { ROWS = 4 }; /* that are set up at once: none of them has to wait for another */
+
+/* The same of ROWS rows with one. */
+static inline void dots(const double *const a[ROWS], const double *b, size_t n, double sum[ROWS])
+{
+    pair first[ROWS] = {{0}}, second[ROWS] = {{0}};
+    size_t k = 0;
+
+    for (; k + 4 <= n; k += 4) {
+        pair left = pair_at(b + k), right = pair_at(b + k + 2);
+        for (int r = 0; r < ROWS; r++) {
+            first[r] += pair_at(a[r] + k) * left;
+            second[r] += pair_at(a[r] + k + 2) * right;
+        }
+    }
+    for (int r = 0; r < ROWS; r++) {
+        double s = first[r][0];
+        for (size_t i = k; i < n; i++)
+            s += a[r][i] * b[i];
+        sum[r] = (s + first[r][1]) + (second[r][0] + second[r][1]);
+    }
+}
+
+/* Elements of row i from column `from` on, and its pivot, which has those before; false: none. */
+static bool finish_row(const struct band *band, size_t i, size_t from, double pivot)
+{
+    double diagonal = *band_at(band, i, i);
+
+    for (size_t j = from; j < i; j++) {
+        size_t both = first_column(band, i); /* columns j - 1 down to it: they lie upwards */
+        double sum = *band_at(band, i, j);
+        if (j > both)
+            sum -= dot(band_at(band, i, j - 1), band_at(band, j, j - 1), j - both);
+        sum /= *band_at(band, j, j);
+        *band_at(band, i, j) = sum;
+        pivot -= sum * sum;
+    }
+    if (!(pivot > 1e-12 * diagonal))
+        return false;
+    *band_at(band, i, i) = sqrt(pivot);
+    return true;
+}
+
+/* ROWS rows from i on, which begin with the first column all, as far as row i. */
+static void set_rows(const struct band *band, size_t i, double pivot[ROWS])
+{
+    double sum[ROWS];
+
+    for (int r = 0; r < ROWS; r++)
+        pivot[r] = *band_at(band, i + (size_t)r, i + (size_t)r);
+    for (size_t j = 0; j < i; j++) {
+        const double *row[ROWS];
+        for (int r = 0; r < ROWS; r++)
+            row[r] = band_at(band, i + (size_t)r, j) + 1;
+        dots(row, band_at(band, j, j) + 1, j, sum);
+        for (int r = 0; r < ROWS; r++) {
+            double *at = band_at(band, i + (size_t)r, j);
+            *at = (*at - sum[r]) / *band_at(band, j, j);
+            pivot[r] -= *at * *at;
+        }
+    }
+}
+
 bool band_factor(struct band *band)
 {
-    for (size_t i = 0; i < band->n; i++) {
-        size_t from = first_column(band, i);
-        double diagonal = *band_at(band, i, i), pivot = diagonal;
+    double pivot[ROWS] = {0};
+    size_t begun = 0, end = 0; /* rows that are set up to row `begun` */
 
-        for (size_t j = from; j < i; j++) {
-            size_t both = first_column(band, j) > from ? first_column(band, j) : from;
-            /* columns j - 1 down to `both`: they lie upwards */
-            double sum = *band_at(band, i, j);
-            if (j > both)
-                sum -= dot(band_at(band, i, j - 1), band_at(band, j, j - 1), j - both);
-            sum /= *band_at(band, j, j);
-            *band_at(band, i, j) = sum;
-            pivot -= sum * sum;
+    for (size_t i = 0; i < band->n; i++) {
+        if (i == end && i + ROWS <= band->n && i + ROWS <= band->width + 1) {
+            set_rows(band, i, pivot);
+            begun = i;
+            end = i + ROWS;
         }
-        if (!(pivot > 1e-12 * diagonal))
+        bool set = i < end;
+        if (!finish_row(band, i, set ? begun : first_column(band, i),
+                        set ? pivot[i - begun] : *band_at(band, i, i)))
             return false;
-        *band_at(band, i, i) = sqrt(pivot);
     }
     return true;
 }

@@ -45,6 +45,7 @@ START_TEST(solution_times_matrix_is_the_right_side)
     seed = 6;
     for (int turn = 0; turn < 200; turn++) {
         size_t n = 1 + (size_t)(40 * chance()), width = (size_t)(7 * chance());
+        width = turn % 2 ? n - 1 : width; /* a full matrix */
         struct band b = random_band(n, width), factor = band_new(n, width);
         double right[COLUMNS * 41], x[COLUMNS * 41];
 
@@ -84,6 +85,21 @@ START_TEST(what_is_not_positive_definite)
 }
 END_TEST
 
+/* One pivot is below zero, in every row of a full matrix, which is factored several at a time. */
+START_TEST(no_pivot_below_zero_in_any_row)
+{
+    enum { N = 11 };
+
+    for (size_t row = 0; row < N; row++) {
+        struct band b = band_new(N, N - 1);
+        for (size_t i = 0; i < N; i++)
+            *band_at(&b, i, i) = i == row ? -1 : 1;
+        ck_assert(!band_factor(&b));
+        band_free(&b);
+    }
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("band");
@@ -91,6 +107,7 @@ int main(void)
 
     tcase_add_test(tests, solution_times_matrix_is_the_right_side);
     tcase_add_test(tests, what_is_not_positive_definite);
+    tcase_add_test(tests, no_pivot_below_zero_in_any_row);
     suite_add_tcase(suite, tests);
 
     SRunner *runner = srunner_create(suite);
