@@ -1,6 +1,8 @@
 /* crest_fit - see crest_fit.h. */
 #include "crest_fit.h"
 
+#include <string.h>
+
 #include "math/band.h"
 
 /* Terms: off, turn, bend, and those of the heights, of a sharp crest all but the last; those that
@@ -90,23 +92,22 @@ static double distance(const struct crest_fit *fit, struct vec3 p, double *s, do
     return off / sqrt(1 + slope * slope);
 }
 
-/* The crest with a step made in one of its terms. */
-static struct crest_fit stepped(struct crest_fit fit, int term, double step)
+/* Makes a step in one of the terms. */
+static void make_step(struct crest_fit *fit, int term, double step)
 {
-    double x = fit.way_x, y = fit.way_y;
+    double x = fit->way_x, y = fit->way_y;
 
     if (term == 0)
-        fit.off += step;
+        fit->off += step;
     if (term == 1) {
         double across = hypot(1, step);
-        fit.way_x = (x - step * y) / across;
-        fit.way_y = (y + step * x) / across;
+        fit->way_x = (x - step * y) / across;
+        fit->way_y = (y + step * x) / across;
     }
     if (term == 2)
-        fit.bend += step;
+        fit->bend += step;
     if (term >= SHAPE)
-        fit.c[term - SHAPE] += step;
-    return fit;
+        fit->c[term - SHAPE] += step;
 }
 
 /* What the distances of points change by with the terms, summed. */
@@ -172,14 +173,15 @@ static void slopes_at(const struct crest_fit *fit, struct vec3 p, double s, doub
 static void add_point(const struct crest_fit *fit, struct vec3 p, double off, double s, double d,
                       struct equations *e)
 {
-    double x[ALL];
+    double x[ALL], by[ALL];
 
     slopes_at(fit, p, s, d, x);
+    for (int i = 0; i < e->n; i++)
+        by[i] = x[e->of[i]];
     for (int i = 0; i < e->n; i++) {
-        double by = x[e->of[i]];
         for (int j = 0; j <= i; j++)
-            e->a[i][j] += by * x[e->of[j]];
-        e->b[i] -= by * off;
+            e->a[i][j] += by[i] * by[j];
+        e->b[i] -= by[i] * off;
     }
 }
 
@@ -208,18 +210,24 @@ static void sum_points(const struct crest_fit *fit, const struct vec3 *point, si
 
 static bool solve(const struct equations *e, double damp, double *x)
 {
-    struct band a = band_new((size_t)e->n, (size_t)e->n - 1);
+    double room[ALL * ALL];
+    struct band a = {(size_t)e->n, (size_t)e->n - 1, room};
 
     for (int i = 0; i < e->n; i++) {
         x[i] = e->b[i];
         for (int j = 0; j <= i; j++)
             *band_at(&a, (size_t)i, (size_t)j) = e->a[i][j] * (i == j ? 1 + damp : 1);
     }
-    bool solved = band_factor(&a);
-    if (solved)
-        band_solve(&a, x, 1);
-    band_free(&a);
-    return solved;
+    if (!band_factor(&a))
+        return false;
+    band_solve(&a, x, 1);
+    return true;
+}
+
+static void make_steps(struct crest_fit *fit, const struct equations *e, const double *x)
+{
+    for (int i = 0; i < e->n; i++)
+        make_step(fit, e->of[i], x[i]);
 }
 
 /* Steps that make the sum less, of points within `least` of where they begin. */
@@ -234,8 +242,7 @@ static void settle(struct crest_fit *fit, const struct vec3 *point, size_t n, do
         struct equations then = *e;
         if (e->count < e->n || !solve(e, damp, x))
             return;
-        for (int i = 0; i < e->n; i++)
-            next = stepped(next, e->of[i], x[i]);
+        make_steps(&next, e, x);
         then.most = e->sum2;
         sum_points(&next, point, n, least, false, &then);
         if (!(then.sum2 < e->sum2)) {
@@ -270,26 +277,50 @@ static bool is_sharp(const struct crest_fit *fit)
     return a + b > 0 && (1 - a * b) < SHARP * sqrt((1 + a * a) * (1 + b * b));
 }
 
-/* The straight crest along a direction and beside the first point that the nearest fit best. */
-static struct crest_fit begin_along(const struct vec3 *point, size_t n, double spacing, double turn)
+/* The terms of a crest whose sides are planes: height and slope along it, and their slopes. */
+enum { PLANES = 4 };
+static const int PLANE[PLANES] = {3, 4, 6, 8};
+
+/* As sum_points, of a straight crest that is level all about so far, for these terms. */
+static void sum_level(const struct crest_fit *fit, const struct vec3 *point, size_t n,
+                      struct equations *e)
 {
-    static const int some[] = {3, 4, 6, 8};
+    memset(e, 0, sizeof *e);
+    set_terms(e, PLANE, PLANES);
+    for (size_t k = 0; k < n; k++) {
+        double dx = point[k].x - fit->origin.x, dy = point[k].y - fit->origin.y;
+        double d = dy * fit->way_x - dx * fit->way_y - fit->off;
+        double x[PLANES] = {-1, -(dx * fit->way_x + dy * fit->way_y), d > 0 ? 0 : -d,
+                            d > 0 ? d : 0};
+        for (int i = 0; i < PLANES; i++) {
+            for (int j = 0; j <= i; j++)
+                e->a[i][j] += x[i] * x[j];
+            e->b[i] -= x[i] * (point[k].z - fit->c[0]);
+        }
+    }
+}
+
+/* The straight crest along a direction and beside the first point that the nearest fit best; of
+ * those whose sum of squares is not below `most` any. */
+static struct crest_fit begin_along(const struct vec3 *point, size_t n, double spacing, double turn,
+                                    double most)
+{
     struct crest_fit best = {.rms = HUGE_VAL};
+    struct sine_cosine way = elementary_sine_cosine(turn);
 
     for (double off = -FARTHEST; off <= FARTHEST; off += STEP) {
         struct crest_fit fit = {.origin = point[0],
-                                .way_x = cos(turn),
-                                .way_y = sin(turn),
+                                .way_x = way.cosine,
+                                .way_y = way.sine,
                                 .off = off * spacing,
                                 .c = {point[0].z}};
         struct equations e;
         double x[ALL];
-        set_terms(&e, some, 4);
-        sum_points(&fit, point, n, HUGE_VAL, true, &e);
+        sum_level(&fit, point, n, &e);
         if (!solve(&e, 1e-9, x))
             continue;
-        for (int i = 0; i < e.n; i++)
-            fit = stepped(fit, some[i], x[i]);
+        make_steps(&fit, &e, x);
+        e.most = fmin(most, best.rms);
         sum_points(&fit, point, n, spacing / 4, false, &e);
         fit.rms = e.sum2;
         if (fit.c[3] + fit.c[5] > 0 && fit.rms < best.rms)
@@ -306,7 +337,7 @@ static void begin(const struct vec3 *point, size_t n, double spacing, struct cre
     for (int k = 0; k < BEGUN; k++)
         best[k].rms = HUGE_VAL;
     for (int way = 0; way < WAYS; way++) {
-        struct crest_fit fit = begin_along(point, n, spacing, PI * way / WAYS);
+        struct crest_fit fit = begin_along(point, n, spacing, PI * way / WAYS, best[BEGUN - 1].rms);
         for (int k = 0; k < BEGUN; k++)
             if (fit.rms < best[k].rms) {
                 struct crest_fit other = best[k];

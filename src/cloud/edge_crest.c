@@ -77,10 +77,12 @@ static bool may_have(const struct edge_work *work, size_t i)
         return false;
     if (edge_on_known(work, i))
         return true;
+    if (!stands_out(work, i))
+        return false;
     size_t n = point_grid_nearest(b, b->point[i], MANY, index, distance2);
     for (size_t k = 0; k < n; k++)
         smooth += !work->flank[index[k]].rough || edge_flank_certain(work, &work->flank[index[k]]);
-    return 3 * smooth > n && stands_out(work, i);
+    return 3 * smooth > n;
 }
 
 static struct crest_fit *copy_of(const struct crest_fit *fit)
