@@ -300,19 +300,22 @@ static bool beam_finished(const struct beam *b)
     return b->done.item[b->done.n - 1].end.at + 1 == b->reference->n;
 }
 
-/* The node that a proposal comes to; false when its piece is too far off. */
+/* The node that a proposal comes to; false when its piece is too far off.  *found: how far, by the
+ * figures themselves where it is the last piece. */
 static bool prove_piece(const struct beam *b, const struct proposal *n, struct node *node,
                         struct deviation *found)
 {
     const struct reference *t = b->reference;
+    bool last = n->at + 1 == t->n;
     const struct chain_end *from = &b->done.item[n->before].end;
     struct arc arc = n->straight ? arc_line(from->p, n->p) : arc_to(from->p, from->tangent, n->p);
     struct arc_piece piece = arc_piece_of(t, arc, (double)from->at, (double)n->at);
     piece.axis = from->axis;
-    *found = arc_piece_deviation(t, &piece, 4, b->within);
-    if (found->point <= b->within->point && found->other > b->within->other && n->at + 1 < t->n) {
+    *found = last ? arc_piece_deviation(t, &piece, 4, b->within)
+                  : arc_piece_decision(t, &piece, 4, b->within);
+    if (found->point <= b->within->point && found->other > b->within->other && !last) {
         piece.axis_to = arc_axis_end(t, &piece, b->within, ARC_AXIS_OFF, AXIS_DIGITS);
-        *found = arc_piece_deviation(t, &piece, 4, b->within);
+        *found = arc_piece_decision(t, &piece, 4, b->within);
     }
     *node = (struct node){.piece = piece,
                           .before = n->before,

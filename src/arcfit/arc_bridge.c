@@ -175,7 +175,7 @@ static bool is_good(const struct bridge *b)
     const struct arc_piece *old = b->old->item;
 
     for (size_t i = 0; i < b->n; i++) {
-        struct deviation off = arc_piece_deviation(b->reference, &b->some[i], 4, b->within);
+        struct deviation off = arc_piece_decision(b->reference, &b->some[i], 4, b->within);
         if (ends_apart(&b->some[i]) < b->least || !deviation_within(&off, b->within) ||
             (i > 0 && !b->straight && turns(&b->some[i - 1], &b->some[i])))
             return false;

@@ -74,7 +74,7 @@ static double change_of(const struct five *f)
 
 static bool holds(const struct calm *c, const struct arc_piece *piece)
 {
-    struct deviation off = arc_piece_deviation(c->reference, piece, 4, c->within);
+    struct deviation off = arc_piece_decision(c->reference, piece, 4, c->within);
 
     return deviation_within(&off, c->within);
 }

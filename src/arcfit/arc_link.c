@@ -90,7 +90,7 @@ static bool is_good(const struct link_search *s, size_t first)
             return false;
         if (!is_above(s, piece))
             return false;
-        struct deviation found = arc_piece_deviation(s->reference, piece, 4, &within);
+        struct deviation found = arc_piece_decision(s->reference, piece, 4, &within);
         if (found.point > off || found.other > off)
             return false;
     }

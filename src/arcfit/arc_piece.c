@@ -6,6 +6,7 @@
 enum { FINE_MAX = 64 };
 
 static const double SAGITTA = 1.0 / 20; /* of the tolerance: between the places looked at */
+static const double ROUNDING = 1e-9;    /* mm: more than what is computed may be off */
 
 struct arc_piece arc_piece_of(const struct reference *reference, struct arc arc, double from,
                               double to)
@@ -22,6 +23,11 @@ struct distances {
     double point, other;
 };
 
+/* Where the piece is at one place. */
+struct position {
+    struct vec3 p, axis, turn, other;
+};
+
 /* The measurement of one piece, from its start to its end. */
 struct measurement {
     const struct reference *reference;
@@ -33,11 +39,9 @@ struct measurement {
     struct deviation found; /* its axis: the square of the chord between the unit vectors */
     size_t point, other;    /* segments of the reference where the last feet were */
     struct distances here;  /* at the foot of the last point */
-};
-
-/* Where the piece is at one place. */
-struct position {
-    struct vec3 p, axis, turn, other;
+    struct position at;     /* there */
+    double enough; /* of the other point: if it is so near to the piece no nearer place is looked
+                      for */
 };
 
 static struct position position_at(const struct measurement *f, double s)
@@ -52,16 +56,15 @@ static struct position position_at(const struct measurement *f, double s)
     return position;
 }
 
-/* From the piece at s to the reference. */
-static void measure_to_reference(struct measurement *f, double s)
+/* From a place of the piece to the reference. */
+static void measure_to_reference(struct measurement *f, const struct position *at)
 {
     const struct reference *t = f->reference;
-    struct position position = position_at(f, s);
-    double d = polyline_descend((struct polyline){t->n, t->point}, position.p, &f->point);
+    double d = polyline_descend((struct polyline){t->n, t->point}, at->p, &f->point);
     f->found.point = fmax(f->found.point, d);
     if (f->alone)
         return;
-    d = polyline_descend((struct polyline){t->n, t->other}, position.other, &f->other);
+    d = polyline_descend((struct polyline){t->n, t->other}, at->other, &f->other);
     f->found.other = fmax(f->found.other, d);
 }
 
@@ -71,7 +74,7 @@ static void measure_from_other(struct measurement *f, size_t k, double s, struct
 {
     struct vec3 off = vec_sub(f->reference->other[k], position.other);
     double d = vec_length(off);
-    for (int i = 0; i < 2 && d > f->found.other; i++) {
+    for (int i = 0; i < 2 && d > f->found.other && d > f->enough; i++) {
         struct vec3 v = vec_scale(f->length, arc_tangent(f->arc, s));
         v = vec_along(v, f->reference->offset * f->turn, position.turn);
         double v2 = vec_dot(v, v);
@@ -90,6 +93,7 @@ static void measure_from_point(struct measurement *f, size_t k, double s)
 {
     const struct reference *t = f->reference;
     struct position position = position_at(f, s);
+    f->at = position;
     f->here.point = vec_distance(t->point[k], position.p);
     f->found.point = fmax(f->found.point, f->here.point);
     if (f->alone)
@@ -165,54 +169,96 @@ static bool must_be_within(const struct measurement *f, struct distances before,
     return f->alone || fmax(before.other, f->here.other) + sagitta + turned <= within->other;
 }
 
+/* How far a is off segment k of a polyline, or b if that is farther off. */
+static double farther_off(const struct vec3 *line, size_t k, struct vec3 a, struct vec3 b)
+{
+    return fmax(vec_segment_distance(line[k], line[k + 1], a),
+                vec_segment_distance(line[k], line[k + 1], b));
+}
+
+/*
+ * The same between two places of the piece, beside the segments where f has come to: a chord of
+ * the piece is nowhere farther off them than at its ends.
+ */
+static bool stays_beside(const struct measurement *f, const struct position *from,
+                         const struct position *to, double part, const struct deviation *within)
+{
+    const struct reference *t = f->reference;
+    double turn = part * f->arc->angle, turn_of_axis = part * f->turn;
+    double sagitta = f->arc->radius * turn * turn / 8 + ROUNDING;
+    double turned = fabs(t->offset) * turn_of_axis * turn_of_axis / 8;
+
+    return farther_off(t->point, f->point, from->p, to->p) + sagitta <= within->point &&
+           (f->alone ||
+            farther_off(t->other, f->other, from->other, to->other) + sagitta + turned <=
+                within->other);
+}
+
 /* From one foot to the next, at `fine` places between, or more. */
 static void check_between(struct measurement *f, double from, double to, int fine, double limit)
 {
     int parts = to > from ? places_between(f->arc, from, to, fine, limit) : 0;
-    for (int i = 1; i <= parts; i++)
-        measure_to_reference(f, from + (to - from) * i / (parts + 1));
+    for (int i = 1; i <= parts; i++) {
+        struct position at = position_at(f, from + (to - from) * i / (parts + 1));
+        measure_to_reference(f, &at);
+    }
 }
 
-/* How far the start of the piece is from where it should be; unknown between two points. */
+/* How far the start of the piece, f->at, is from where it should be; unknown between two points. */
 static struct distances distance_at_start(const struct measurement *f,
                                           const struct arc_piece *piece)
 {
     size_t k = (size_t)piece->from;
     if ((double)k < piece->from)
         return (struct distances){HUGE_VAL, HUGE_VAL};
-    struct position position = position_at(f, 0);
-    return (struct distances){vec_distance(f->reference->point[k], position.p),
-                              f->alone ? 0 : vec_distance(f->reference->other[k], position.other)};
+    return (struct distances){vec_distance(f->reference->point[k], f->at.p),
+                              f->alone ? 0 : vec_distance(f->reference->other[k], f->at.other)};
 }
 
-/*
- * All points of the piece's part of the reference, and places between their feet: all of them when
- * nothing bounds the found, else those where it could be out of bounds.
- */
-static void check_all(struct measurement *f, const struct arc_piece *piece, int fine,
-                      const struct deviation *within)
+/* Whether places between two feet are to be looked at. */
+enum between {
+    ALWAYS,   /* all */
+    FIGURES,  /* those which what is found at the feet does not say to be within */
+    DECISION, /* those which may not be within */
+};
+
+/* Nothing between two places has to be looked at. */
+static bool may_pass(const struct measurement *f, enum between how, const struct position *from,
+                     const struct position *to, double part, const struct deviation *within)
 {
+    if (how == DECISION)
+        return stays_beside(f, from, to, part, within);
+    return how == ALWAYS && stays_beside(f, from, to, part, &f->found);
+}
+
+/* All points of the piece's part of the reference, and places between their feet. */
+static void check_all(struct measurement *f, const struct arc_piece *piece, int fine,
+                      enum between how, const struct deviation *within)
+{
+    const struct position last = position_at(f, 1);
     double limit = fmin(within->point, 0.1), at = 0;
     size_t end = (size_t)piece->to + 1;
-    bool bounded = within->point < HUGE_VAL;
-    measure_to_reference(f, 0);
+    f->at = position_at(f, 0);
+    measure_to_reference(f, &f->at);
     f->here = distance_at_start(f, piece);
     for (size_t k = (size_t)piece->from + 1; k < end && deviation_within(&f->found, within); k++) {
         double foot = fmax(at, arc_foot(f->arc, f->reference->point[k]));
         struct distances before = f->here;
+        struct position from = f->at;
         measure_from_point(f, k, foot);
         f->point = f->other = k - 1;
-        if (!bounded || !must_be_within(f, before, foot - at, within))
+        if ((how == ALWAYS || !must_be_within(f, before, foot - at, within)) &&
+            !may_pass(f, how, &from, &f->at, foot - at, within))
             check_between(f, at, foot, fine, limit);
         at = foot;
     }
-    if (deviation_within(&f->found, within))
+    if (deviation_within(&f->found, within) && !may_pass(f, how, &f->at, &last, 1 - at, within))
         check_between(f, at, 1, fine, limit);
-    measure_to_reference(f, 1);
+    measure_to_reference(f, &last);
 }
 
-struct deviation arc_piece_deviation(const struct reference *reference,
-                                     const struct arc_piece *piece, int fine,
+static struct deviation deviation_of(const struct reference *reference,
+                                     const struct arc_piece *piece, int fine, enum between how,
                                      const struct deviation *within)
 {
     struct measurement f = measurement_of(reference, piece);
@@ -225,11 +271,26 @@ struct deviation arc_piece_deviation(const struct reference *reference,
         double chord = 2 * sin(fmin(within->axis, PI) / 2);
         limit = *within;
         limit.axis = chord * chord;
+        f.enough = how == DECISION ? within->other : 0;
     }
     if (check_few(&f, first, end, &limit))
-        check_all(&f, piece, fine, &limit);
+        check_all(&f, piece, fine, limit.point < HUGE_VAL ? how : ALWAYS, &limit);
     if (f.alone && reference->offset != 0)
         f.found.other = f.found.point;
     f.found.axis = 2 * asin(fmin(1, sqrt(f.found.axis) / 2));
     return f.found;
+}
+
+struct deviation arc_piece_deviation(const struct reference *reference,
+                                     const struct arc_piece *piece, int fine,
+                                     const struct deviation *within)
+{
+    return deviation_of(reference, piece, fine, FIGURES, within);
+}
+
+struct deviation arc_piece_decision(const struct reference *reference,
+                                    const struct arc_piece *piece, int fine,
+                                    const struct deviation *within)
+{
+    return deviation_of(reference, piece, fine, DECISION, within);
 }

@@ -34,7 +34,7 @@ static bool is_within(const struct greedy *g, const struct arc_piece *m)
 {
     if (m->arc.angle > TURN_MAX)
         return false;
-    struct deviation off = arc_piece_deviation(g->reference, m, 4, g->within);
+    struct deviation off = arc_piece_decision(g->reference, m, 4, g->within);
     return deviation_within(&off, g->within);
 }
 

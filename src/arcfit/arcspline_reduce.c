@@ -176,7 +176,7 @@ static bool prove_rounded(const struct refit *part, const struct arcspline_fit *
     bool good = !m->end_held || vec_angle(end, m->end) < ARCFIT_KINK;
     for (size_t i = 0; i < out->n && good; i++) {
         struct deviation found =
-            arc_piece_deviation(part->reference, &out->item[i], 4, part->within);
+            arc_piece_decision(part->reference, &out->item[i], 4, part->within);
         good = deviation_within(&found, part->within);
     }
     arcspline_free(&spline);

@@ -81,11 +81,44 @@ START_TEST(an_axis_out_of_step_is_seen)
 }
 END_TEST
 
+/* Pieces a little and far off, by limits about what they are off: the decision is that of the
+ * figures, each by itself, but where other figures end the search for one. */
+START_TEST(a_decision_is_what_the_figures_say)
+{
+    struct run run = trial_screw(60, 0.02);
+    struct reference t = reference_of(&run, 0, run.n, false, false);
+    int yes = 0, no = 0;
+
+    for (int i = 0; i < 2000; i++) {
+        double x = sin(7.0 * i), y = cos(11.0 * i), far = 0.05 * (1 + i % 5);
+        size_t from = (size_t)(i % 9), to = from + 2 + (size_t)(i % 37);
+        struct vec3 aim = vec_add(t.point[to], vec(far * x, far * y, -far * x * y));
+        struct arc arc = arc_to(t.point[from], t.tangent[from], aim);
+        struct arc_piece p = arc_piece_of(&t, arc, (double)from, (double)to);
+        p.axis_to = vec_unit(vec_add(p.axis_to, vec(0.01 * y, 0.02 * x, 0)));
+        struct deviation off = arc_piece_deviation(&t, &p, 4, NULL);
+        double part = 0.7 + 0.6 * fabs(sin(3.0 * i)), more = 0.7 + 0.6 * fabs(cos(5.0 * i));
+        struct deviation within = {part * off.point, more * off.other, PI};
+        struct deviation found = arc_piece_deviation(&t, &p, 4, &within);
+        struct deviation decided = arc_piece_decision(&t, &p, 4, &within);
+        ck_assert_int_eq(found.point <= within.point, decided.point <= within.point);
+        ck_assert_int_eq(found.other <= within.other, decided.other <= within.other);
+        yes += deviation_within(&found, &within);
+        no += !deviation_within(&found, &within);
+    }
+    ck_assert_int_gt(yes, 200);
+    ck_assert_int_gt(no, 200);
+    reference_free(&t);
+    array_free(&run);
+}
+END_TEST
+
 int main(void)
 {
     TCase *t = tcase_create("arc_piece");
     tcase_add_test(t, stray_is_what_brute_force_finds);
     tcase_add_test(t, an_axis_out_of_step_is_seen);
+    tcase_add_test(t, a_decision_is_what_the_figures_say);
     Suite *s = suite_create("arc_piece");
     suite_add_tcase(s, t);
     SRunner *r = srunner_create(s);
