@@ -11,6 +11,7 @@ enum { MOTIONS_AHEAD = 24 }; /* looked at for one that was found before */
 
 static const double PIECE = 1;       /* mm: of a motion, looked at as one place */
 static const double FINER = 1.0 / 8; /* of the chord error, where that decides */
+static const double ROUNDING = 1e-9; /* mm: more than a place of the ball is off by it */
 static const double USELESS = 0.95;  /* of the depth before: it did not help */
 static const double ROUGHLY = 0.1;   /* of its depth, a holder may move at a deep place unseen */
 static const double ASTRAY = 1.2;    /* times the tolerance, deeper than a fit near the line is */
@@ -20,6 +21,9 @@ struct walk {
     const struct gouge_refit_options *options;
     const struct motion *motion;
     struct great_circle turn; /* of the motion's axis */
+    double
+        bend; /* mm: no part of it is farther off its chord, but for the square of how much of the
+                    motion it is */
     struct gouge_track *track;
     double chord_error;
     struct gouges *gouges;
@@ -36,6 +40,40 @@ static struct vec3 ball_at(const struct walk *w, double s)
     struct pose pose = motion_on(w->motion, &w->turn, s);
 
     return w->options->centre ? pose.p : vec_along(pose.p, w->options->radius, pose.a);
+}
+
+/* An eighth of the most that the speed of the ball changes by. */
+static double bend_of(const struct gouge_refit_options *options, const struct motion *motion,
+                      double turn)
+{
+    double bend = options->centre ? 0 : options->radius * turn * turn;
+
+    if (motion->kind == MOTION_SPLINE)
+        return HUGE_VAL;
+    if (motion->kind == MOTION_ARC) { /* its radius may change */
+        struct vec3 from = vec_sub(motion->from.p, motion->centre),
+                    to = vec_sub(motion->to.p, motion->centre);
+        double r0 = vec_length(vec_reject(from, motion->axis)),
+               r1 = vec_length(vec_reject(to, motion->axis));
+        bend += (fmax(r0, r1) * motion->sweep + 2 * fabs(r1 - r0)) * motion->sweep;
+    }
+    return bend / 8;
+}
+
+/* The ball's way from a to b is short, and straight within w->chord_error; else *m is where it is in
+ * the middle. */
+static bool is_straight(const struct walk *w, double s0, struct vec3 a, double s1, struct vec3 b,
+                        struct vec3 *m)
+{
+    double s = (s0 + s1) / 2;
+    bool near = vec_distance(a, b) <= PIECE;
+
+    if (near && w->bend * (s1 - s0) * (s1 - s0) + ROUNDING <= w->chord_error)
+        return true;
+    *m = ball_at(w, s);
+    return near && vec_line_distance(a, b, *m) <= w->chord_error &&
+           vec_line_distance(a, b, ball_at(w, (s0 + s) / 2)) <= w->chord_error &&
+           vec_line_distance(a, b, ball_at(w, (s + s1) / 2)) <= w->chord_error;
 }
 
 static void check_halves(const struct walk *w, double s0, struct vec3 a, double s1, struct vec3 b,
@@ -66,12 +104,9 @@ static void check_halves(const struct walk *w, double s0, struct vec3 a, double 
     if (is_found(w->options, w->gouges))
         return;
     double s = (s0 + s1) / 2;
-    struct vec3 m = ball_at(w, s);
-    bool straight = vec_distance(a, b) <= PIECE && vec_line_distance(a, b, m) <= w->chord_error &&
-                    vec_line_distance(a, b, ball_at(w, (s0 + s) / 2)) <= w->chord_error &&
-                    vec_line_distance(a, b, ball_at(w, (s + s1) / 2)) <= w->chord_error;
+    struct vec3 m;
 
-    if (straight || halvings == 0) {
+    if (is_straight(w, s0, a, s1, b, &m) || halvings == 0) {
         check_piece(w, s0, a, s1, b, halvings);
         return;
     }
@@ -90,6 +125,7 @@ static void check_ball(const struct gouge_refit_options *options, const struct m
                      .gouges = gouges};
     double s0 = 0;
 
+    w.bend = bend_of(options, motion, w.turn.angle);
     while (s0 < 1) {
         double s1 = motion_next_knot(motion, s0), middle = (s0 + s1) / 2;
         struct vec3 m = ball_at(&w, middle);
@@ -109,10 +145,19 @@ struct station {
     double clear;
 };
 
-static struct station station_at(const struct gouge_refit_options *options,
-                                 const struct motion *motion, double s)
+/* The way of the holder on one motion, and the guard points that it may come near to. */
+struct sweep {
+    const struct gouge_refit_options *options;
+    const struct motion *motion;
+    struct great_circle turn; /* of its axis */
+    struct vec3s *near; /* a pile: those of a part of the motion on top of those of the whole */
+    struct gouges *gouges;
+};
+
+static struct station station_at(const struct sweep *sweep, double s)
 {
-    struct pose pose = motion_at(motion, s);
+    const struct gouge_refit_options *options = sweep->options;
+    struct pose pose = motion_on(sweep->motion, &sweep->turn, s);
     double up = options->centre ? 0 : options->radius;
 
     return (struct station){s, vec_along(pose.p, up, pose.a), pose.a, 0};
@@ -120,18 +165,18 @@ static struct station station_at(const struct gouge_refit_options *options,
 
 /* No place of the holder moves farther than this between two poses.  A curve is looked at between
  * them too. */
-static double most_moved(const struct gouge_refit_options *options, const struct motion *motion,
-                         const struct station *a, const struct station *b)
+static double most_moved(const struct sweep *sweep, const struct station *a,
+                         const struct station *b)
 {
+    const struct gouge_refit_options *options = sweep->options;
     const double longer = 1.12; /* than its chord is a quarter turn, as long as it is halved */
-    const int parts = motion->kind == MOTION_LINE ? 1 : 4;
+    const int parts = sweep->motion->kind == MOTION_LINE ? 1 : 4;
     double lever = holder_reach(&options->holder) + (options->centre ? 0 : 2 * options->radius);
     double moved = 0;
     struct station last = *a;
 
     for (int i = 1; i <= parts; i++) {
-        struct station next =
-            i == parts ? *b : station_at(options, motion, a->s + i * (b->s - a->s) / parts);
+        struct station next = i == parts ? *b : station_at(sweep, a->s + i * (b->s - a->s) / parts);
         moved += vec_distance(last.ball, next.ball) + lever * vec_angle(last.axis, next.axis);
         last = next;
     }
@@ -159,14 +204,6 @@ static void add_station(const struct gouge_refit_options *options, const struct 
         *array_push(gouges) = (struct gouge){at->ball, -at->clear, part_at(options, at)};
 }
 
-/* The way of the holder on one motion, and the guard points that it may come near to. */
-struct sweep {
-    const struct gouge_refit_options *options;
-    const struct motion *motion;
-    struct vec3s *near; /* a pile: those of a part of the motion on top of those of the whole */
-    struct gouges *gouges;
-};
-
 /* A part of the motion, and the points on the pile that are near to it. */
 struct swept_part {
     struct station a, b;
@@ -189,7 +226,7 @@ static struct holder_glance glance_at(const struct sweep *s, double from, double
 
     for (int i = 0; i < GLANCE_POSES; i++) {
         double part = (double)i / (GLANCE_POSES - 1);
-        struct station at = station_at(s->options, s->motion, from + part * (to - from));
+        struct station at = station_at(s, from + part * (to - from));
         glance.pose[i] = (struct pose){at.ball, at.axis};
     }
     holder_glance_measure(&glance);
@@ -218,7 +255,7 @@ static void check_between(const struct sweep *s, const struct swept_part *part, 
 {
     const struct gouge_refit_options *options = s->options;
     const struct station *a = &part->a, *b = &part->b;
-    double moved = most_moved(options, s->motion, a, b), may = GOUGE_SAFE * options->tolerance;
+    double moved = most_moved(s, a, b), may = GOUGE_SAFE * options->tolerance;
 
     if (fmin(a->clear, moved) + fmin(b->clear, moved) + 2 * may >= moved)
         return;
@@ -228,7 +265,7 @@ static void check_between(const struct sweep *s, const struct swept_part *part, 
         add_station(options, a->clear < b->clear ? a : b, s->gouges);
         return;
     }
-    struct station m = station_at(options, s->motion, (a->s + b->s) / 2);
+    struct station m = station_at(s, (a->s + b->s) / 2);
     measure(s, part, moved, &m);
     check_half(s, part, *a, m, halvings - 1);
     check_half(s, part, m, *b, halvings - 1);
@@ -237,12 +274,9 @@ static void check_between(const struct sweep *s, const struct swept_part *part, 
 /* A part of the motion by the points it may come near to. */
 static void check_near(const struct sweep *s, double from, double to)
 {
-    const struct gouge_refit_options *options = s->options;
-    struct swept_part part = {station_at(options, s->motion, from),
-                              station_at(options, s->motion, to), 0, s->near->n};
-    struct station m = station_at(options, s->motion, (from + to) / 2);
-    double below =
-        most_moved(options, s->motion, &part.a, &m) + most_moved(options, s->motion, &m, &part.b);
+    struct swept_part part = {station_at(s, from), station_at(s, to), 0, s->near->n};
+    struct station m = station_at(s, (from + to) / 2);
+    double below = most_moved(s, &part.a, &m) + most_moved(s, &m, &part.b);
 
     measure(s, &part, below, &part.a);
     measure(s, &part, below, &m);
@@ -254,7 +288,8 @@ static void check_near(const struct sweep *s, double from, double to)
 static void check_holder(const struct gouge_refit_options *options, const struct motion *motion,
                          struct gouge_track *track, struct gouges *gouges)
 {
-    struct sweep s = {options, motion, &track->near, gouges};
+    struct sweep s = {options, motion, great_circle_of(motion->from.a, motion->to.a), &track->near,
+                      gouges};
     double from = 0;
 
     while (from < 1 && !is_found(options, gouges)) {
@@ -363,15 +398,19 @@ static double reach_around(const struct run *run, struct vec3 place)
     return fmax(NEAR, nearest + apart);
 }
 
-/* The points are as they should be there: the smooth curve between two of them goes astray, for a
- * fit within the tolerance of the straight line would go less deep. */
+/* The points are as they should be there: the smooth curve between two of them, *at the first, goes
+ * astray, for a fit within the tolerance of the straight line would go less deep. */
 static bool goes_astray(const struct gouge_refit_options *options, const struct gouge *gouge,
-                        const struct run_point *from, const struct run_point *to)
+                        const struct run *run, size_t *at)
 {
     double within = options->radius - GOUGE_SAFE * options->tolerance;
 
-    return gouge->part == TOOL_BALL && gouge->depth > ASTRAY * options->tolerance &&
-           !from->straight && gouge_depth_along(options->guard, from->ball, to->ball, within) <= 0;
+    if (gouge->part != TOOL_BALL || !(gouge->depth > ASTRAY * options->tolerance))
+        return false;
+    *at = run_motion_at(run, 0, run->n - 1, gouge->ball);
+    const struct run_point *from = &run->item[*at];
+    return !from->straight &&
+           gouge_depth_along(options->guard, from->ball, from[1].ball, within) <= 0;
 }
 
 bool gouge_refit_straighten(const struct gouge_refit_options *options, struct gouges *gouges,
@@ -382,8 +421,8 @@ bool gouge_refit_straighten(const struct gouge_refit_options *options, struct go
 
     for (size_t k = 0; run->n > 1 && k < gouges->n; k++) {
         struct gouge gouge = gouges->item[k];
-        size_t i = run_motion_at(run, 0, run->n - 1, gouge.ball);
-        if (goes_astray(options, &gouge, &run->item[i], &run->item[i + 1]))
+        size_t i;
+        if (goes_astray(options, &gouge, run, &i))
             *array_push(&astray) = i;
         else
             gouges->item[others++] = gouge;
