@@ -36,8 +36,8 @@ struct deviation arc_piece_deviation(const struct reference *reference,
                                      const struct arc_piece *piece, int fine,
                                      const struct deviation *within);
 
-/* The same to decide whether it is within, more quickly: each figure is above that of `within` where
- * the one above is, and else may be any that is not. */
+/* The same to decide whether it is within, more quickly: each figure is above that of `within`
+ * where the one above is, and else may be any that is not. */
 struct deviation arc_piece_decision(const struct reference *reference,
                                     const struct arc_piece *piece, int fine,
                                     const struct deviation *within);

@@ -60,8 +60,8 @@ static double bend_of(const struct gouge_refit_options *options, const struct mo
     return bend / 8;
 }
 
-/* The ball's way from a to b is short, and straight within w->chord_error; else *m is where it is in
- * the middle. */
+/* The ball's way from a to b is short, and straight within w->chord_error; else *m is where it is
+ * in the middle. */
 static bool is_straight(const struct walk *w, double s0, struct vec3 a, double s1, struct vec3 b,
                         struct vec3 *m)
 {
