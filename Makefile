@@ -84,7 +84,7 @@ $(BUILD)/%.o: %.c Makefile
 # edges are few, as are the lifts of a strip and its links beside what they ask: at most -O2, so that
 # no tool has more than 1 MB.  An optimiser changes no byte of a result.
 once := io/nurbs/% nurbs/trim_% nurbs/construct nurbs/uv_polygon machine/machine% stage/% \
-  mesh/mesh_clip mesh/mesh_repair toolpath/pass_extend toolpath/rest_% base/cli math/band \
+  mesh/mesh_clip mesh/mesh_repair toolpath/pass_extend toolpath/rest_% base/cli math/band cloud/upsample \
   cloud/crest_fit cloud/edge_points cloud/edge_meet cloud/edge_crest cloud/edge_fill \
   cloud/edge_flank cloud/edge_along cloud/cone_tip cloud/roof cloud/sheets cloud/holes io/path/path_tool \
   gouge/guard_mesh io/mesh/ply io/mesh/ply_source toolpath/scallop gouge/access gouge/axis_choose cloud/outliers \

@@ -130,12 +130,33 @@ struct ways {
     struct vec3 to[NEAR];
     double length2[NEAR];
     size_t last; /* the one that was nearer to the place asked for before */
+    const struct quadric *q;
+    double high; /* mm: no place of q that is asked for is farther off its plane */
+    double along_u, along_v, enough; /* of the last */
 };
 
-static void set_ways(const struct neighbourhood *near, struct vec3 from, struct ways *ways)
+/* How far the quadric is off the plane u, v at most, up to `u` and `v` from its origin. */
+static double highest(const struct quadric *q, double u, double v)
 {
+    const double *c = q->c;
+
+    return fabs(c[0]) + u * (fabs(c[1]) + fabs(c[3]) * u + fabs(c[4]) * v) +
+           v * (fabs(c[2]) + fabs(c[5]) * v) + u * u * (fabs(c[6]) * u + fabs(c[7]) * v) +
+           v * v * (fabs(c[8]) * u + fabs(c[9]) * v);
+}
+
+/* From a place near a quadric to places of it within `reach`. */
+static void set_ways(const struct neighbourhood *near, struct vec3 from, const struct quadric *q,
+                     double reach, struct ways *ways)
+{
+    struct vec3 at = quadric_local(q, from);
+
     ways->n = near->n < NEAR ? near->n : NEAR;
     ways->last = 0;
+    ways->q = q;
+    ways->high = fabs(at.z) + highest(q, fabs(at.x) + reach, fabs(at.y) + reach);
+    ways->along_u = ways->along_v = 0;
+    ways->enough = HUGE_VAL;
     for (size_t i = 1; i < ways->n; i++) {
         ways->to[i] = vec_sub(near->point[i], from);
         ways->length2[i] = vec_dot(ways->to[i], ways->to[i]);
@@ -148,6 +169,25 @@ static bool is_nearer(const struct ways *ways, size_t i, struct vec3 out)
     return 2 * vec_dot(out, ways->to[i]) > ways->length2[i];
 }
 
+static void keep_last(struct ways *ways, size_t i)
+{
+    const double rounding = 1e-9; /* mm */
+    struct vec3 to = ways->to[i];
+    double off = fabs(vec_dot(to, ways->q->w)) * ways->high;
+
+    ways->last = i;
+    ways->along_u = 2 * vec_dot(to, ways->q->u);
+    ways->along_v = 2 * vec_dot(to, ways->q->v);
+    ways->enough = ways->length2[i] + 2 * off + rounding * (1 + sqrt(ways->length2[i]));
+}
+
+/* The last one surely is nearer to a place of the quadric, so far along u and v, wherever it is off
+ * the plane. */
+static bool is_last_nearer(const struct ways *ways, double u, double v)
+{
+    return u * ways->along_u + v * ways->along_v > ways->enough;
+}
+
 /* None of them is. */
 static bool is_nearest(struct ways *ways, struct vec3 out)
 {
@@ -155,7 +195,7 @@ static bool is_nearest(struct ways *ways, struct vec3 out)
         return false;
     for (size_t i = 1; i < ways->n; i++)
         if (is_nearer(ways, i, out)) {
-            ways->last = i;
+            keep_last(ways, i);
             return false;
         }
     return true;
@@ -411,11 +451,11 @@ static void add_between(const struct upsample *fill, const struct neighbourhood 
 
     if (is_hollow(fill, q))
         return;
-    set_ways(near, p, &ways);
+    set_ways(near, p, q, reach, &ways);
     for (int j = -rings; j <= rings; j++) {
         for (int i = -rings; i <= rings; i++) {
             double u = pitch * (i + j / 2.0), v = pitch * j * 0.8660254037844386, aside;
-            if ((i == 0 && j == 0) || hypot_compare(u, v, reach) > 0)
+            if ((i == 0 && j == 0) || is_last_nearer(&ways, u, v) || hypot_compare(u, v, reach) > 0)
                 continue;
             struct vec3 at = quadric_at(q, u0 + u, v0 + v);
             if (!is_nearest(&ways, vec_sub(at, p)))
