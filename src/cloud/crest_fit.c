@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "math/band.h"
+#include "math/pair.h"
 
 /* Terms: off, turn, bend, and those of the heights, of a sharp crest all but the last; those that
  * the nearest points tell; points on the arc of a round one. */
@@ -110,17 +111,16 @@ static void make_step(struct crest_fit *fit, int term, double step)
         fit->c[term - SHAPE] += step;
 }
 
-/* What the distances of points change by with the terms, summed. */
+/* What the distances of points change by with the terms, summed: the lower half of the products,
+ * and in rows of pairs what is next to it. */
 struct equations {
     int n, of[ALL];
-    double a[ALL][ALL], b[ALL], sum2, count;
-    double most; /* of the sum of squares: beyond it no more is asked for */
+    double a[ALL][ALL + 1], b[ALL], sum2, count;
 };
 
 static void set_terms(struct equations *e, const int *term, int n)
 {
     e->n = n;
-    e->most = HUGE_VAL;
     for (int i = 0; i < n; i++)
         e->of[i] = term[i];
 }
@@ -173,39 +173,50 @@ static void slopes_at(const struct crest_fit *fit, struct vec3 p, double s, doub
 static void add_point(const struct crest_fit *fit, struct vec3 p, double off, double s, double d,
                       struct equations *e)
 {
-    double x[ALL], by[ALL];
+    double x[ALL], by[ALL + 1];
 
     slopes_at(fit, p, s, d, x);
     for (int i = 0; i < e->n; i++)
         by[i] = x[e->of[i]];
+    by[e->n] = 0;
     for (int i = 0; i < e->n; i++) {
-        for (int j = 0; j <= i; j++)
-            e->a[i][j] += by[i] * by[j];
+        for (int j = 0; j <= i; j += 2)
+            pair_put(&e->a[i][j], pair_at(&e->a[i][j]) + pair_both(by[i]) * pair_at(&by[j]));
         e->b[i] -= by[i] * off;
     }
 }
 
-/* Those within `least` of the crest; the others count as if they were so far off.  The equations
- * only if `slopes`. */
+/* The equations of those within `least` of the crest; the others count as if they were so far
+ * off. */
 static void sum_points(const struct crest_fit *fit, const struct vec3 *point, size_t n,
-                       double least, bool slopes, struct equations *e)
+                       double least, struct equations *e)
 {
     double s, d;
 
     e->sum2 = e->count = 0;
-    for (int i = 0; i < e->n; i++) {
-        e->b[i] = 0;
-        for (int j = 0; j <= i; j++)
-            e->a[i][j] = 0;
-    }
-    for (size_t k = 0; k < n && (slopes || e->sum2 < e->most); k++) {
+    memset(e->a, 0, sizeof e->a);
+    memset(e->b, 0, sizeof e->b);
+    for (size_t k = 0; k < n; k++) {
         double off = distance(fit, point[k], &s, &d);
         double part = fmin(fabs(off), least);
         e->sum2 += part * part;
         e->count += fabs(off) < least;
-        if (slopes && fabs(off) < least)
+        if (fabs(off) < least)
             add_point(fit, point[k], off, s, d, e);
     }
+}
+
+/* The sum of squares alone, or when it is beyond `most` what it has come to. */
+static double sum_squares(const struct crest_fit *fit, const struct vec3 *point, size_t n,
+                          double least, double most)
+{
+    double s, d, sum2 = 0;
+
+    for (size_t k = 0; k < n && sum2 < most; k++) {
+        double part = fmin(fabs(distance(fit, point[k], &s, &d)), least);
+        sum2 += part * part;
+    }
+    return sum2;
 }
 
 static bool solve(const struct equations *e, double damp, double *x)
@@ -236,25 +247,23 @@ static void settle(struct crest_fit *fit, const struct vec3 *point, size_t n, do
 {
     double damp = 1e-4, x[ALL];
 
-    sum_points(fit, point, n, least, true, e);
+    sum_points(fit, point, n, least, e);
     for (int turn = 0; turn < TURNS; turn++) {
         struct crest_fit next = *fit;
-        struct equations then = *e;
         if (e->count < e->n || !solve(e, damp, x))
             return;
         make_steps(&next, e, x);
-        then.most = e->sum2;
-        sum_points(&next, point, n, least, false, &then);
-        if (!(then.sum2 < e->sum2)) {
+        double then = sum_squares(&next, point, n, least, e->sum2);
+        if (!(then < e->sum2)) {
             damp *= 20;
             continue;
         }
-        bool done = then.sum2 > 0.999 * e->sum2;
+        bool done = then > 0.999 * e->sum2;
         damp /= 10;
         *fit = next;
         if (done)
             return;
-        sum_points(fit, point, n, least, true, e);
+        sum_points(fit, point, n, least, e);
     }
 }
 
@@ -320,9 +329,7 @@ static struct crest_fit begin_along(const struct vec3 *point, size_t n, double s
         if (!solve(&e, 1e-9, x))
             continue;
         make_steps(&fit, &e, x);
-        e.most = fmin(most, best.rms);
-        sum_points(&fit, point, n, spacing / 4, false, &e);
-        fit.rms = e.sum2;
+        fit.rms = sum_squares(&fit, point, n, spacing / 4, fmin(most, best.rms));
         if (fit.c[3] + fit.c[5] > 0 && fit.rms < best.rms)
             best = fit;
     }

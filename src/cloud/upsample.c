@@ -218,11 +218,13 @@ static bool is_between(const struct upsample *fill, const struct neighbourhood *
     for (size_t i = 0; i < k; i++) {
         struct vec3 beside = vec_sub(near->point[i], p);
         double far2 = vec_dot(beside, beside);
-        bool about = far2 <= ABOUT * ABOUT * out2;
+        bool about = far2 <= ABOUT * ABOUT * out2, around = far2 <= beside2 && !fan.around;
+        if (!about && !around)
+            continue;
         bool borne = fabs(on->off[i] - on->off[0]) <= allowed(fill, fmin(far2, ABOUT * out2));
         if (about && !borne)
             return false;
-        if (borne && far2 <= beside2 && !fan.around)
+        if (borne && around)
             fan_add(&fan, vec_dot(beside, on->q->u), vec_dot(beside, on->q->v));
         if (about) {
             double weight = 1 / sqrt(far2) - 1 / (ABOUT * sqrt(out2));
