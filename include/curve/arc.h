@@ -40,6 +40,9 @@ double arc_length(const struct arc *arc);
 
 struct vec3 arc_at(const struct arc *arc, double s);
 
+/* The same by the sine and cosine of s times half its turn. */
+struct vec3 arc_by_half(const struct arc *arc, double s, struct sine_cosine half);
+
 /* Unit tangents at s; the derivative by s is arc_length times as long. */
 struct vec3 arc_tangent(const struct arc *arc, double s);
 

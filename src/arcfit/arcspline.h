@@ -48,9 +48,13 @@ struct arc_foot {
     struct vec3 s, w;     /* unit, across the path of the other point */
     size_t arc;           /* the foot is on this arc, */
     double part;          /* at this fraction of it, */
-    double conic;         /* or this one, as a conic (arcspline_normal.h) */
-    struct vec3 at, axis; /* there */
+    double conic;         /* or this one, as a conic (arc_foot_conic), where `rest` is below 0 */
+    double sine, rest;    /* of half the turn up to it; half the turn beyond it, radians */
+    struct vec3 at;       /* there */
 };
+
+/* At this fraction of its arc as a conic (arcspline_normal.h). */
+double arc_foot_conic(const struct arc_foot *foot);
 
 struct arc_feet {
     size_t n;

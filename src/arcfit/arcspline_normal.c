@@ -99,19 +99,20 @@ struct foot_slopes arcspline_foot_slopes(const struct arcspline *spline, double 
                                          const struct arc_foot *q)
 {
     const struct joint *from = &spline->joint[q->arc], *to = from + 1;
-    struct conic_slope c = conic_slope_of(from, to, q->conic);
+    struct conic_slope c = conic_slope_of(from, to, arc_foot_conic(q));
     struct foot_slopes f;
 
     conic_row(&c, q->u, f.along[0]); // cppcheck-suppress uninitvar
     conic_row(&c, q->v, f.along[1]);
     if (offset == 0)
         return f;
-    double mixed = vec_length(vec_mix(from->axis, to->axis, q->part));
+    struct vec3 mix = vec_mix(from->axis, to->axis, q->part), unit = vec_unit(mix);
+    double mixed = vec_length(mix); /* nearly on the great circle, and cheap */
     for (int i = 2; i < 4; i++) {
         struct vec3 r = i == 2 ? q->s : q->w;
         double *row = f.along[i];
         conic_row(&c, r, row);
-        r = vec_scale(offset / mixed, vec_reject(r, q->axis));
+        r = vec_scale(offset / mixed, vec_reject(r, unit));
         axis_row(&axis[q->arc], vec_scale(1 - q->part, r), row + ARC_FROM, row + ARC_SIDES);
         axis_row(&axis[q->arc + 1], vec_scale(q->part, r), row + ARC_TO, row + ARC_SIDES + 1);
     }

@@ -76,7 +76,13 @@ struct vec3 arc_at(const struct arc *arc, double s)
 {
     if (arc_straight(arc))
         return vec_mix(arc->from, arc->to, s);
-    struct sine_cosine half = elementary_sine_cosine(s * arc->angle / 2);
+    return arc_by_half(arc, s, elementary_sine_cosine(s * arc->angle / 2));
+}
+
+struct vec3 arc_by_half(const struct arc *arc, double s, struct sine_cosine half)
+{
+    if (arc_straight(arc))
+        return vec_mix(arc->from, arc->to, s);
     double chord = 2 * arc->radius * half.sine;
     struct vec3 p = vec_along(arc->from, chord * half.cosine, arc->tangent);
     p = vec_along(p, chord * half.sine, arc->inward);
