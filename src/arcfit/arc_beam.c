@@ -219,14 +219,16 @@ static void propose_arc(struct beam *b, size_t before, size_t j, struct vec3 to)
     *array_push(&b->next) = next;
 }
 
-/* An arc that is bent so, its centre x behind the aim and y beside it, is far off a joint whatever
- * the last digits are: most are. */
-static bool is_far_off(const struct beam *b, double bent, double x, double y)
+/* An arc that is bent so, its centre x behind the aim and y beside it and the aim so far out of its
+ * plane, is far off a joint whatever the last digits are: most are. */
+static bool is_far_off(const struct beam *b, double bent, double x, double y, double out)
 {
     const double rounding = 1e-14;
     double radius = 1 / bent, most = ARC_JOINT_OFF * b->within->point + rounding * radius + 1e-9;
 
-    return fabs(sqrt(x * x + y * y) - radius) > most;
+    double off = sqrt(x * x + y * y) - radius;
+
+    return off * off + out * out > most * most;
 }
 
 /* The arc of curvature k up to where it is nearest to point j. */
@@ -239,7 +241,7 @@ static void propose_curvature(struct beam *b, size_t before, size_t j, struct ve
     if (bent * x * x > STRAIGHT) { /* from the centre in the direction of the aim */
         struct vec3 inward = vec_scale(1 / bent, k);
         double y = 1 / bent - vec_dot(e, inward);
-        if (is_far_off(b, bent, x, y))
+        if (is_far_off(b, bent, x, y, vec_dot(vec_cross(e, from->tangent), inward)))
             return;
         double l = hypot(x, y);
         double sine = x / l, height = sine * x / (l + y);
