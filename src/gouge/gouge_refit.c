@@ -7,7 +7,7 @@
 #include "holder_glance.h"
 
 enum { HALVINGS = 16, SWEPT_HALVINGS = 24, ROUNDS = 8 };
-enum { MOTIONS_AHEAD = 24 }; /* looked at for one that was found before */
+enum { MOTIONS_AHEAD = 256 }; /* looked at for one that was found before */
 
 static const double PIECE = 1;       /* mm: of a motion, looked at as one place */
 static const double FINER = 1.0 / 8; /* of the chord error, where that decides */
