@@ -26,7 +26,9 @@
  *      corner that holds the upper points stands out between two points below, its wall hangs
  *      there, too; and over the foot of a wall of 8 spacings and more (of the foot's own, which are
  *      wider, 5.7 where there is no noise) one hangs whatever is known of the surfaces, as over
- *      round teeth.  A point that noise alone may have thrown down is below nothing.
+ *      round teeth.  A point that noise alone may have thrown down is below nothing; and where a
+ *      flank is short or not certain, no wall stands on a point from which the scan goes up to it
+ *      without one.
  *   5. The tip of a cone is put where its straight lines, continued, meet (cone_tip.h), and places
  *      round it as far as all neighbours know.  Where sides are so narrow, or bend so much, that
  *      none is certain, both sides of a crest, sharp or rounded, are fitted together (crest_fit.h),
