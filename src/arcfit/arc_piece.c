@@ -40,8 +40,7 @@ struct measurement {
     size_t point, other;    /* segments of the reference where the last feet were */
     struct distances here;  /* at the foot of the last point */
     struct position at;     /* there */
-    double enough; /* of the other point: if it is so near to the piece no nearer place is looked
-                      for */
+    double enough; /* so near an other point is to the piece that no nearer place is sought */
 };
 
 static struct position position_at(const struct measurement *f, double s)

@@ -78,29 +78,37 @@ double edge_plan_distance(struct vec3 a, struct vec3 b)
     return hypot(b.x - a.x, b.y - a.y);
 }
 
-struct edge_about edge_about(const struct edge_work *work, size_t i)
+struct edge_about edge_about_place(const struct point_grid *b, struct vec3 from, double reach)
 {
-    const struct point_grid *b = work->options->point_grid;
-    size_t column = point_grid_column(b, b->point[i].x), row = point_grid_row(b, b->point[i].y);
+    size_t column = point_grid_column(b, from.x), row = point_grid_row(b, from.y);
 
     return (struct edge_about){.grid = b,
-                               .i = i,
+                               .from = from,
+                               .i = SIZE_MAX,
                                .first = column > 0 ? column - 1 : 0,
                                .last = column + 1 < b->columns ? column + 1 : column,
                                .row = row > 0 ? row - 1 : 0,
                                .rows = row + 1 < b->rows ? row + 2 : b->rows,
-                               .reach = fmin(EDGE_REACH * point_grid_spacing(b), b->cell)};
+                               .reach = fmin(reach, b->cell)};
+}
+
+struct edge_about edge_about(const struct edge_work *work, size_t i)
+{
+    const struct point_grid *b = work->options->point_grid;
+    struct edge_about about = edge_about_place(b, b->point[i], EDGE_REACH * point_grid_spacing(b));
+
+    about.i = i;
+    return about;
 }
 
 bool edge_about_next(struct edge_about *a, size_t *k)
 {
     const struct point_grid *b = a->grid;
-    const struct vec3 from = b->point[a->i];
 
     for (;;) {
         for (; a->k < a->end; a->k++) {
             struct vec3 p = b->point[a->k];
-            if (a->k == a->i || hypot_compare(p.x - from.x, p.y - from.y, a->reach) >= 0)
+            if (a->k == a->i || hypot_compare(p.x - a->from.x, p.y - a->from.y, a->reach) >= 0)
                 continue;
             *k = a->k++;
             return true;

@@ -2,12 +2,12 @@
 #include "edge_steps.h"
 
 #include <math.h>
+#include <stdlib.h>
 
-static const double ABOUT = 2.8; /* spacings: so far points tell of a foot */
-static const double CLOSE = 1.4; /* the same where steps are known to be there */
+static const double CLOSE = 1.4; /* spacings: so near points tell of a foot where there are steps */
 static const double STEP = 1;    /* spacings: a wall is higher; ... */
 static const double FINE = 0.3;  /* ... where steps are known to be there */
-static const double ASIDE = 0.2; /* of ABOUT: the middle of what is above a wall is farther off */
+static const double ASIDE = 0.2; /* of the reach: what is above a wall is farther off on average */
 static const double AHEAD = 0.9; /* cosine: a point that low is before the wall */
 
 static int by_height(const void *pa, const void *pb)
@@ -20,16 +20,12 @@ static int by_height(const void *pa, const void *pb)
 /* Points of the scan above the foot and near to it as seen from above, lowest first. */
 static struct vec3s find_above(const struct point_grid *scan, struct vec3 foot, double reach)
 {
-    size_t first = point_grid_column(scan, foot.x - reach),
-           last = point_grid_column(scan, foot.x + reach),
-           top = point_grid_row(scan, foot.y + reach);
+    struct edge_about about = edge_about_place(scan, foot, reach);
     struct vec3s above = {0};
 
-    for (size_t r = point_grid_row(scan, foot.y - reach); r <= top; r++)
-        for (size_t k = scan->first[r * scan->columns + first];
-             k < scan->first[r * scan->columns + last + 1]; k++)
-            if (scan->point[k].z > foot.z && edge_plan_distance(scan->point[k], foot) < reach)
-                *array_push(&above) = scan->point[k];
+    for (size_t k; edge_about_next(&about, &k);)
+        if (scan->point[k].z > foot.z)
+            *array_push(&above) = scan->point[k];
     if (above.n > 0)
         qsort(above.item, above.n, sizeof *above.item, by_height);
     return above;
@@ -77,9 +73,10 @@ bool edge_slope_climbs(const struct point_grid *scan, struct vec3 foot, double t
 bool edge_slope_seen(const struct point_grid *scan, struct vec3 foot, double top)
 {
     double spacing = point_grid_spacing(scan), step = STEP * spacing, z = foot.z;
-    struct vec3s above = find_above(scan, foot, ABOUT * spacing);
+    double reach = EDGE_REACH * spacing;
+    struct vec3s above = find_above(scan, foot, reach);
     size_t low = climb(&above, step, &z);
-    bool seen = top - z < step || !is_foot(foot, &above, low, ASIDE * ABOUT * spacing);
+    bool seen = top - z < step || !is_foot(foot, &above, low, ASIDE * reach);
 
     array_free(&above);
     return seen;

@@ -74,15 +74,20 @@ double edge_hood_out(const struct edge_hood *near, size_t n);
 
 double edge_plan_distance(struct vec3 a, struct vec3 b);
 
-/* The points within EDGE_REACH of point i as seen from above, one after the other. */
+/* The points about a place as seen from above, one after the other. */
 struct edge_about {
     const struct point_grid *grid;
-    size_t i, first, last; /* columns of cells */
-    size_t row, rows;      /* the next one; end of them */
-    size_t k, end;         /* the next point, and where those of its row end */
+    struct vec3 from;
+    size_t i;           /* is left out */
+    size_t first, last; /* columns of cells */
+    size_t row, rows;   /* the next one; end of them */
+    size_t k, end;      /* the next point, and where those of its row end */
     double reach;
 };
 
+/* Those nearer than `reach` (mm, at most the width of a cell) to a place; all others within
+ * EDGE_REACH of point i. */
+struct edge_about edge_about_place(const struct point_grid *scan, struct vec3 from, double reach);
 struct edge_about edge_about(const struct edge_work *work, size_t i);
 
 /* Puts the next one into *k; false: there is none. */

@@ -21,9 +21,9 @@ struct walk {
     const struct gouge_refit_options *options;
     const struct motion *motion;
     struct great_circle turn; /* of the motion's axis */
-    double
-        bend; /* mm: no part of it is farther off its chord, but for the square of how much of the
-                    motion it is */
+    /* mm: no part of it is farther off its chord, but for the square of how much of the motion it
+     * is */
+    double bend;
     struct gouge_track *track;
     double chord_error;
     struct gouges *gouges;
