@@ -17,6 +17,7 @@ enum {
 
 static const double MUCH = 1.5; /* spread of a neighbourhood by the noise: more is none */
 static const double VAGUE = 5;  /* of the sinking: a surface less certain than this is none */
+static const double ROUGH = 5;  /* of what is allowed: off by less are points beside a blunt edge */
 
 /* Noises that a point may be off its surface; of the way to the nearest point: points so near to a
  * place are about it, or surround it as its nearest do. */
@@ -73,7 +74,10 @@ struct local_surface {
     const struct quadric *q;
     bool known; /* off[] */
     double off[NEAR];
-    bool exact; /* points are where the surface is, not beside it by noise */
+    bool exact;   /* points are where the surface is, not beside it by noise */
+    bool smooth;  /* as the ball asks for, beside it too */
+    bool convex;  /* seen from above */
+    double slack; /* of what is allowed: so far off it they may be */
 };
 
 /* How far a point may be off a surface that is to be used at a place so far from it, mm.  A ball
@@ -221,7 +225,8 @@ static bool is_between(const struct upsample *fill, const struct neighbourhood *
         bool about = far2 <= ABOUT * ABOUT * out2, around = far2 <= beside2 && !fan.around;
         if (!about && !around)
             continue;
-        bool borne = fabs(on->off[i] - on->off[0]) <= allowed(fill, fmin(far2, ABOUT * out2));
+        double least = on->slack * allowed(fill, fmin(far2, ABOUT * out2));
+        bool borne = fabs(on->off[i] - on->off[0]) <= least;
         if (about && !borne)
             return false;
         if (borne && around)
@@ -258,14 +263,14 @@ static bool would_sink(const struct upsample *fill, const struct neighbourhood *
     return may_sink(fill, near) && spread <= fmax(fmax(fill->sink, sink / 2), MUCH * fill->noise);
 }
 
-/* The ball does not fit in, so that it can't sink in either, and what is there only looks like a
- * surface, as in a corner. */
-static bool is_hollow(const struct upsample *fill, const struct quadric *q)
+/* How hollow a surface is seen from above, 1/mm.  Where the ball does not fit in it can't sink in
+ * either, and what is there only looks like a surface, as in a corner. */
+static double hollow_of(const struct quadric *q)
 {
     struct quadric up = *q;
 
     quadric_face_up(&up);
-    return quadric_curvature(&up) >= 1 / fill->radius;
+    return quadric_curvature(&up);
 }
 
 /* The quadric through the fewest points that carry one: on laser lines it takes more.  HUGE_VAL:
@@ -323,12 +328,13 @@ struct witnesses {
 
 /* The surfaces of the MOST neighbours nearest to p across from point i go through p too. */
 static bool is_witnessed(const struct upsample *fill, const struct neighbourhood *near,
-                         struct vec3 from, struct vec3 p, struct witnesses *witness)
+                         const struct local_surface *on, struct vec3 from, struct vec3 p,
+                         struct witnesses *witness)
 {
     enum { MOST = 3 };
     const double across = 0.5;
     struct vec3 out = vec_unit(vec_sub(p, from));
-    double least = VAGUE * fill->sink, before = 0;
+    double least = on->slack * VAGUE * fill->sink, before = 0;
 
     for (int w = 0; w < MOST; w++) {
         double nearest = HUGE_VAL;
@@ -419,7 +425,7 @@ static bool is_bridged(const struct upsample *fill, const struct local_surface *
     if (near.n < NEAR || near.distance2[0] > HOLE * HOLE * near.distance2[near.n - 1])
         return false;
     double spread = fit_from(&near, NEAR, *p, quadric_normal_at(on->q, *p), &q);
-    if (spread * fmax(1, sqrt(q.variance)) > much || is_hollow(fill, &q) ||
+    if (spread * fmax(1, sqrt(q.variance)) > much || hollow_of(&q) >= 1 / fill->radius ||
         !is_open(fill, &near, &q, *p))
         return false;
     if (!on->exact) /* it goes through more points */
@@ -436,14 +442,43 @@ static void measure_off(const struct neighbourhood *near, struct local_surface *
     on->known = true;
 }
 
+/* All points about the place bear it out, and the surfaces across where they are asked. */
+static bool is_borne_out(const struct upsample *fill, const struct neighbourhood *near,
+                         const struct local_surface *on, struct vec3 from, struct vec3 p,
+                         struct witnesses *witness, double *off)
+{
+    return is_between(fill, near, on, from, p, off) &&
+           (!witness->asked || is_witnessed(fill, near, on, from, p, witness));
+}
+
+/* Where the surface is at the place `at` beside `from`, if it is known there. */
+static bool is_known_at(const struct upsample *fill, const struct neighbourhood *near,
+                        struct local_surface *on, struct vec3 from, struct witnesses *witness,
+                        struct vec3 *at)
+{
+    double off;
+
+    on->slack = 1;
+    if (!is_borne_out(fill, near, on, from, *at, witness, &off)) {
+        if (on->smooth && is_bridged(fill, on, at))
+            return true;
+        on->slack = ROUGH;
+        if (!on->convex || !is_borne_out(fill, near, on, from, *at, witness, &off))
+            return false;
+    }
+    *at = vec_along(*at, off, on->q->w);
+    return true;
+}
+
 static void add_between(const struct upsample *fill, const struct neighbourhood *near,
                         struct vec3 p, const struct quadric *q, double spread, bool exact,
                         struct vec3s *to)
 {
-    struct local_surface on = {.q = q, .exact = exact};
-    struct witnesses witness = {.asked = exact && fill->lines};
+    double hollow = hollow_of(q);
     /* on scan lines a surface goes through few of them that has nothing to do with the part */
     bool smooth = !fill->lines && spread <= fmax(fill->sink, MUCH * fill->noise);
+    struct local_surface on = {.q = q, .exact = exact, .smooth = smooth, .convex = hollow <= 0};
+    struct witnesses witness = {.asked = exact && fill->lines};
     size_t last = near->n < FEWEST ? near->n : FEWEST;
     double pitch = 0.75 * gap_of(fill), reach = sqrt(near->distance2[last - 1]);
     struct vec3 off = vec_sub(p, q->origin);
@@ -451,22 +486,19 @@ static void add_between(const struct upsample *fill, const struct neighbourhood 
     int rings = (int)fmin(reach / pitch, RINGS);
     struct ways ways;
 
-    if (is_hollow(fill, q))
+    if (hollow >= 1 / fill->radius)
         return;
     set_ways(near, p, q, reach, &ways);
     for (int j = -rings; j <= rings; j++) {
         for (int i = -rings; i <= rings; i++) {
-            double u = pitch * (i + j / 2.0), v = pitch * j * 0.8660254037844386, aside;
+            double u = pitch * (i + j / 2.0), v = pitch * j * 0.8660254037844386;
             if ((i == 0 && j == 0) || is_last_nearer(&ways, u, v) || hypot_compare(u, v, reach) > 0)
                 continue;
             struct vec3 at = quadric_at(q, u0 + u, v0 + v);
             if (!is_nearest(&ways, vec_sub(at, p)))
                 continue;
             measure_off(near, &on);
-            if (is_between(fill, near, &on, p, at, &aside) &&
-                (!witness.asked || is_witnessed(fill, near, p, at, &witness)))
-                *array_push(to) = vec_along(at, aside, q->w);
-            else if (smooth && is_bridged(fill, &on, &at))
+            if (is_known_at(fill, near, &on, p, &witness, &at))
                 *array_push(to) = at;
         }
     }

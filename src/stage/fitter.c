@@ -153,6 +153,19 @@ static void check_path(struct path_check *check, const struct path *in, struct r
     free(is_clear);
 }
 
+/* What is written may be as deep as what was read: the path was made within the last entry of its
+ * ledger, and what no fit was found for is written as it came. */
+static struct path_check check_of(const struct gouge_refit_options *gouge, const struct path *in,
+                                  int threads)
+{
+    struct path_check check = {.tool = *gouge, .threads = threads};
+    size_t stages = in->head.ledger.n;
+
+    if (stages > 0)
+        check.tool.tolerance = fmax(gouge->tolerance, in->head.ledger.item[stages - 1].spent);
+    return check;
+}
+
 /* Reads the path, and fits all runs of the part that is asked for: *range. */
 static int read_and_fit(const struct fitter *fitter, const struct cli *cli, struct path *in,
                         struct range *range, struct gouge_refit_options *gouge,
@@ -189,7 +202,7 @@ int fitter_run(const struct fitter *fitter, const struct cli *cli, struct error 
     struct path out = assemble(fitter, &in, &runs, range, &clear);
     struct unmets unmet = {0};
     fitter->report(fitter->settings, &in, &runs, &unmet);
-    struct path_check check = {.tool = gouge, .threads = cli->threads};
+    struct path_check check = check_of(&gouge, &in, cli->threads);
     check_path(&check, &in, range, &out, &clear);
     array_free(&clear);
     if (lift > 0)

@@ -25,11 +25,19 @@ path() {
 path "$TMP/clear.cl" 1 0
 path "$TMP/link.cl" -0.05 0
 path "$TMP/low.cl" 1 0.03
+for made in 0.04 0.06; do # within which the path was made
+	sed "s,CLOUDMILL/1,&\\n\$\$-> LEDGER/meshnorm\,$made," "$TMP/link.cl" >"$TMP/made-$made.cl"
+done
 for fit in bsplfit biarcfit; do
 	status 0 "$fit: clear" $fit -q -e 0.01 -g "$TMP/plane.xyz" -o "$TMP/out.cl" "$TMP/clear.cl"
 	status 3 "$fit: a motion between runs" $fit -e 0.01 -g "$TMP/plane.xyz" -o "$TMP/out.cl" "$TMP/link.cl"
 	has "$fit: how deep, and where" 'in pass 1 the ball by 0\.05[0-9]* mm with the ball.s centre at 1[123]\.' "$TMP/err"
 	status 0 "$fit: within what is asked for" $fit -q -e 0.06 -g "$TMP/plane.xyz" -o "$TMP/out.cl" "$TMP/link.cl"
+	status 0 "$fit: what the path may be deep is none of the fit" $fit -q -e 0.01 -g "$TMP/plane.xyz" \
+		-o "$TMP/out.cl" "$TMP/made-0.06.cl"
+	status 3 "$fit: deeper than the path may be" $fit -e 0.01 -g "$TMP/plane.xyz" -o "$TMP/out.cl" \
+		"$TMP/made-0.04.cl"
+	has "$fit: by the path's tolerance" 'links at feed the tool goes deeper than 0\.04 mm' "$TMP/err"
 	status 0 "$fit: points too low" $fit -v -e 0.01 -g "$TMP/plane.xyz" -o "$TMP/out.cl" "$TMP/low.cl"
 	has "$fit: are lifted" 'points lifted by at most 0\.0[2-6]' "$TMP/err"
 done

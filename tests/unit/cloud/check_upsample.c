@@ -122,6 +122,60 @@ START_TEST(none_beyond_a_border)
 }
 END_TEST
 
+enum { PITCH = 5, BEND = 32 };
+
+/* Facets that touch a paraboloid 5 mm apart, and meet at 9 degrees. */
+static double facets(double x, double y)
+{
+    double cx = PITCH * round(x / PITCH), cy = PITCH * round(y / PITCH);
+
+    return (cx * cx + cy * cy - 2 * (cx * x + cy * y)) / (2 * BEND);
+}
+
+static double hollow_facets(double x, double y)
+{
+    return -facets(x, y);
+}
+
+static bool is_any_near(const struct vec3s *points, double x, double y)
+{
+    for (size_t i = 0; i < points->n; i++)
+        if (hypot(points->item[i].x - x, points->item[i].y - y) < 0.4)
+            return true;
+    return false;
+}
+
+/* Of places amid the scan that no point is near, the share that nothing is put near. */
+static double share_open(double (*height)(double x, double y))
+{
+    struct error error;
+    size_t open = 0, between = 0;
+
+    noisy_seed(3);
+    noisy_scan(&scan, height, 6000, NOISY_LINES, 0.003);
+    ck_assert_int_eq(point_grid_make(scan.item, scan.n, 0.8, 1, &point_grid, &error), 0);
+    struct upsample fill = {.point_grid = &point_grid, .radius = 3, .sink = 0.002, .lines = true};
+    for (size_t i = 0; i < point_grid.n; i++)
+        upsample_about(&fill, i, &put);
+    for (int i = -20; i <= 20; i++)
+        for (int k = -20; k <= 20; k++) {
+            bool far = !is_any_near(&scan, 0.7 * i, 0.7 * k);
+            between += far;
+            open += far && !is_any_near(&put, 0.7 * i, 0.7 * k);
+        }
+    free_all();
+    return (double)open / (double)between;
+}
+
+/* No surface is borne out there by all, and yet the ball must not sink below the points; where it is
+ * hollow these keep it off themselves. */
+START_TEST(over_blunt_edges)
+{
+    ck_assert_double_lt(share_open(facets), 0.08); /* a third, without a second look */
+    ck_assert_double_gt(share_open(hollow_facets), 0.2);
+}
+END_TEST
+
 START_TEST(dense_enough)
 {
     struct upsample fill = make_fill(20000, 100);
@@ -142,6 +196,7 @@ int main(void)
     tcase_add_test(tests, on_a_surface_that_is_given);
     tcase_add_test(tests, none_beyond_a_border);
     tcase_add_test(tests, dense_enough);
+    tcase_add_test(tests, over_blunt_edges);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);
     int failed = srunner_ntests_failed(runner);
