@@ -106,11 +106,10 @@ static void say_unmet(const struct toolpath *t)
             "%.1f mm2: left out, the first in pass %zu at %.3f %.3f %.3f",
             t->skipped, t->skipped_area, t->skipped_pass, at.x, at.y, at.z);
     if (t->shank > 0)
-        unmet_say(
-            is_shank_checked(t) ? NULL : unmet,
-            "at %zu points the normal is more than 90 degrees off the axis: the shank touches "
-            "there, not the ball",
-            t->shank);
+        unmet_say(is_shank_checked(t) ? NULL : unmet,
+                  "at %zu points the normal is more than 90 degrees off the axis: %s", t->shank,
+                  is_shank_checked(t) ? "flute and shank were kept clear of the scan there"
+                                      : "the shank touches there, not the ball");
 }
 
 int toolpath_conclude(const struct toolpath *t)
