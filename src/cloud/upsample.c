@@ -17,7 +17,10 @@ enum {
 
 static const double MUCH = 1.5; /* spread of a neighbourhood by the noise: more is none */
 static const double VAGUE = 5;  /* of the sinking: a surface less certain than this is none */
-static const double ROUGH = 5;  /* of what is allowed: off by less are points beside a blunt edge */
+
+/* Of what is allowed, beside a blunt edge: so far off a surface points may be, and surfaces of
+ * neighbours off a place. */
+static const double ROUGH = 5, ACROSS = 3;
 
 /* Noises that a point may be off its surface; of the way to the nearest point: points so near to a
  * place are about it, or surround it as its nearest do. */
@@ -74,10 +77,9 @@ struct local_surface {
     const struct quadric *q;
     bool known; /* off[] */
     double off[NEAR];
-    bool exact;   /* points are where the surface is, not beside it by noise */
-    bool smooth;  /* as the ball asks for, beside it too */
-    bool convex;  /* seen from above */
-    double slack; /* of what is allowed: so far off it they may be */
+    bool exact;  /* points are where the surface is, not beside it by noise */
+    bool smooth; /* as the ball asks for, beside it too */
+    bool rough;  /* an edge may be on it */
 };
 
 /* How far a point may be off a surface that is to be used at a place so far from it, mm.  A ball
@@ -225,7 +227,7 @@ static bool is_between(const struct upsample *fill, const struct neighbourhood *
         bool about = far2 <= ABOUT * ABOUT * out2, around = far2 <= beside2 && !fan.around;
         if (!about && !around)
             continue;
-        double least = on->slack * allowed(fill, fmin(far2, ABOUT * out2));
+        double least = (on->rough ? ROUGH : 1) * allowed(fill, fmin(far2, ABOUT * out2));
         bool borne = fabs(on->off[i] - on->off[0]) <= least;
         if (about && !borne)
             return false;
@@ -263,14 +265,14 @@ static bool would_sink(const struct upsample *fill, const struct neighbourhood *
     return may_sink(fill, near) && spread <= fmax(fmax(fill->sink, sink / 2), MUCH * fill->noise);
 }
 
-/* How hollow a surface is seen from above, 1/mm.  Where the ball does not fit in it can't sink in
- * either, and what is there only looks like a surface, as in a corner. */
-static double hollow_of(const struct quadric *q)
+/* The ball does not fit in, so that it can't sink in either, and what is there only looks like a
+ * surface, as in a corner. */
+static bool is_hollow(const struct upsample *fill, const struct quadric *q)
 {
     struct quadric up = *q;
 
     quadric_face_up(&up);
-    return quadric_curvature(&up);
+    return quadric_curvature(&up) >= 1 / fill->radius;
 }
 
 /* The quadric through the fewest points that carry one: on laser lines it takes more.  HUGE_VAL:
@@ -334,7 +336,7 @@ static bool is_witnessed(const struct upsample *fill, const struct neighbourhood
     enum { MOST = 3 };
     const double across = 0.5;
     struct vec3 out = vec_unit(vec_sub(p, from));
-    double least = on->slack * VAGUE * fill->sink, before = 0;
+    double least = (on->rough ? ACROSS : 1) * VAGUE * fill->sink, before = 0;
 
     for (int w = 0; w < MOST; w++) {
         double nearest = HUGE_VAL;
@@ -425,7 +427,7 @@ static bool is_bridged(const struct upsample *fill, const struct local_surface *
     if (near.n < NEAR || near.distance2[0] > HOLE * HOLE * near.distance2[near.n - 1])
         return false;
     double spread = fit_from(&near, NEAR, *p, quadric_normal_at(on->q, *p), &q);
-    if (spread * fmax(1, sqrt(q.variance)) > much || hollow_of(&q) >= 1 / fill->radius ||
+    if (spread * fmax(1, sqrt(q.variance)) > much || is_hollow(fill, &q) ||
         !is_open(fill, &near, &q, *p))
         return false;
     if (!on->exact) /* it goes through more points */
@@ -440,6 +442,19 @@ static void measure_off(const struct neighbourhood *near, struct local_surface *
     for (size_t k = 0; !on->known && k < near->n && k < NEAR; k++)
         on->off[k] = quadric_off(on->q, near->point[k]);
     on->known = true;
+}
+
+/* Seen from above the surface bends down at a place of it, or one way far more than up another. */
+static bool is_convex_at(const struct quadric *q, struct vec3 p)
+{
+    const double much = 0.1, *c = q->c;
+    struct vec3 at = quadric_local(q, p);
+    double up = q->w.z < 0 ? -1 : 1;
+    double uu = up * (2 * c[3] + 6 * c[6] * at.x + 2 * c[7] * at.y);
+    double vv = up * (2 * c[5] + 2 * c[8] * at.x + 6 * c[9] * at.y);
+    double uv = c[4] + 2 * c[7] * at.x + 2 * c[8] * at.y, sum = uu + vv;
+
+    return sum < 0 && uu * vv - uv * uv > -much * sum * sum;
 }
 
 /* All points about the place bear it out, and the surfaces across where they are asked. */
@@ -458,12 +473,12 @@ static bool is_known_at(const struct upsample *fill, const struct neighbourhood 
 {
     double off;
 
-    on->slack = 1;
+    on->rough = false;
     if (!is_borne_out(fill, near, on, from, *at, witness, &off)) {
         if (on->smooth && is_bridged(fill, on, at))
             return true;
-        on->slack = ROUGH;
-        if (!on->convex || !is_borne_out(fill, near, on, from, *at, witness, &off))
+        on->rough = true;
+        if (!is_convex_at(on->q, *at) || !is_borne_out(fill, near, on, from, *at, witness, &off))
             return false;
     }
     *at = vec_along(*at, off, on->q->w);
@@ -474,10 +489,9 @@ static void add_between(const struct upsample *fill, const struct neighbourhood 
                         struct vec3 p, const struct quadric *q, double spread, bool exact,
                         struct vec3s *to)
 {
-    double hollow = hollow_of(q);
     /* on scan lines a surface goes through few of them that has nothing to do with the part */
     bool smooth = !fill->lines && spread <= fmax(fill->sink, MUCH * fill->noise);
-    struct local_surface on = {.q = q, .exact = exact, .smooth = smooth, .convex = hollow <= 0};
+    struct local_surface on = {.q = q, .exact = exact, .smooth = smooth};
     struct witnesses witness = {.asked = exact && fill->lines};
     size_t last = near->n < FEWEST ? near->n : FEWEST;
     double pitch = 0.75 * gap_of(fill), reach = sqrt(near->distance2[last - 1]);
@@ -486,7 +500,7 @@ static void add_between(const struct upsample *fill, const struct neighbourhood 
     int rings = (int)fmin(reach / pitch, RINGS);
     struct ways ways;
 
-    if (hollow >= 1 / fill->radius)
+    if (is_hollow(fill, q))
         return;
     set_ways(near, p, q, reach, &ways);
     for (int j = -rings; j <= rings; j++) {

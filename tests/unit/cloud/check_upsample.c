@@ -157,11 +157,11 @@ static double share_open(double (*height)(double x, double y))
     struct upsample fill = {.point_grid = &point_grid, .radius = 3, .sink = 0.002, .lines = true};
     for (size_t i = 0; i < point_grid.n; i++)
         upsample_about(&fill, i, &put);
-    for (int i = -20; i <= 20; i++)
-        for (int k = -20; k <= 20; k++) {
-            bool far = !is_any_near(&scan, 0.7 * i, 0.7 * k);
+    for (int i = -12; i <= 12; i++)
+        for (int k = -12; k <= 12; k++) {
+            bool far = !is_any_near(&scan, 1.1 * i, 1.1 * k);
             between += far;
-            open += far && !is_any_near(&put, 0.7 * i, 0.7 * k);
+            open += far && !is_any_near(&put, 1.1 * i, 1.1 * k);
         }
     free_all();
     return (double)open / (double)between;
