@@ -28,8 +28,9 @@ bool upsample_needed(const struct upsample *fill);
  * about are on q, so that none is put over an edge or into a corner.  None either where q is so
  * hollow that the ball does not go in.  In a hole, and a little beyond where the scan ends, only
  * where a surface about the place itself is as smooth and certain as the ball asks for: else no
- * hole is filled and no border moves.  Where points about are farther off q, as over blunt edges that
- * none of them is on, and q is not hollow, a place is put all the same, moved to where they are.
+ * hole is filled and no border moves.  Where points about are farther off q, as over blunt edges
+ * that none of them is on, and q bends down there, a place is put all the same, moved to where they
+ * are.
  * `spread`: of the points about q, mm; where it is more than noise and the ball's sinking explain,
  * nothing is appended.
  */

@@ -167,8 +167,8 @@ static double share_open(double (*height)(double x, double y))
     return (double)open / (double)between;
 }
 
-/* No surface is borne out there by all, and yet the ball must not sink below the points; where it is
- * hollow these keep it off themselves. */
+/* No surface is borne out there by all, and yet the ball must not sink below the points; where it
+ * is hollow these keep it off themselves. */
 START_TEST(over_blunt_edges)
 {
     ck_assert_double_lt(share_open(facets), 0.08); /* a third, without a second look */

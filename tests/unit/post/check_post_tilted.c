@@ -1,8 +1,8 @@
 /*
- * post_tilted: the travel of the linear axes in tilted planes.  On a table that turns about its zero
- * point Z stands where the tip is along the tool's axis, whatever X and Y of the plane, and X and Y
- * stand as far off Z's axis as the tip is from the tool's; above the plane the table is not turned
- * yet, and each axis stands where the tip is in the work.
+ * post_tilted: the travel of the linear axes in tilted planes.  On a table that turns about its
+ * zero point Z stands where the tip is along the tool's axis, whatever X and Y of the plane, and X
+ * and Y stand as far off Z's axis as the tip is from the tool's; above the plane the table is not
+ * turned yet, and each axis stands where the tip is in the work.
  */
 #include "post/post_tilted.h"
 
