@@ -148,7 +148,7 @@ for tool in cloud2mesh cloud2surf nurbs2mesh meshnorm planecut biarcfit bsplfit 
 	rm -f fifo && mkfifo fifo
 	cat fifo >through &
 	reader=$!
-	status 0 "$tool -o FIFO" timeout 20 $tool "$@" -o fifo $in
+	status 0 "$tool -o FIFO" within 20 $tool "$@" -o fifo $in
 	[ "$got" -eq 0 ] || kill $reader
 	wait $reader
 	same "$tool -o FIFO: written through it" through want

@@ -8,6 +8,7 @@
 #	ok DESC CMD...            the command succeeds
 #	fails DESC CMD...         the command exits with 1 to 125
 #	status N DESC CMD...      the command exits with N; its output lies in $TMP/out and $TMP/err
+#	within SECONDS CMD...     the command, ended after so long (SLOWER times, where tools are slow)
 #	same DESC FILE FILE       two files hold the same bytes
 #	has DESC REGEX FILE       a line of the file matches the extended regular expression
 #	hasnt DESC REGEX FILE     no line does
@@ -87,6 +88,12 @@ status() {
 	shift 2
 	run "$@"
 	if [ "$got" -eq "$want" ]; then result 0 "$desc"; else result 1 "$desc (exit $got, not $want)"; fi
+}
+
+within() { # SECONDS CMD...
+	seconds=$1
+	shift
+	timeout $((seconds * ${SLOWER:-1})) "$@"
 }
 
 same() {

@@ -36,7 +36,7 @@ refused "no control for a pipe" 'give its control by -c' -r 4 -g scan.xyz pipe
 ncverify -q -c fanuc -g scan.xyz good.nc | sed 's/good.nc/pipe/' >want
 cat good.nc >pipe &
 writer=$!
-status 0 "a program by a pipe with a name" timeout 60 ncverify -q -c fanuc -g scan.xyz pipe
+status 0 "a program by a pipe with a name" within 60 ncverify -q -c fanuc -g scan.xyz pipe
 [ "$got" -eq 0 ] || kill $writer
 wait $writer
 same "... is judged as the file is" out want
