@@ -80,7 +80,11 @@ fails() {
 	desc=$1
 	shift
 	run "$@"
-	if [ "$got" -ge 1 ] && [ "$got" -le 125 ]; then result 0 "$desc"; else result 1 "$desc (exit $got)"; fi
+	if [ "$got" -ge 1 ] && [ "$got" -le 125 ]; then
+		result 0 "$desc"
+	else
+		result 1 "$desc (exit $got)"
+	fi
 }
 
 status() {
