@@ -8,7 +8,6 @@
 static const double WALL = 0.9, STEP = 0.1;
 static const double THROWN = 8;    /* noises: a point of many is off by less */
 static const double CORNER = 1.5;  /* spacings */
-static const double TIP = 2;       /* the same of a square corner's tip */
 static const double LEVEL = 0.35;  /* least z of a flank that has corners */
 static const double FACING = 0.12; /* least z of a flank that is continued over its wall */
 static const double FAIR = 0.1;    /* spacings: so far off its points a flank tells of a wall yet */
@@ -154,6 +153,34 @@ static bool is_stray(const struct edge_work *work, size_t i, const struct cliff 
                                       THROWN * work->options->noise;
 }
 
+/* What is under the flank is as far below it wherever it is, as no slope is: its points, though too
+ * few to tell of a surface, are those of a floor, and a step is before these. */
+static void find_floor(const struct edge_work *work, size_t i, struct cliff *cliff)
+{
+    enum { FEWEST = 3 };
+    const double level = 0.25; /* of what a slope's heights differ by */
+    double high = 0, low = HUGE_VAL, near = HUGE_VAL, far = 0;
+    size_t sure = cliff->below.n, next = 0; /* of those under it, in their order */
+
+    for (size_t k = 0; k < cliff->under.n; k++) {
+        double drop = -above_roof(&work->flank[i], cliff->from, cliff->under.item[k]);
+        double way = vec_distance(cliff->under.item[k], cliff->from);
+        high = fmax(high, drop);
+        low = fmin(low, drop);
+        near = fmin(near, way);
+        far = fmax(far, way);
+    }
+    if (cliff->under.n < FEWEST || (high - low) * far > level * high * (far - near))
+        return;
+    for (size_t k = 0; k < cliff->under.n; k++) {
+        struct vec3 p = cliff->under.item[k];
+        if (next < sure && vec_distance(p, cliff->below.item[next]) <= 0)
+            next++;
+        else if (low > STEEP_STEP * vec_distance(p, cliff->from))
+            *array_push(&cliff->below) = p;
+    }
+}
+
 /* Nothing where all points about are on the flank. */
 static struct cliff find_cliff(const struct edge_work *work, size_t i)
 {
@@ -167,6 +194,8 @@ static struct cliff find_cliff(const struct edge_work *work, size_t i)
     if (may_be_off(work, i))
         for (size_t k; edge_about_next(&about, &k);)
             sort_by_height(work, i, k, &cliff);
+    if (cliff.beyond.n == 0)
+        find_floor(work, i, &cliff);
     if (is_stray(work, i, &cliff))
         cliff.below.n = 0;
     cliff.feet = cliff.below.n;
@@ -343,7 +372,7 @@ static void fill_cliff(const struct edge_work *work, const struct cliff *cliff, 
 {
     const double dense = 0.65, triangle = 0.8660254037844386;
     double pitch = dense * work->options->along;
-    int rings = (int)fmin(cliff->reach / pitch, RINGS);
+    int rings = (int)fmin(cliff->reach / (pitch * triangle), RINGS);
 
     for (int j = -rings; j <= rings; j++)
         for (int k = -rings; k <= rings; k++) {
@@ -356,11 +385,28 @@ static void fill_cliff(const struct edge_work *work, const struct cliff *cliff, 
         }
 }
 
+/* Points below are ahead on both sides of the way to the place, as at no border of the scan. */
+static bool is_amid(const struct cliff *cliff, double u, double v)
+{
+    bool left = false, right = false;
+
+    for (size_t k = 0; k < cliff->below.n; k++) {
+        double x = cliff->below.item[k].x - cliff->from.x;
+        double y = cliff->below.item[k].y - cliff->from.y, aside = u * y - v * x;
+        if (u * x + v * y > 0) {
+            left = left || aside > 0;
+            right = right || aside < 0;
+        }
+    }
+    return left && right;
+}
+
 /* The wall of a corner whose tip may be over a place. */
 static bool add_tip(const struct edge_work *work, const struct cliff *cliff, double u, double v,
                     struct vec3s *to)
 {
-    if (hypot_compare(u, v, cliff->reach) > 0 || !is_before_wall(cliff, u, v))
+    if (hypot_compare(u, v, cliff->reach) > 0 || !is_before_wall(cliff, u, v) ||
+        !is_amid(cliff, u, v))
         return false;
     struct vec3 at = place_above(cliff, cliff->from.x + u, cliff->from.y + v);
     if (!is_corner_tip(cliff, at))
@@ -377,7 +423,7 @@ static void fill_tips(const struct edge_work *work, const struct cliff *cliff, s
     enum { CLOSER = 3 };
     const double dense = 0.65, triangle = 0.8660254037844386;
     double pitch = dense * work->options->along, close = pitch / CLOSER;
-    int rings = (int)fmin(cliff->reach / pitch, RINGS);
+    int rings = (int)fmin(cliff->reach / (pitch * triangle), RINGS);
 
     for (int j = -rings; j <= rings; j++)
         for (int k = -rings; k <= rings; k++) {
@@ -469,7 +515,7 @@ double edge_cliff_add(const struct edge_work *work, size_t i, struct vec3s *edge
         fill_cliff(work, &cliff, to);
     if (cliff.feet > 0 && cliff.beyond.n == 0 && certain && quadric_normal(&flank->q).z > LEVEL) {
         struct cliff wider = cliff;
-        wider.corner = TIP * point_grid_spacing(work->options->point_grid);
+        wider.corner = EDGE_REACH * point_grid_spacing(work->options->point_grid);
         fill_tips(work, &wider, to);
     }
     if (cliff.feet > 0)

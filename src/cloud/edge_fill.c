@@ -149,7 +149,7 @@ static void fill_patch(const struct edge_work *work, const struct edge_hood *nea
     const struct quadric *q = &patch->flank->q;
     double pitch = dense * work->options->along, reach = sqrt(near->distance2[EDGE_SMOOTH]);
     struct vec3 off = vec_sub(near->point[0], q->origin);
-    int rings = (int)fmin(reach / pitch, patch->certain ? CERTAIN_RINGS : EDGE_RINGS);
+    int rings = (int)fmin(reach / (pitch * triangle), patch->certain ? CERTAIN_RINGS : EDGE_RINGS);
 
     for (int j = -rings; j <= rings; j++)
         for (int i = -rings; i <= rings; i++) {

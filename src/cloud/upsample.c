@@ -8,7 +8,7 @@ enum {
     FEWEST = 16,
     NEAR = 32,
     FEW = 24,
-    RINGS = 8,
+    RINGS = 14,
     SAMPLE = 1500,
     QUADRIC = 6,
     CUBIC = 10,
@@ -494,10 +494,12 @@ static void add_between(const struct upsample *fill, const struct neighbourhood 
     struct local_surface on = {.q = q, .exact = exact, .smooth = smooth};
     struct witnesses witness = {.asked = exact && fill->lines};
     size_t last = near->n < FEWEST ? near->n : FEWEST;
-    double pitch = 0.75 * gap_of(fill), reach = sqrt(near->distance2[last - 1]);
+    const double triangle = 0.8660254037844386;
+    double pitch = 0.75 * gap_of(fill);
+    double reach = fmin(sqrt(near->distance2[last - 1]), RINGS * pitch);
     struct vec3 off = vec_sub(p, q->origin);
     double u0 = vec_dot(off, q->u), v0 = vec_dot(off, q->v);
-    int rings = (int)fmin(reach / pitch, RINGS);
+    int rings = (int)(reach / (pitch * triangle));
     struct ways ways;
 
     if (is_hollow(fill, q))
@@ -505,7 +507,7 @@ static void add_between(const struct upsample *fill, const struct neighbourhood 
     set_ways(near, p, q, reach, &ways);
     for (int j = -rings; j <= rings; j++) {
         for (int i = -rings; i <= rings; i++) {
-            double u = pitch * (i + j / 2.0), v = pitch * j * 0.8660254037844386;
+            double u = pitch * (i + j / 2.0), v = pitch * j * triangle;
             if ((i == 0 && j == 0) || is_last_nearer(&ways, u, v) || hypot_compare(u, v, reach) > 0)
                 continue;
             struct vec3 at = quadric_at(q, u0 + u, v0 + v);

@@ -16,6 +16,8 @@ struct edge_trial {
  * put on edges. */
 void edge_trial_make(struct edge_trial *trial, double (*height)(double x, double y), bool lines,
                      double sigma);
+/* The same of a scan that is given, which it takes, its points so far apart. */
+void edge_trial_of(struct edge_trial *trial, struct vec3s scan, double spacing, double sigma);
 void edge_trial_free(struct edge_trial *trial);
 
 /* A ridge along y = x / 4, 45 degrees steep. */

@@ -76,6 +76,92 @@ START_TEST(mesa_goes_on_as_far)
 }
 END_TEST
 
+/* A mesa with its wall in any direction, the rows of its floor begin so far before those of its
+ * top. */
+static const double GAP = 1.3;
+
+static struct vec3s scan_of_gap(double turn)
+{
+    const double spacing = 0.5;
+    struct vec3s scan = {0};
+
+    for (int j = -15; j < 15; j++)
+        for (int i = -15; i <= 15; i++) {
+            double x = spacing * i, y = spacing * j + (j < 0 ? spacing : GAP);
+            *array_push(&scan) =
+                vec(x * cos(turn) - y * sin(turn), x * sin(turn) + y * cos(turn), j < 0 ? HIGH : 0);
+        }
+    return scan;
+}
+
+/* Whichever way, no place is farther from one of the flank than the middle of a triangle of these,
+ * 0.65 * 0.2 mm wide, is from its corners, as far as triangles fit in. */
+START_TEST(goes_on_all_ways)
+{
+    const double wide = 0.65 * 0.2, y = GAP - wide / sqrt(3);
+    struct edge_trial trial;
+    struct vec3s to = {0}, edge = {0};
+    double turn = PI / 6 * _i;
+
+    edge_trial_of(&trial, scan_of_gap(turn), 0.5, 0);
+    edge_flanks_find(&trial.work);
+    for (size_t i = 0; i < trial.grid.n; i++)
+        edge_cliff_add(&trial.work, i, &edge, &to);
+    for (double x = -4; x <= 4; x += 0.03) {
+        struct vec3 p = vec(x * cos(turn) - y * sin(turn), x * sin(turn) + y * cos(turn), HIGH);
+        double least = HUGE_VAL;
+        for (size_t k = 0; k < to.n; k++)
+            least = fmin(least, vec_distance(p, to.item[k]));
+        ck_assert_double_le(least, wide / sqrt(3) + 1e-6);
+    }
+    array_free(&to);
+    array_free(&edge);
+    edge_trial_free(&trial);
+}
+END_TEST
+
+/* A step down to a floor, or a slope of 24 degrees, from y = 0.07. */
+static double low_step(double x, double y)
+{
+    (void)x;
+    return y < 0.07 ? 0.4 : 0;
+}
+
+static double low_slope(double x, double y)
+{
+    (void)x;
+    return 0.4 - 0.45 * fmax(y - 0.07, 0);
+}
+
+/* Where no surface is known of the points below, these tell of a floor if they are as low wherever
+ * they are; but not of a slope. */
+START_TEST(floor_without_a_surface)
+{
+    struct edge_trial trial;
+    struct vec3s to = {0}, edge = {0};
+
+    edge_trial_make(&trial, _i ? low_slope : low_step, false, 0);
+    edge_flanks_find(&trial.work);
+    for (size_t i = 0; i < trial.grid.n; i++)
+        if (trial.grid.point[i].y > 0.07) {
+            trial.work.flank[i].valid = false;
+            trial.work.flank[i].rough = true;
+        }
+    for (size_t i = 0; i < trial.grid.n; i++)
+        edge_cliff_add(&trial.work, i, &edge, &to);
+    ck_assert(_i ? to.n == 0 : to.n > 0);
+    for (double x = -6; _i == 0 && x <= 6; x += 0.2) {
+        double least = HUGE_VAL;
+        for (size_t k = 0; k < to.n; k++)
+            least = fmin(least, vec_distance(vec(x, 0.07, 0.4), to.item[k]));
+        ck_assert_double_le(least, 0.2);
+    }
+    array_free(&to);
+    array_free(&edge);
+    edge_trial_free(&trial);
+}
+END_TEST
+
 START_TEST(roof_has_none)
 {
     struct edge_trial trial;
@@ -185,6 +271,8 @@ int main(void)
     SRunner *runner = srunner_create(suite);
     tcase_add_test(tests, mesa_goes_on);
     tcase_add_test(tests, mesa_goes_on_as_far);
+    tcase_add_loop_test(tests, goes_on_all_ways, 0, 12);
+    tcase_add_loop_test(tests, floor_without_a_surface, 0, 2);
     tcase_add_loop_test(tests, roof_has_none, 0, 2);
     tcase_add_loop_test(tests, noise_is_none, 0, 2);
     tcase_add_test(tests, hills_have_none);

@@ -41,6 +41,7 @@ static void free_all(void)
 
 START_TEST(on_the_surface)
 {
+    const double far = 14 * 0.75 * sqrt(6 * 4 * 0.002); /* mm: no farther from a point */
     struct upsample fill = make_fill(6000, 5);
     double sum2 = 0, worst = 0;
     ck_assert(upsample_needed(&fill));
@@ -50,7 +51,7 @@ START_TEST(on_the_surface)
     for (size_t i = 0; i < put.n; i++) {
         struct vec3 p = put.item[i];
         double off = p.z - wave(p.x, p.y);
-        ck_assert_double_gt(hypot(p.x - 5, p.y), 2);
+        ck_assert_double_gt(hypot(p.x - 5, p.y), 4 - far);
         if (fabs(p.x) > 35 || fabs(p.y) > 25 || hypot(p.x - 5, p.y) < 5)
             continue;
         worst = fmax(worst, fabs(off));
@@ -176,6 +177,32 @@ START_TEST(over_blunt_edges)
 }
 END_TEST
 
+/* A flank of 72 degrees, scanned 0.5 mm apart from above, but for a hole: places are put as far as
+ * the next points are, however many that makes; no ball touches the flank between them. */
+START_TEST(far_from_a_point)
+{
+    const double spacing = 0.5, steep = 3;
+    struct error error;
+
+    for (int j = -12; j <= 12; j++)
+        for (int i = -12; i <= 12; i++)
+            if (abs(i) > 0 || abs(j) > 2)
+                *array_push(&scan) = vec(spacing * i, spacing * j, steep * spacing * i);
+    ck_assert_int_eq(point_grid_make(scan.item, scan.n, spacing, 1, &point_grid, &error), 0);
+    struct upsample fill = {.point_grid = &point_grid, .radius = 3, .sink = 0.002};
+    for (size_t i = 0; i < point_grid.n; i++)
+        upsample_about(&fill, i, &put);
+    for (double y = -1.2; y <= 1.2; y += 0.1)
+        for (double x = -0.4; x <= 0.4; x += 0.05) {
+            struct vec3 p = vec(x, y, steep * x);
+            double least = HUGE_VAL;
+            for (size_t k = 0; k < put.n; k++)
+                least = fmin(least, vec_distance(put.item[k], p));
+            ck_assert_double_le(least, sqrt(6 * fill.radius * fill.sink));
+        }
+}
+END_TEST
+
 START_TEST(dense_enough)
 {
     struct upsample fill = make_fill(20000, 100);
@@ -195,6 +222,7 @@ int main(void)
     tcase_add_test(tests, on_the_surface);
     tcase_add_test(tests, on_a_surface_that_is_given);
     tcase_add_test(tests, none_beyond_a_border);
+    tcase_add_test(tests, far_from_a_point);
     tcase_add_test(tests, dense_enough);
     tcase_add_test(tests, over_blunt_edges);
     suite_add_tcase(suite, tests);
