@@ -1,6 +1,8 @@
 /* upsample - see upsample.h. */
 #include "cloud/upsample.h"
 
+#include <stdlib.h>
+
 #include "base/array.h"
 #include "math/cubic.h"
 
@@ -9,6 +11,7 @@ enum {
     NEAR = 32,
     FEW = 24,
     RINGS = 14,
+    BRIDGED = 8, /* rings: no farther in a hole or beyond a border */
     SAMPLE = 1500,
     QUADRIC = 6,
     CUBIC = 10,
@@ -514,6 +517,7 @@ static void add_between(const struct upsample *fill, const struct neighbourhood 
             if (!is_nearest(&ways, vec_sub(at, p)))
                 continue;
             measure_off(near, &on);
+            on.smooth = smooth && abs(i) <= BRIDGED && abs(j) <= BRIDGED;
             if (is_known_at(fill, near, &on, p, &witness, &at))
                 *array_push(to) = at;
         }
