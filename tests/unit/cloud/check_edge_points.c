@@ -819,8 +819,8 @@ static double pockets(double x, double y)
     return dome(x, y) - (fabs(u) < 1.2 && fabs(v) < 1.2 ? STEP : 0);
 }
 
-/* The points tell of the step at a place of a rim: the guard goes on there from the nearest point of
- * the dome, if three of a floor are within its reach of that, EDGE_REACH spacings, and one of these
+/* The points tell of the step at a place of a rim: the guard goes on there from the nearest point
+ * of the dome, if three of a floor are within its reach of that, EDGE_REACH spacings, and one of these
  * is beyond the place, within 45 degrees of the way there, so near that no slope of 0.35 comes down
  * to it.  Fewer are no floor: there the scan has a hole. */
 static bool tells_of_step(const struct vec3s *scan, struct vec3 rim, double spacing)
@@ -848,8 +848,8 @@ static bool tells_of_step(const struct vec3s *scan, struct vec3 rim, double spac
     return low >= 3 && beyond > 0;
 }
 
-/* A ball over a rim goes in by no more than a part of the spacing lets the wall be elsewhere, but in
- * holes; with noise, which the floors of the pockets are too narrow to be even in, by four
+/* A ball over a rim goes in by no more than a part of the spacing lets the wall be elsewhere, but
+ * in holes; with noise, which the floors of the pockets are too narrow to be even in, by four
  * deviations more. */
 START_TEST(rims_of_pockets)
 {
