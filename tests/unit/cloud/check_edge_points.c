@@ -820,9 +820,9 @@ static double pockets(double x, double y)
 }
 
 /* The points tell of the step at a place of a rim: the guard goes on there from the nearest point
- * of the dome, if three of a floor are within its reach of that, EDGE_REACH spacings, and one of these
- * is beyond the place, within 45 degrees of the way there, so near that no slope of 0.35 comes down
- * to it.  Fewer are no floor: there the scan has a hole. */
+ * of the dome, if three of a floor are within its reach of that, EDGE_REACH spacings, and one of
+ * these is beyond the place, within 45 degrees of the way there, so near that no slope of 0.35
+ * comes down to it.  Fewer are no floor: there the scan has a hole. */
 static bool tells_of_step(const struct vec3s *scan, struct vec3 rim, double spacing)
 {
     const double reach = 2.8 * spacing, gentle = 0.35, beside = 0.7;
