@@ -2,6 +2,7 @@
 #include "stage/fitter.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 #include "math/elementary.h"
 #include "base/out.h"
@@ -153,16 +154,26 @@ static void check_path(struct path_check *check, const struct path *in, struct r
     free(is_clear);
 }
 
-/* What is written may be as deep as what was read: the path was made within the last entry of its
- * ledger, and what no fit was found for is written as it came. */
+/* How deep the tool that made the path from a mesh let it be, mm; 0: the path does not say.  The
+ * entry of a fitter has its lifts in it, and says nothing of depth. */
+static double made_within(const struct path *path)
+{
+    for (size_t i = 0; i < path->head.ledger.n; i++) {
+        const char *stage = path->head.ledger.item[i].stage;
+        if (strcmp(stage, "meshnorm") == 0 || strcmp(stage, "planecut") == 0)
+            return path->head.ledger.item[i].spent;
+    }
+    return 0;
+}
+
+/* What is written may be as deep as the path was made: what no fit was found for is written as it
+ * came. */
 static struct path_check check_of(const struct gouge_refit_options *gouge, const struct path *in,
                                   int threads)
 {
     struct path_check check = {.tool = *gouge, .threads = threads};
-    size_t stages = in->head.ledger.n;
 
-    if (stages > 0)
-        check.tool.tolerance = fmax(gouge->tolerance, in->head.ledger.item[stages - 1].spent);
+    check.tool.tolerance = fmax(gouge->tolerance, made_within(in));
     return check;
 }
 
