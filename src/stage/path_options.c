@@ -401,6 +401,19 @@ static int read_body(struct path_head *head, struct error *error)
     return tool_options_read(&options, c->radius, &head->body, error);
 }
 
+/* Fewer than two rotary axes leave the tool one fixed axis, if the machine has it. */
+static int check_machine(const struct kinematic_chain *chain, struct error *error)
+{
+    const struct path_options *c = &path_options;
+    bool fixed = c->fixed_given && !(c->lean > 0);
+
+    if (chain->n >= 2 || (fixed && chain_angles(chain, vec_unit(vec_of(c->fixed))).n > 0))
+        return 0;
+    return error_set(error,
+                     "-m %s: found %d of two rotary axes, expected --fixed with an axis it has",
+                     path_options.machine, chain->n);
+}
+
 /* The machine whose rotary axes are to move least. */
 static int read_machine(struct kinematic_chain *chain, struct error *error)
 {
@@ -410,7 +423,7 @@ static int read_machine(struct kinematic_chain *chain, struct error *error)
     if (machine_options_read(&options, &machine, error) != 0)
         return -1;
     *chain = machine.chain;
-    return 0;
+    return check_machine(chain, error);
 }
 
 /* How much centres may be lifted to run smoothly: what is asked for, or a tenth of the tolerance

@@ -140,4 +140,25 @@ below "which leans too" "$(pierced "$TMP/plane.cl")" 0.0101
 status 2 "a holder that is none" meshnorm -r 4 --holder big "$TMP/floor.ply"
 has "is told" 'option --holder: found .big' "$TMP/err"
 
+# ---- machines with fewer than two rotary axes: a fixed axis, and one that they have
+
+few() { # STATUS MACHINE OPTION...: of both tools
+	want=$1 machine=$2
+	shift 2
+	status "$want" "$machine $*" meshnorm -r 8 --rows mesh --no-guard -m "$machine" "$@" \
+		-o "$TMP/few.cl" "$TMP/panel.ply"
+	status "$want" "planecut: $machine $*" planecut -r 8 -s 6 --no-guard -m "$machine" "$@" \
+		-o "$TMP/few.cl" "$TMP/panel.ply"
+}
+few 2 three-axis
+has "of none it is told" 'three-axis: found 0 of two rotary axes, expected --fixed' "$TMP/err"
+few 0 three-axis --fixed 0,0,1
+few 2 three-axis --fixed 0,0.2,1
+few 2 three-axis --fixed 0,0,1 --lean-limit 10
+few 2 table-a --tilt 20
+has "of one" 'table-a: found 1 of two rotary axes' "$TMP/err"
+few 0 table-a --fixed 0,0.2,1
+status 0 "which the program takes" ncpost -q -c linuxcnc -m table-a -o "$TMP/few.ngc" "$TMP/few.cl"
+few 2 table-a --fixed 0.1,0.2,1
+
 done_testing
