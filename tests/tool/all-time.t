@@ -5,7 +5,8 @@
 . "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
 cd "$TMP" || exit 1
 
-ok "the evaluator builds" "${CC%% *}" -std=c11 -O2 -o leasttime "$SRC/tests/time/leasttime.c" -lm
+# shellcheck disable=SC2086 # CC may have options
+ok "the evaluator builds" ${CC:-cc} -std=c11 -O2 -o leasttime "$SRC/tests/time/leasttime.c" -lm
 
 figure() { # NAME FILE
 	tr -s ' ' '\n' <"$2" | awk -v name="$1" 'last == name { print } { last = $0 }'
