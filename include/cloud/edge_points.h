@@ -21,15 +21,15 @@
  *   4. Where points lie below a flank, so steeply that a wall must be between, or as far below it
  *      as it is above their own surface, nobody knows where the wall is: a flank goes on up to
  *      these points, at a corner a little beyond, and down to them goes a wall, so that a ball is
- *      kept off whatever may be there. Only flanks are continued that are certain: their points are
- *      off them by no more than noise, or than a ball may sink. Where a square corner that holds
- *      the upper points stands out between two points below, its wall hangs there, too, as far as a
- *      flank goes on; points below of no known surface are a floor where they are as low wherever
- *      they are; and over the foot of a wall of 8 spacings and more (of the foot's own, which are
- *      wider, 5.7 where there is no noise) one hangs whatever is known of the surfaces, as over
- *      round teeth. A point that noise alone may have thrown down is below nothing; and where a
- *      flank is short or not certain, no wall stands on a point from which the scan goes up to it
- *      without one.
+ *      kept off whatever may be there.  Only flanks are continued that are certain: their points
+ *      are off them by no more than noise, or than a ball may sink.  Where a square corner that
+ *      holds the upper points stands out between two points below, its wall hangs there, too, as
+ *      far as a flank goes on; points below of no known surface are a floor where they are as low
+ *      wherever they are; and over the foot of a wall of 8 spacings and more (of the foot's own,
+ *      which are wider, 5.7 where there is no noise) one hangs whatever is known of the surfaces,
+ *      as over round teeth.  A point that noise alone may have thrown down is below nothing; and
+ *      where a flank is short or not certain, no wall stands on a point from which the scan goes up
+ *      to it without one.
  *   5. The tip of a cone is put where its straight lines, continued, meet (cone_tip.h), and places
  *      round it as far as all neighbours know.  Where sides are so narrow, or bend so much, that
  *      none is certain, both sides of a crest, sharp or rounded, are fitted together (crest_fit.h),

@@ -3,6 +3,8 @@
 
 #include <stdlib.h>
 
+#include "math/triangles.h"
+
 /* A point so far below a flank, by its distance, is down a wall; where the other side is known,
  * too, and lies as far below: down a step. */
 static const double WALL = 0.9, STEP = 0.1;
@@ -370,13 +372,14 @@ static struct vec3 nearest_below(const struct cliff *cliff, struct vec3 at)
 /* The flank of point i goes on up to the points below: where the wall between is nobody knows. */
 static void fill_cliff(const struct edge_work *work, const struct cliff *cliff, struct vec3s *to)
 {
-    const double dense = 0.65, triangle = 0.8660254037844386;
+    const double dense = 0.65;
     double pitch = dense * work->options->along;
-    int rings = (int)fmin(cliff->reach / (pitch * triangle), RINGS);
+    int rings = (int)fmin(triangles_rings(cliff->reach, pitch), RINGS);
 
     for (int j = -rings; j <= rings; j++)
         for (int k = -rings; k <= rings; k++) {
-            double u = pitch * (k + j / 2.0), v = pitch * j * triangle;
+            double u, v;
+            triangles_at(pitch, k, j, &u, &v);
             if (hypot_compare(u, v, cliff->reach) > 0 || !is_before_wall(cliff, u, v))
                 continue;
             struct vec3 at = place_above(cliff, cliff->from.x + u, cliff->from.y + v);
@@ -421,20 +424,23 @@ static bool add_tip(const struct edge_work *work, const struct cliff *cliff, dou
 static void fill_tips(const struct edge_work *work, const struct cliff *cliff, struct vec3s *to)
 {
     enum { CLOSER = 3 };
-    const double dense = 0.65, triangle = 0.8660254037844386;
+    const double dense = 0.65;
     double pitch = dense * work->options->along, close = pitch / CLOSER;
-    int rings = (int)fmin(cliff->reach / (pitch * triangle), RINGS);
+    int rings = (int)fmin(triangles_rings(cliff->reach, pitch), RINGS);
 
     for (int j = -rings; j <= rings; j++)
         for (int k = -rings; k <= rings; k++) {
-            double u = pitch * (k + j / 2.0), v = pitch * j * triangle;
+            double u, v;
+            triangles_at(pitch, k, j, &u, &v);
             if (!add_tip(work, cliff, u, v, to))
                 continue;
             for (int a = -1; a <= 1; a++)
-                for (int b = -1; b <= 1; b++)
+                for (int b = -1; b <= 1; b++) {
+                    double x, y;
+                    triangles_at(close, b, a, &x, &y);
                     if (a != 0 || b != 0)
-                        add_tip(work, cliff, u + close * (b + a / 2.0), v + close * a * triangle,
-                                to);
+                        add_tip(work, cliff, u + x, v + y, to);
+                }
         }
 }
 

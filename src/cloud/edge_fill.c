@@ -1,6 +1,8 @@
 /* edge_fill - see edge_steps.h. */
 #include "edge_steps.h"
 
+#include "math/triangles.h"
+
 /* Rings of places on a flank that is certain: up and down a steep one points are far apart. */
 enum { CERTAIN_RINGS = 3 * EDGE_RINGS };
 
@@ -145,15 +147,17 @@ static bool is_surrounded(const struct edge_work *work, const struct edge_hood *
 static void fill_patch(const struct edge_work *work, const struct edge_hood *near,
                        const struct flank_patch *patch, struct vec3s *to)
 {
-    const double dense = 0.65, triangle = 0.8660254037844386;
+    const double dense = 0.65;
     const struct quadric *q = &patch->flank->q;
     double pitch = dense * work->options->along, reach = sqrt(near->distance2[EDGE_SMOOTH]);
     struct vec3 off = vec_sub(near->point[0], q->origin);
-    int rings = (int)fmin(reach / (pitch * triangle), patch->certain ? CERTAIN_RINGS : EDGE_RINGS);
+    int most = patch->certain ? CERTAIN_RINGS : EDGE_RINGS;
+    int rings = (int)fmin(triangles_rings(reach, pitch), most);
 
     for (int j = -rings; j <= rings; j++)
         for (int i = -rings; i <= rings; i++) {
-            double u = pitch * (i + j / 2.0), v = pitch * j * triangle;
+            double u, v;
+            triangles_at(pitch, i, j, &u, &v);
             if ((i == 0 && j == 0) || hypot_compare(u, v, reach) > 0)
                 continue;
             struct vec3 at = quadric_at(q, vec_dot(off, q->u) + u, vec_dot(off, q->v) + v);

@@ -5,6 +5,7 @@
 
 #include "base/array.h"
 #include "math/cubic.h"
+#include "math/triangles.h"
 
 enum {
     FEWEST = 16,
@@ -494,15 +495,14 @@ static void add_between(const struct upsample *fill, const struct neighbourhood 
 {
     /* on scan lines a surface goes through few of them that has nothing to do with the part */
     bool smooth = !fill->lines && spread <= fmax(fill->sink, MUCH * fill->noise);
-    struct local_surface on = {.q = q, .exact = exact, .smooth = smooth};
+    struct local_surface on = {.q = q, .exact = exact};
     struct witnesses witness = {.asked = exact && fill->lines};
     size_t last = near->n < FEWEST ? near->n : FEWEST;
-    const double triangle = 0.8660254037844386;
     double pitch = 0.75 * gap_of(fill);
     double reach = fmin(sqrt(near->distance2[last - 1]), RINGS * pitch);
     struct vec3 off = vec_sub(p, q->origin);
     double u0 = vec_dot(off, q->u), v0 = vec_dot(off, q->v);
-    int rings = (int)(reach / (pitch * triangle));
+    int rings = (int)triangles_rings(reach, pitch);
     struct ways ways;
 
     if (is_hollow(fill, q))
@@ -510,7 +510,8 @@ static void add_between(const struct upsample *fill, const struct neighbourhood 
     set_ways(near, p, q, reach, &ways);
     for (int j = -rings; j <= rings; j++) {
         for (int i = -rings; i <= rings; i++) {
-            double u = pitch * (i + j / 2.0), v = pitch * j * triangle;
+            double u, v;
+            triangles_at(pitch, i, j, &u, &v);
             if ((i == 0 && j == 0) || is_last_nearer(&ways, u, v) || hypot_compare(u, v, reach) > 0)
                 continue;
             struct vec3 at = quadric_at(q, u0 + u, v0 + v);
