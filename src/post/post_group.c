@@ -111,17 +111,17 @@ static int set_aim(struct nc_planner *planner, const struct lookahead *ahead, si
 static int leave_part(struct nc_planner *planner, const struct path_item *item)
 {
     struct machine_pose to;
-    int result = 0;
     planner->off_part = false;
+    planner->leaves = true;
     planner->aim.n = 0;
-    if (post_ik_reach(planner, item->to, 1, &to) != 0)
-        return -1;
-    double turn = ik_travel(&planner->machine->chain, planner->state.at.q, to.at.q);
-    if (turn > 2 * vec_angle(planner->state.pose.a, item->to.a) + far_turn) {
+    int result = post_ik_reach(planner, item->to, 1, &to);
+    if (result == 0 && ik_travel(&planner->machine->chain, planner->state.at.q, to.at.q) >
+                           2 * vec_angle(planner->state.pose.a, item->to.a) + far_turn) {
         planner->state.why = NC_WHY_RETRACT;
-        result = post_motion_rapid(planner, post_rewind_retracted(planner));
+        result = post_rewind_retract(planner);
     }
     result = result == 0 ? post_item(planner, item) : -1;
+    planner->leaves = false;
     planner->off_part = true;
     return result;
 }

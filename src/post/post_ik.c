@@ -159,7 +159,7 @@ static void turn_ahead(struct nc_planner *planner, struct pose to, double q[])
     const struct kinematic_chain *chain = &planner->machine->chain;
     double then[ROTARY_MAX];
     int over;
-    if (!chain_free(chain, to.a))
+    if (planner->leaves || !chain_free(chain, to.a))
         return;
     if (planner->state.begun && !planner->off_part && !chain_free(chain, planner->state.pose.a))
         return;

@@ -79,6 +79,7 @@ struct nc_planner {
     size_t next_tilted;        /* no item from `next` to before this one has a tool axis that is
                                   not singular */
     bool off_part;             /* so the next motion may take either solution */
+    bool leaves;               /* the part, with a rapid: a free axis stays as it is */
     bool doubtful;             /* the nearest way may not have been the shortest of all */
     struct nc_aim aim;         /* of the next motion */
     struct nc_rewinds rewinds; /* inside of the next motion */

@@ -242,6 +242,27 @@ for c in fanuc siemens heidenhain linuxcnc; do
 	done
 done
 
+# ---- a cut that ends in the pole: C, which is free there, turns for the next one off the part, not in
+# the rapid that leads out of it (nor in one that is made for it)
+printf '%s\n' UNITS/MM MULTAX/ON CUTTER/8,4,0,4,0,0,60 LOADTL/1 SPINDL/900,CLW RAPID \
+	'GOTO/40,0,60,0.3,0,0.953939201' FEDRAT/MMPM,500 'GOTO/40,0,10,0.3,0,0.953939201' \
+	'GOTO/43,0,10,0,0,1' RAPID 'GOTO/43,0,60,0,0,1' RAPID 'GOTO/43,20,60,U' FEDRAT/MMPM,500 \
+	'GOTO/43,20,10,U' RAPID 'GOTO/43,20,60,U' FINI >"$TMP/turned"
+for c in fanuc siemens heidenhain linuxcnc; do
+	for axis in 0,-0.3,0.953939201 0.28,-0.107703296,0.953939201; do # 90 and 21 degrees on
+		sed "s/,U$/,$axis/" "$TMP/turned" >"$TMP/turned.cl"
+		status 0 "$c, $axis: a cut that ends in the pole" \
+			ncpost -c $c -m table-ac-notcp -o "$TMP/turned.nc" "$TMP/turned.cl"
+		# the blocks after Z10 up to the first that rises
+		awk 'match($0, / Z[-+0-9.]+/) { z = substr($0, RSTART + 2, RLENGTH - 2) + 0
+				if (low && z > 10) { print; exit }
+				low = z == 10; next }
+			low' "$TMP/turned.nc" >"$TMP/out"
+		has "it goes up first" 'Z\+?60' "$TMP/out"
+		hasnt "C stands still" ' C[-+0-9]' "$TMP/out"
+	done
+done
+
 # ---- Y comes to the end of its travel on the way down: a turn of the axes does not help, and the way
 # back from it would want one, too
 printf '%s\n' UNITS/MM MULTAX/ON CUTTER/4,2,0,2,0,0,60 LOADTL/1 SPINDL/8000,CLW RAPID \
