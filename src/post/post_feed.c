@@ -244,18 +244,9 @@ double post_feed_minutes(const struct nc_planner *planner, const struct machine_
     return need_of(planner, to, length, along, least).minutes;
 }
 
-/* Looks at a span as close as post_feed_minutes takes them: what it misses cannot be divided. */
-static int looks_at_span(const struct motion *motion)
-{
-    size_t spans = 1, poles = motion->curve ? motion->curve->poles : 0;
-    for (double s = motion_next_knot(motion, 0); s < 1; s = motion_next_knot(motion, s))
-        spans++;
-    return SPAN_PIECES / 3 * (int)((poles + spans) / spans);
-}
-
 /* A curve in spans of which none is shorter than a block may be, but at its end: parts of those
  * between its knots, for beside the singular direction the axes are slow over a small part of one.
- */
+ * It is looked at where post_feed_minutes does: a peak that this alone saw would slow all of it. */
 static struct feed_spans span_speeds(const struct nc_planner *planner, const struct motion *motion)
 {
     const struct block_pose *at = &planner->state.at;
@@ -266,7 +257,7 @@ static struct feed_spans span_speeds(const struct nc_planner *planner, const str
     struct feed_span span = {0};
     double minutes = 0;
     struct sample a = sample_at(planner, at, &along, 0, at->q);
-    const int looks = looks_at_span(motion);
+    const int looks = SPAN_PIECES;
     for (double s = 0; s < 1;) {
         double from = s, to = motion_next_knot(motion, s);
         for (int i = 1; i <= looks; i++) {

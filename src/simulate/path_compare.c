@@ -230,8 +230,11 @@ static double piece_allows(const struct compare *c, size_t piece)
     return feed;
 }
 
+/* Pieces of one curve; polynomials, each of which is a block, go on with the feed of the first. */
 static bool same_curve(const struct nc_piece *a, const struct nc_piece *b)
 {
+    if (a->shape == SHAPE_POLYNOMIAL)
+        return b->shape == SHAPE_POLYNOMIAL && a->feed == b->feed;
     return a->shape == SHAPE_SPLINE && b->shape == SHAPE_SPLINE && a->index == b->index;
 }
 

@@ -164,6 +164,46 @@ START_TEST(a_curve_without_tool_centre_point)
 }
 END_TEST
 
+/* A row of polynomials in one F, along x and then along y; the X axis is slow. */
+static struct nc_motion corner(double feed)
+{
+    struct nc_motion motion = {.kinematics = {.tool = {0, 0, 1}}};
+    const struct vec3 at[] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}, up = {0, 0, 1};
+    for (size_t i = 0; i < 2; i++) {
+        struct nc_motion_polynomial line = {.p = {vec_sub(at[i + 1], at[i])}};
+        *array_push(&motion.polynomial) = line;
+        *array_push(&motion.piece) = (struct nc_piece){.feed = feed,
+                                                       .index = i,
+                                                       .shape = SHAPE_POLYNOMIAL,
+                                                       .p = {at[i], at[i + 1]},
+                                                       .q = {up, up}};
+    }
+    return motion;
+}
+
+/* The feed that the first needs is that of the next, which says none; but not of one that does. */
+START_TEST(polynomials_of_one_feed)
+{
+    struct axis_limits limits = {.rapid = {5, 1e5, 1e5, 1e5, 1e5, 1e5}};
+    struct path_compare_options slow = options;
+    struct nc_motion path = corner(800), program = corner(2);
+
+    slow.limits = &limits;
+    struct path_compare found = path_compare_run(&program, &path, &slow);
+    ck_assert_uint_eq(found.off.count + found.missed.count + found.slow.count, 0);
+    program.piece.item[1].feed = 1;
+    found = path_compare_run(&program, &path, &slow);
+    ck_assert_uint_eq(found.slow.piece, 1);
+    ck_assert_double_eq_tol(found.slow.value, 800, 1e-6);
+    limits.rapid[0] = 1e5;
+    program.piece.item[1].feed = 2;
+    found = path_compare_run(&program, &path, &slow);
+    ck_assert_double_eq_tol(found.slow.value, 400, 1e-6);
+    nc_motion_free(&path);
+    nc_motion_free(&program);
+}
+END_TEST
+
 /* The program comes down beside where the path begins, goes along a row of its own and is on the
  * path from its fifth piece on; near to where the path begins it is again later, on a next row. */
 START_TEST(what_is_left_out_is_told_where_it_was_left)
@@ -194,6 +234,7 @@ int main(void)
     tcase_add_test(tcase, what_is_left_out_is_told_where_it_was_left);
     tcase_add_test(tcase, a_curve_without_tool_centre_point);
     tcase_add_test(tcase, what_is_off_is_told);
+    tcase_add_test(tcase, polynomials_of_one_feed);
     tcase_add_test(tcase, an_axis_that_the_path_has_within_the_tolerance_of_the_tip);
     tcase_add_test(tcase, an_axis_that_turns_unevenly_with_the_tip);
     suite_add_tcase(suite, tcase);
