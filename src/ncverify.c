@@ -393,6 +393,23 @@ static void find_surface(const struct settings *s, int threads, struct vec3s *po
             surface->sheets_at.x, surface->sheets_at.y, surface->sheets_at.z);
 }
 
+/* All of it is cut by the tool of its head, at that speed. */
+static bool is_made_by_one_tool(const struct path *path)
+{
+    bool one = path->tool.n == 0;
+    for (size_t i = 0; i < path->text.n; i++)
+        one = one && strncmp(path->text.item[i], "SPINDL", 6) != 0;
+    return one;
+}
+
+static void say_tool(const struct path_head *head, struct nc_motion *motion)
+{
+    motion->speed = head->spindle;
+    motion->turns = head->spindle_ccw ? -1 : 1;
+    motion->tool = head->tool;
+    motion->offset = head->offset ? head->offset : head->tool;
+}
+
 /* The motion of a path; the region that it says, where the program says none. */
 static void read_path(const char *file, struct nc_motion *motion, struct region *region)
 {
@@ -402,6 +419,8 @@ static void read_path(const char *file, struct nc_motion *motion, struct region 
         die_error(&error);
     motion->name = file;
     motion->coolant = path.head.coolant > COOLANT_OFF;
+    if (is_made_by_one_tool(&path))
+        say_tool(&path.head, motion);
     if (!region_given(region)) {
         *region = path.head.region;
         path.head.region.polygons = (struct region_polygons){0};

@@ -107,6 +107,9 @@ struct nc_motion {
     } remark;
     double unit;                       /* of the lengths in the program, mm; 0: 1 */
     bool coolant;                      /* is on at the first cut */
+    int turns;                         /* the spindle there: 1 clockwise, -1, 0: not known */
+    double speed;                      /* rev/min, 0: none is said */
+    int tool, offset;                  /* its number, and that of its length (H); 0: not said */
     size_t blocks;                     /* lines with something in them */
     double dwell;                      /* minutes that the tool stands still */
     size_t passes;                     /* the path stream's */
@@ -115,8 +118,8 @@ struct nc_motion {
 
 void nc_motion_free(struct nc_motion *m);
 
-/* -1 with the line where moves of more than 10 m, which no machine makes, are 100 m together: to
- * follow them in steps that a part needs takes time and memory without bound. */
+/* -1 with the line and block where moves of more than 10 m, which no machine makes, are 100 m
+ * together: to follow them in steps that a part needs takes time and memory without bound. */
 int nc_motion_bounded(const struct nc_motion *m, struct error *error);
 
 /* Where the tool is at s from 0 to 1 of a piece. */

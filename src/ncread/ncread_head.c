@@ -201,6 +201,12 @@ void ncread_head_line(struct ncread_head *head, const char *line)
     } else if (has_word(&s, "UNMET:")) {
         if (head->unmet++ == 0)
             read_name(head->unmet_first, sizeof head->unmet_first, s);
+    } else if (has_word(&s, "UNMET+:")) {
+        size_t n = strlen(head->unmet_first), room = sizeof head->unmet_first - n;
+        if (head->unmet == 1 && n > 0 && room > 1) {
+            head->unmet_first[n] = ' ';
+            read_name(head->unmet_first + n + 1, room - 1, s);
+        }
     } else if (has_word(&s, "cloudmill ncpost")) {
         head->numbered = true;
         s += strcspn(s, ",");

@@ -61,6 +61,11 @@ static int read_m(struct ncread *c, const char *text, struct klartext *k, struct
         c->tcp = w.value[0] == 128;
     else if (w.value[0] == 126 || w.value[0] == 127)
         return 0; /* the way of rotary axes over 360 degrees */
+    else if (w.value[0] == 136)
+        return ncread_error(c, error,
+                            "found M136, a feed per revolution, which this reader does not read");
+    else if (w.value[0] == 137)
+        return 0; /* a feed per minute again */
     else if (w.value[0] == 91)
         k->machine = true;
     else if (w.value[0] == 99)
@@ -264,6 +269,26 @@ static void watch_block(struct ncread *c, const struct klartext *k)
     ncread_tool_text(c, k->n, word);
 }
 
+/* TOOL CALL 1 Z S8000 DL+0.2: a tool longer or thicker than its table says cuts elsewhere. */
+static int read_tool(struct ncread *c, const struct klartext *k, struct error *error)
+{
+    bool quoted = false;
+    for (int i = 2; i < k->n; i++) {
+        const char *w = k->word[i], *value = w + (*w == 'S' ? 1 : 2 + (strncmp(w, "DR2", 3) == 0));
+        bool name = quoted || *w == '"';
+        double more = 0;
+        for (const char *s = w; *s; s++)
+            quoted = quoted != (*s == '"');
+        if (!name && *w == 'S' && !num_read(&value, &c->speed))
+            return ncread_error(c, error, "TOOL CALL with a speed that is no number");
+        if (!name && (strncmp(w, "DL", 2) == 0 || strncmp(w, "DR", 2) == 0) &&
+            (!num_read(&value, &more) || more != 0))
+            return ncread_error(c, error,
+                                "TOOL CALL with DL or DR, which this reader does not read");
+    }
+    return 0;
+}
+
 static int run_block(struct ncread *c, struct klartext *k, struct error *error)
 {
     watch_block(c, k);
@@ -277,14 +302,8 @@ static int run_block(struct ncread *c, struct klartext *k, struct error *error)
         return check_cycle(c, k, error);
     if (!*first || is_idle(c, first))
         return 0;
-    if (strcmp(first, "TOOL") == 0) {
-        const char *speed = k->n > 2 ? k->word[k->n - 1] : "";
-        bool said = *speed == 'S';
-        speed += said;
-        if (said && !num_read(&speed, &c->speed))
-            return ncread_error(c, error, "TOOL CALL with a speed that is no number");
-        return 0;
-    }
+    if (strcmp(first, "TOOL") == 0)
+        return read_tool(c, k, error);
     if (strcmp(first, "L") == 0 || strcmp(first, "LN") == 0)
         return run_straight(c, k, first[1] == 'N', error);
     if (strcmp(first, "CC") == 0)

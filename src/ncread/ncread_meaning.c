@@ -194,6 +194,7 @@ static const struct {
     {680, 689, "a turned frame"},
     {700, 890, "a cycle"},
     {920, 929, "a shift"},
+    {950, 950, "a feed per revolution"},
     {1000, 1079, "mirroring, a frame or an interpolation"},
     {1120, 1139, "an interpolation"},
     {1360, 1369, "a measurement"},

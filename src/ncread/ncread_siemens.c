@@ -45,11 +45,10 @@ struct ncread_siemens_block {
 
 /* Names that do not change where the tool goes. */
 static const char *const known_names[] = {
-    "ORIWKS", "SOFT",   "BRISK",    "FFWON",     "FFWOF",    "COMPOF",   "UPATH",
-    "SPATH",  "STOPRE", "BNAT",     "ENAT",      "BTAN",     "ETAN",     "G642",
-    "CFC",    "CFTCP",  "CFIN",     "COMPON",    "COMPCURV", "COMPCAD",  "DRIVE",
-    "SOFTA",  "BRISKA", "FIFOCTRL", "STARTFIFO", "STOPFIFO", "ORIRESET", "CYCLE832",
-    "DIAMOF", "KONT",   "NORM",     "ADISPOS",   "WALIMOF",  "WALIMON"};
+    "ORIWKS",   "SOFT",     "BRISK",  "FFWON", "FFWOF",  "COMPOF",   "STOPRE",    "BNAT",
+    "ENAT",     "BTAN",     "ETAN",   "G642",  "CFC",    "CFTCP",    "CFIN",      "COMPON",
+    "COMPCURV", "COMPCAD",  "DRIVE",  "SOFTA", "BRISKA", "FIFOCTRL", "STARTFIFO", "STOPFIFO",
+    "ORIRESET", "CYCLE832", "DIAMOF", "KONT",  "NORM",   "ADISPOS",  "WALIMOF",   "WALIMON"};
 
 static bool is_idle_call(const char *name)
 {
@@ -134,6 +133,8 @@ static int read_name(struct ncread *c, const struct ncread_word *w, struct ncrea
     } else if (strcmp(w->name, "ORICURVE") == 0) {
         c->vectors = c->curve = true;
         b->to.has_head = c->here.has_head = false;
+    } else if (strcmp(w->name, "UPATH") == 0 || strcmp(w->name, "SPATH") == 0) {
+        c->parameter = *w->name == 'U';
     } else if (strcmp(w->name, "ORIMKS") == 0) {
         return ncread_error(c, error,
                             "ORIMKS: the tool axis would follow the machine, not the work");
@@ -434,6 +435,8 @@ static int run_block(struct ncread *c, struct ncread_siemens_block *b, struct er
         return ncread_error(c, error, "a place before G90 or G91");
     if (!c->absolute && (c->move == MOVE_POLY || c->move == MOVE_BSPLINE))
         return ncread_error(c, error, "a curve under G91, which this reader does not read");
+    if (c->curve && !c->parameter && (c->move == MOVE_POLY || c->move == MOVE_BSPLINE))
+        return ncread_error(c, error, "a curve under ORICURVE without UPATH");
     if (c->hole.on)
         return ncread_hole_down(c, &b->to, error);
     if (b->weighs && c->move != MOVE_BSPLINE)

@@ -77,10 +77,11 @@ struct ncread {
     bool tcp;              /* on */
     bool vectors;          /* the tool axis is programmed as a vector */
     bool curve;            /* the tool axis follows a second point (ORICURVE) */
+    bool parameter;        /* which runs on the curve's parameter (UPATH), not on its length */
     bool length;           /* the tool's length is on */
     bool lengthened;       /* and was, in some block */
     size_t length_assumed; /* line of the first cut without it, whose Z was taken for the tip's */
-    double speed;          /* of the spindle, 1/min, where the dialect needs it; 0: not set yet */
+    double speed;          /* of the spindle, 1/min; 0: not set yet */
     double feed;
     bool feed_here;     /* F stands in this block */
     bool ended;         /* M30 was read */

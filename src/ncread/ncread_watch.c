@@ -50,6 +50,10 @@ static void watch_g(struct ncread *c, const struct ncread_word *g)
 
 static void watch_m(struct ncread *c, double code)
 {
+    if (code == 3 || code == 13)
+        c->watch.turns = 1;
+    else if (code == 4 || code == 14)
+        c->watch.turns = -1;
     if (code == 7 || code == 8 || code == 13 || code == 14)
         set_value(c, COOLANT, 1);
     else if (code == 9)
@@ -91,6 +95,9 @@ void ncread_watch_words(struct ncread *c)
             break;
         case 'H':
             set_value(c, LENGTH, w->value[0]);
+            break;
+        case 'S':
+            c->speed = w->value[0];
             break;
         default:
             break;
@@ -142,6 +149,22 @@ static void tell_change(struct ncread *c, enum watched what)
     ncread_watch_remark(c, w->line[what], w->block[what], text);
 }
 
+/* A number of a tool, 0: none is known, or it has a name. */
+static int number_of(const struct ncread_watch *w, enum watched what)
+{
+    return w->known[what] && w->value[what] > 0 && w->value[what] < 1e9 ? (int)w->value[what] : 0;
+}
+
+static void tell_first(const struct ncread *c)
+{
+    const struct ncread_watch *w = &c->watch;
+    c->motion->coolant = w->known[COOLANT] && w->value[COOLANT] != 0;
+    c->motion->turns = w->turns;
+    c->motion->speed = c->speed;
+    c->motion->tool = number_of(w, TOOL);
+    c->motion->offset = number_of(w, LENGTH);
+}
+
 void ncread_watch_cut(struct ncread *c)
 {
     struct ncread_watch *w = &c->watch;
@@ -157,6 +180,6 @@ void ncread_watch_cut(struct ncread *c)
     if (!w->cuts && !w->known[WORK_OFFSET] && c->options->dialect->offsets)
         ncread_watch_remark(c, c->line, c->block, "cuts without a work offset, G54 or another");
     if (!w->cuts)
-        c->motion->coolant = w->known[COOLANT] && w->value[COOLANT] != 0;
+        tell_first(c);
     w->cuts = true;
 }

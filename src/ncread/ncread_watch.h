@@ -1,6 +1,7 @@
 /*
  * ncread_watch - what must not change while a program cuts: the work offset, the tool, its offsets,
- * the coolant.  What does is remarked in the motion, by its block, once a cut follows.
+ * the coolant.  What does is remarked in the motion, by its block, once a cut follows.  The motion
+ * is told with what the first cut is made: spindle, tool, coolant.
  */
 #ifndef CLOUDMILL_NCREAD_WATCH_H
 #define CLOUDMILL_NCREAD_WATCH_H
@@ -13,6 +14,7 @@ enum { NCREAD_WATCHED = 5 };
 
 struct ncread_watch {
     bool cuts;                    /* a cut was seen */
+    int turns;                    /* the spindle, as in nc_motion */
     bool known[NCREAD_WATCHED];   /* a word stood before it, */
     double value[NCREAD_WATCHED]; /* this */
     bool changed[NCREAD_WATCHED]; /* another one since, not told yet, in ... */

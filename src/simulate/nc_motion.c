@@ -195,6 +195,10 @@ static double rough_length(const struct nc_motion *m, const struct nc_piece *pie
     return length;
 }
 
+#define TOO_FAR                                                                                   \
+    "found moves of more than 10 m, %.0f m together, expected at most 100 m: no machine goes so " \
+    "far"
+
 int nc_motion_bounded(const struct nc_motion *m, struct error *error)
 {
     const double longest = 1e4, most = 1e5; /* mm */
@@ -204,11 +208,11 @@ int nc_motion_bounded(const struct nc_motion *m, struct error *error)
         if (!(length > longest))
             continue;
         far += length;
+        if (far > most && m->piece.item[i].block > 0)
+            return error_at(error, m->name, m->piece.item[i].line, "N%d: " TOO_FAR,
+                            m->piece.item[i].block, far / 1e3);
         if (far > most)
-            return error_at(error, m->name, m->piece.item[i].line,
-                            "found moves of more than 10 m, %.0f m together, expected at most 100 "
-                            "m: no machine goes so far",
-                            far / 1e3);
+            return error_at(error, m->name, m->piece.item[i].line, TOO_FAR, far / 1e3);
     }
     return 0;
 }

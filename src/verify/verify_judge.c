@@ -380,6 +380,31 @@ static size_t first_cut(const struct nc_motion *motion)
     return i;
 }
 
+/* What the first cut of a program is made with, against its path. */
+static void judge_tool(struct verdict *v, size_t cut)
+{
+    const struct nc_motion *path = v->program.path, *motion = v->program.motion;
+    const double even = 0.01;
+    bool known = path->speed > 0 && motion->turns != 0;
+    if (path->coolant && !motion->coolant)
+        add_finding(v, true, cut, "the path has coolant on, the program cuts without");
+    if (known && path->turns != motion->turns)
+        add_finding(v, true, cut, "the path turns the spindle %s, the program the other way",
+                    path->turns > 0 ? "clockwise" : "anticlockwise");
+    if (known && motion->speed == 0)
+        add_finding(v, true, cut, "the path's spindle turns at %g, the program says no speed",
+                    path->speed);
+    else if (known && fabs(motion->speed - path->speed) > fmax(1, even * path->speed))
+        add_finding(v, true, cut, "the path's spindle turns at %g, the program's at %g",
+                    path->speed, motion->speed);
+    if (path->tool > 0 && motion->tool > 0 && path->tool != motion->tool)
+        add_finding(v, true, cut, "the path is for tool %d, the program takes tool %d", path->tool,
+                    motion->tool);
+    if (path->offset > 0 && motion->offset > 0 && path->offset != motion->offset)
+        add_finding(v, true, cut, "the path is for the length H%d, the program switches on H%d",
+                    path->offset, motion->offset);
+}
+
 /* A program against its path. */
 static void judge_path(struct verdict *v)
 {
@@ -410,9 +435,7 @@ static void judge_path(struct verdict *v)
     if (found.slow.count > 0)
         add_finding(v, true, found.slow.piece, "the feed is 1/%.4g of the path's",
                     found.slow.value);
-    if (path->coolant && !v->program.motion->coolant)
-        add_finding(v, true, first_cut(v->program.motion),
-                    "the path has coolant on, the program cuts without");
+    judge_tool(v, first_cut(v->program.motion));
 }
 
 /* A rapid move that stays beside the part from end to end, across the tool. */
@@ -461,7 +484,7 @@ static void judge_touches(struct verdict *v)
 static void judge_unmet(struct verdict *v)
 {
     if (v->program.unmet > 0)
-        add_remark(v, true, "its head says UNMET: %.130s%s", v->program.unmet_first,
+        add_remark(v, true, "its head says UNMET: %.205s%s", v->program.unmet_first,
                    v->program.unmet > 1 ? ", and more" : "");
 }
 

@@ -57,7 +57,7 @@ status 1 "a part without points" ncverify -q -r 4 -g empty.xyz good.nc
 has "... is told" 'empty.xyz' err
 awk 'cut && !done && sub(/ X-?[0-9.]+/, " X400000.") { done = 1 } / G1 / { cut = 1 } { print }' good.nc >far.nc
 status 1 "a move of 400 m" ncverify -q -g scan.xyz far.nc
-has "... is told with its line" '^ncverify: far.nc:[0-9]+: found moves of more than 10 m' err
+has "... is told with its line" '^ncverify: far.nc:[0-9]+: N[0-9]+: found moves of more than 10 m' err
 
 # the head and the options
 status 0 "another name for the control" ncverify -c haas -g scan.xyz good.nc

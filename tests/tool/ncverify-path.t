@@ -91,11 +91,26 @@ for control in fanuc siemens heidenhain linuxcnc; do
 		sed 's/ F800\(\.*\)/ F8000\1/' line.$control >bad.$control; found "ten times the feed" 'N?[0-9]+ .*the feed is 10 times the path'
 		sed 's/ F800\(\.*\)/ F0.8/' line.$control >bad.$control; found "a thousandth of the feed" 'N?[0-9]+ .*the feed is 1/1000 of the path'
 	fi
+	sed 's/S8000/S80/' line.$control >bad.$control; found "another speed" "N?[0-9]+ .*turns at 8000, the program's at 80"
+	sed 's/ *S8000//' line.$control >bad.$control; found "no speed" 'N?[0-9]+ .*the program says no speed'
+	sed 's/ M3$/ M4/' line.$control >bad.$control; found "the spindle the other way" 'N?[0-9]+ .*the program the other way'
+	sed 's/ T1 / T2 /;s/CALL 1/CALL 2/' line.$control >bad.$control; found "tool 2 all along" 'N?[0-9]+ .*takes tool 2'
+	sed 's/H1$/H2/;s/H1 Z/H2 Z/' line.$control >bad.$control
+	case $control in fanuc | linuxcnc) found "the length of tool 2 all along" 'N[0-9]+ .*for the length H1, .* on H2' ;; esac
+	if [ $control = heidenhain ]; then edit before 45 M136; else edit before 45 G95; fi
+	found "a feed per revolution" '[0-9]+: N[0-9]+: found (G95|M136), a feed per revolution'
 	echo "# $control:$table"
 done
 sed 's/ORIWKS/ORIMKS/' line.siemens >bad.siemens
 control=siemens machine=table-ac
 found "ORIMKS" 'bad.siemens:[0-9]+: N[0-9]+: ORIMKS'
+
+sed 's/ UPATH//' curve.siemens >bad.siemens
+if grep -q 'PO\[' curve.siemens; then found "UPATH lost" 'bad.siemens:[0-9]+: N[0-9]+: a curve under ORICURVE without UPATH'; fi
+sed 's/\(TOOL CALL.*\)/\1 DL+0.5/' line.heidenhain >bad.heidenhain
+control=heidenhain
+found "a tool longer than its table says" 'bad.heidenhain:[0-9]+: N[0-9]+: TOOL CALL with DL or DR'
+control=siemens
 
 # a polynomial whose coefficients are 1 % too large
 awk '/POLY|PO\[/ { while (match($0, /,-?[0-9.]+[,)]/)) { v = substr($0, RSTART + 1, RLENGTH - 2)

@@ -78,6 +78,14 @@ START_TEST(words)
     line("(TOLERANCE NCPOST 0.0011)");
     line("(TOLERANCE SUM 0.0112 MM, AXIS 0.0063 DEG)");
     line("(SCALLOP: 0.02 TOLERANCE: 0.01)");
+    line("(UNMET: MESHNORM: KEPT OFF BY THE SURFACE)");
+    line("(UNMET+: UP TO 0.1 MM, WORST)");
+    line("(UNMET+: AT 1.000 2.000 3.000)");
+    line("(UNMET: BIARCFIT: ANOTHER)");
+    line("(UNMET+: OF IT)");
+    ck_assert_uint_eq(head.unmet, 2);
+    ck_assert_str_eq(head.unmet_first, "MESHNORM: KEPT OFF BY THE SURFACE UP TO 0.1 MM, WORST AT "
+                                       "1.000 2.000 3.000");
     ck_assert_str_eq(head.control_file, "siemens");
     ck_assert_str_eq(head.machine_file, "head-ca");
     ck_assert_str_eq(head.set, "A.max=30 x");

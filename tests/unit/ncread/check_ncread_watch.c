@@ -128,9 +128,33 @@ START_TEST(first_cut)
         block(coolant[i]);
         ncread_watch_cut(&c);
         ck_assert(motion.coolant == (i < 4));
+        ck_assert_int_eq(motion.turns, i == 2 ? 1 : i == 3 ? -1 : 0); /* M13 and M14 do both */
         ck_assert_uint_eq(motion.remark.n, 1);
         ck_assert_ptr_nonnull(strstr(motion.remark.item[0].text, "without a work offset"));
     }
+}
+END_TEST
+
+/* Spindle, tool and length that the first cut is made with; what comes later is not. */
+START_TEST(first_tool)
+{
+    block("T4 M6");
+    block("S900 M4");
+    block("G43 H7 G54");
+    ncread_watch_cut(&c);
+    block("T5 S800 M3 H8");
+    ncread_watch_cut(&c);
+    ck_assert_int_eq(motion.turns, -1);
+    ck_assert_double_eq(motion.speed, 900);
+    ck_assert_int_eq(motion.tool, 4);
+    ck_assert_int_eq(motion.offset, 7);
+    reading_end();
+    reading_begin();
+    options.dialect = &ncread_siemens;
+    block("T=\"BALL 5\" G54");
+    ncread_watch_cut(&c);
+    ck_assert_int_eq(motion.tool, 0);
+    ck_assert_double_eq(motion.speed, 0);
 }
 END_TEST
 
@@ -242,6 +266,7 @@ int main(void)
     tcase_add_checked_fixture(tests, reading_begin, reading_end);
     tcase_add_loop_test(tests, changes, 0, (int)(sizeof change / sizeof *change));
     tcase_add_test(tests, first_cut);
+    tcase_add_test(tests, first_tool);
     tcase_add_test(tests, lengths);
     tcase_add_test(tests, other_tool_words);
     tcase_add_test(tests, length_missing);

@@ -122,6 +122,9 @@ START_TEST(no_farther_than_a_machine_goes)
     ck_assert_int_eq(nc_motion_bounded(&far, &error), -1);
     ck_assert_str_eq(error.text, "far.nc:48: found moves of more than 10 m, 110 m together, "
                                  "expected at most 100 m: no machine goes so far");
+    far.piece.item[47].block = 480;
+    ck_assert_int_eq(nc_motion_bounded(&far, &error), -1);
+    ck_assert_ptr_nonnull(strstr(error.text, "far.nc:48: N480: found moves of more than 10 m"));
 
     /* half a turn of 40 m about z, in the place of all lines: 4 chords of 30.6 m */
     far.piece.n = 0;

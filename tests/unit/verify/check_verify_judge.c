@@ -576,6 +576,47 @@ START_TEST(against_the_path)
 }
 END_TEST
 
+static const struct {
+    int turns;
+    double speed;
+    int tool, offset;
+    const char *text; /* NULL: nothing is said */
+} tools[] = {{1, 8000, 3, 7, NULL},
+             {1, 8060, 3, 7, NULL},
+             {0, 0, 0, 0, NULL},
+             {-1, 8000, 3, 7, "the path turns the spindle clockwise, the program the other way"},
+             {1, 8100, 3, 7, "the path's spindle turns at 8000, the program's at 8100"},
+             {1, 0, 3, 7, "the path's spindle turns at 8000, the program says no speed"},
+             {1, 8000, 7, 7, "the path is for tool 3, the program takes tool 7"},
+             {1, 8000, 3, 3, "the path is for the length H7, the program switches on H3"}};
+
+/* What the first cut is made with. */
+START_TEST(tool_of_the_path)
+{
+    struct trial t;
+    trial_begin(&t);
+    t.path = three_moves(0);
+    for (size_t i = 0; i < t.path.piece.n; i++)
+        t.path.piece.item[i].q[0] = t.path.piece.item[i].q[1] = vec(0, 0, 1);
+    t.path.turns = 1;
+    t.path.speed = 8000;
+    t.path.tool = 3;
+    t.path.offset = 7;
+    t.motion.turns = tools[_i].turns;
+    t.motion.speed = tools[_i].speed;
+    t.motion.tool = tools[_i].tool;
+    t.motion.offset = tools[_i].offset;
+    t.v.program.path = &t.path;
+    t.v.program.post = t.v.program.axis = -1;
+    verify_judge(&t.v);
+    ck_assert_int_eq(verdict_refused(&t.v), tools[_i].text != NULL);
+    ck_assert_uint_eq(t.v.finding.n, tools[_i].text != NULL);
+    if (tools[_i].text)
+        ck_assert_ptr_nonnull(strstr(t.v.finding.item[0].text, tools[_i].text));
+    trial_free(&t);
+}
+END_TEST
+
 /* A cut that is off in its middle alone. */
 START_TEST(a_tip_off_the_path)
 {
@@ -632,6 +673,7 @@ int main(void)
     tcase_add_test(tests, an_end_on_the_part);
     tcase_add_loop_test(tests, turns_of_the_axis, 0, COUNT(turns));
     tcase_add_loop_test(tests, against_the_path, 0, COUNT(paths));
+    tcase_add_loop_test(tests, tool_of_the_path, 0, (int)(sizeof tools / sizeof *tools));
     tcase_add_test(tests, a_tip_off_the_path);
     tcase_add_test(tests, what_the_program_leaves_out);
     suite_add_tcase(suite, tests);
