@@ -92,7 +92,7 @@ static void find_tool(struct settings *s, const struct ncread_head *head)
         return;
     }
     const char *text = s->holder ? s->holder : *head->holder ? head->holder : NULL;
-    bool said = head->flute_given && !s->flute_given;
+    bool said = head->flute_given && !s->flute_given && (head->flute > 0 || *head->holder);
     double flute = s->flute_given ? s->flute : said ? head->flute : TOOL_FLUTE * s->radius;
     struct holder above = {0};
     struct error error;

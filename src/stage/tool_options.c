@@ -51,7 +51,8 @@ int tool_options_read(const struct tool_options *options, double radius, struct 
         body->flute = options->flute;
     if (options->holder && holder_text_read(options->holder, &body->above, &why) != 0)
         return error_set(error, "option --holder: %s", why.text);
-    if (options->ball_only)
+    bool nothing = options->flute_given && body->flute == 0 && body->above.n == 0;
+    if (options->ball_only || nothing)
         *body = (struct tool_body){.ball_only = true};
     return check_size(body, radius, error);
 }

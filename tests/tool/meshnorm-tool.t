@@ -64,6 +64,16 @@ status 0 "the ball alone" meshnorm -r 3 --rows mesh --avoid --ball-only -o "$TMP
 has "is said" 'tool: ball R 3 only' "$TMP/err"
 has "and carried" '^\$\$-> TOOL/BALL-ONLY$' "$TMP/only.cl"
 
+meshnorm -r 3 --rows mesh --avoid --flute 0 -o "$TMP/none.cl" "$TMP/walls.ply" 2>"$TMP/err"
+has "no flute and no holder is the ball alone: said" 'tool: ball R 3 only' "$TMP/err"
+same "... and carried" "$TMP/only.cl" "$TMP/none.cl"
+for word in BALL-ONLY FLUTE,0.000000; do
+	sed "s/^\(..-> TOOL\)\/.*/\1\/$word/" "$TMP/ball.cl" | ncpost -q --accept -c siemens -o "$TMP/ball.mpf"
+	status 3 "a program of $word: ncverify judges the whole tool" \
+		ncverify --accept --partial -g "$TMP/walls.xyz" "$TMP/ball.mpf"
+	has "... and finds its shaft" '^fault .*the shaft goes .* deep into the part' "$TMP/out"
+done
+
 # ---- machines
 
 status 0 "another machine" meshnorm -q -r 3 --rows mesh --avoid -m head-cb -o "$TMP/head.cl" "$TMP/walls.ply"

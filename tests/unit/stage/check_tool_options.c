@@ -35,6 +35,12 @@ START_TEST(a_flute_that_is_given)
     struct tool_options options = {.flute_given = true, .flute = 0};
     ck_assert_int_eq(read_with(options, 3), 0);
     ck_assert_double_eq(body.flute, 0);
+    ck_assert(body.ball_only); /* nothing is above the ball */
+    options.holder = "5:60";
+    ck_assert_int_eq(read_with(options, 3), 0);
+    ck_assert_double_eq(body.flute, 0);
+    ck_assert(!body.ball_only);
+    options.holder = NULL;
     options.flute = 7;
     ck_assert_int_eq(read_with(options, 3), 0);
     ck_assert_double_eq(body.flute, 7);
