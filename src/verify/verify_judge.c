@@ -125,12 +125,13 @@ static void judge_left(struct verdict *v)
         return;
     if (whole)
         snprintf(what, sizeof what, ", %.1f mm2 that the tool reaches", left->area);
-    bool far = !whole && r->over > BORDER * v->options.left + v->noise;
+    double border = BORDER * v->options.left + v->noise;
+    bool far = !whole && r->over > border;
+    double limit = whole ? v->limit : far && n <= most ? border : v->options.left;
     add_finding(v, far || n > most, piece_at(v, at),
                 "%.4f mm of material is left at %.3f %.3f %.3f, at most %.4g (%zu points%s; %zu "
                 "points may be)",
-                whole ? left->worst : r->over, p.x, p.y, p.z, whole ? v->limit : v->options.left, n,
-                what, most);
+                whole ? left->worst : r->over, p.x, p.y, p.z, limit, n, what, most);
 }
 
 static void judge_surface(struct verdict *v)

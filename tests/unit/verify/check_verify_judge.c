@@ -325,7 +325,7 @@ static const struct {
      "N20 (line 2): 0.0749 mm of material is left at 5.000 0.000 0.000, at most 0.05 (1 points of "
      "the region; 1 points may be)"},
     {region_left_far, true,
-     "N20 (line 2): 0.0751 mm of material is left at 5.000 0.000 0.000, at most 0.05 (1 points of "
+     "N20 (line 2): 0.0751 mm of material is left at 5.000 0.000 0.000, at most 0.075 (1 points of "
      "the region; 1 points may be)"},
     {part_left, true,
      "N20 (line 2): 0.4000 mm of material is left at 5.000 0.000 0.000, at most 0.05 (1 points, "
