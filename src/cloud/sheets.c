@@ -14,6 +14,7 @@ enum { MIDDLE = NEAR / 2, ROUND = 6 }; /* those nearest to the place; to a point
 static const double APART = 4.5;    /* spreads of a group */
 static const double PART = 0.25;    /* of the points in each group */
 static const double MIXED = 0.75;   /* of the neighbours that would be across by chance */
+static const double AS_NEAR = 1.2;  /* times the nearest one's distance */
 static const double LEAST = 0.001;  /* of the neighbourhood's radius: less is in printed digits */
 static const double UPRIGHT = 0.35; /* least z of the normal */
 
@@ -59,25 +60,29 @@ static double squares_of(const double *value, size_t n)
     return sum;
 }
 
-/* Part of the points whose nearest neighbour along the surface is of the other group. */
+/* Part of the nearest neighbours along the surface that are of the other group; of a lattice's
+ * points several are as near, and one of them alone says nothing. */
 static double mixed_part(const struct vec3 *point, const bool *upper, size_t n, struct vec3 normal)
 {
-    size_t mixed = 0;
+    double mixed = 0, along[NEAR];
 
     for (size_t i = 0; i < n; i++) {
         double nearest = HUGE_VAL;
-        bool other = false;
+        size_t all = 0, other = 0;
         for (size_t k = 0; k < n; k++) {
             struct vec3 d = vec_sub(point[k], point[i]);
-            double along = vec_dot(d, d) - vec_dot(d, normal) * vec_dot(d, normal);
-            if (k != i && along < nearest) {
-                nearest = along;
-                other = upper[k] != upper[i];
-            }
+            along[k] = vec_dot(d, d) - vec_dot(d, normal) * vec_dot(d, normal);
+            if (k != i)
+                nearest = fmin(nearest, along[k]);
         }
-        mixed += other;
+        for (size_t k = 0; k < n; k++) {
+            bool near = k != i && along[k] <= AS_NEAR * AS_NEAR * nearest;
+            all += near;
+            other += near && upper[k] != upper[i];
+        }
+        mixed += (double)other / (double)all;
     }
-    return (double)mixed / (double)n;
+    return mixed / (double)n;
 }
 
 /* Whether the nearest points of the other group, seen along the normal, are round point i, and not

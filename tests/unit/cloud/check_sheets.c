@@ -120,6 +120,35 @@ START_TEST(no_ribs)
 }
 END_TEST
 
+/* The foot of a step on a lattice: columns of points lie above and below a quadric in turn. */
+START_TEST(no_columns)
+{
+    struct vec3s scan = {0};
+    for (int j = 0; j <= 40; j++)
+        for (int i = 0; i <= 60; i++) {
+            double x = -6 + 0.2 * i;
+            *array_push(&scan) = vec(x, -4 + 0.2 * j, 8 / (1 + exp(-6 * (x - 3))));
+        }
+    struct sheets sheets = look(&scan, 1);
+    ck_assert_msg(sheets.places == 0, "%zu places, %g mm", sheets.places, sheets.widest);
+    array_free(&scan);
+}
+END_TEST
+
+/* Lines of two scans in turn are two sheets all the same. */
+START_TEST(lines_in_turn)
+{
+    struct vec3s scan = {0};
+    for (int j = 0; j <= 60; j++)
+        for (int i = 0; i <= 60; i++)
+            *array_push(&scan) =
+                vec(0.2 * i, 0.2 * j, dome(0.2 * i, 0.2 * j) + (j % 2 ? 0.05 : 0));
+    struct sheets sheets = look(&scan, 1);
+    ck_assert_uint_gt(sheets.places, sheets.looked / 2);
+    array_free(&scan);
+}
+END_TEST
+
 START_TEST(few)
 {
     struct vec3s scan = {0};
@@ -141,6 +170,8 @@ int main(void)
     tcase_add_test(tests, two_sheets);
     tcase_add_test(tests, a_part);
     tcase_add_test(tests, no_ribs);
+    tcase_add_test(tests, no_columns);
+    tcase_add_test(tests, lines_in_turn);
     tcase_add_test(tests, few);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);
