@@ -70,20 +70,6 @@ static int read_named(const struct scan_source *source, struct vec3s *points, st
     return 0;
 }
 
-/* Whoever pipes a scan in knows that it is nowhere; whoever named a file is told that it is not
- * what it was, and with `unmet` does not go on with 0. */
-static void say_unguarded(const struct scan_source *source, const char *stream, const char *instead,
-                          const char *why, struct unmets *unmet)
-{
-    const char *other = unmet ? " (-g FILE names it)" : ""; /* who says nothing else has no -g */
-    const char *told = "the scan that %s names does not guard: %s; %s%s";
-
-    if (strcmp(source->name, "-") == 0)
-        say(told, stream, why, instead, other);
-    else
-        unmet_warn(unmet, told, stream, why, instead, other);
-}
-
 /* The files that a stream names, all of them or none; -1: one is there and cannot be read. */
 static int read_all_named(const struct scan_sources *named, const char *stream, const char *instead,
                           struct guard_scan *scan, struct unmets *unmet, struct error *why)
@@ -93,7 +79,8 @@ static int read_all_named(const struct scan_sources *named, const char *stream, 
             array_free(&scan->point);
             if (why->system)
                 return -1;
-            say_unguarded(&named->item[f], stream, instead, why->text, unmet);
+            unmet_warn(unmet, "the scan that %s names does not guard: %s; %s%s", stream, why->text,
+                       instead, unmet ? " (-g FILE names it)" : ""); /* else there is no -g */
             break;
         }
     scan->source = scan_sources_copy(named);

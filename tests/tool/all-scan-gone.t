@@ -54,8 +54,21 @@ for tool in meshnorm planecut; do
 	empty "$tool: there again, it guards" "$TMP/found"
 done
 cat scan.xyz | cloud2mesh -q -t 2 -o piped.ply
-status 0 "a scan that was piped in is no fault" meshnorm -q -r 3 --scallop 0.1 -o out.cl piped.ply
-empty "and -q is quiet of it" "$TMP/err"
+# a mesh alone may be far off the scan that it was made from: no 0 for what nobody looked at
+for tool in meshnorm planecut; do
+	status 3 "$tool: a scan that was piped in does not guard" $tool -q -r 3 --scallop 0.1 -o out.cl piped.ply
+	has "... and it is said with -q, too" 'read from standard input; guarded by the mesh alone' "$TMP/err"
+	has "... and in the path" "UNMET/$tool,.*standard input" out.cl
+	status 0 "... which --no-guard accepts" $tool -q -r 3 --scallop 0.1 --no-guard -o out.cl piped.ply
+	status 0 "... and -g mends" $tool -q -r 3 --scallop 0.1 -g scan.xyz -o out.cl piped.ply
+done
+meshnorm -q -r 3 --scallop 0.1 -o out.cl piped.ply 2>"$TMP/err"
+for tool in biarcfit bsplfit; do
+	status 3 "$tool checks nothing against it" $tool -q -e 0.01 -o fit.cl out.cl
+	has "... and says so" 'read from standard input; what is fitted is not checked' "$TMP/err"
+done
+cat scan.xyz | cloud2mesh -q -t 2 --clean believed.xyz -o piped.ply
+status 0 "with --clean there is a file" meshnorm -q -r 3 --scallop 0.1 -o out.cl piped.ply
 
 grep -v '^comment' ../mesh.ply >bare.ply
 for tool in meshnorm planecut; do
