@@ -60,6 +60,7 @@ struct nc_piece {
     bool rapid;
     bool table;    /* p is the place of the linear axes: verify_kinematics_tip */
     bool touches;  /* a contact point was given for its end */
+    bool dark;     /* from a place whose X or Y is not known, such as the machine's home */
     bool inverse;  /* feed is one over the minutes that it takes */
     int block;     /* its N number, -1: none */
     size_t line;   /* of the program or stream */
@@ -109,7 +110,7 @@ struct nc_motion {
     bool coolant;                      /* is on at the first cut */
     int turns;                         /* the spindle there: 1 clockwise, -1, 0: not known */
     double speed;                      /* rev/min, 0: none is said */
-    int tool, offset;                  /* its number, and that of its length (H); 0: not said */
+    int tool, offset;                  /* number, -1: a name, and that of its length; 0: none */
     size_t blocks;                     /* lines with something in them */
     double dwell;                      /* minutes that the tool stands still */
     size_t passes;                     /* the path stream's */

@@ -276,6 +276,7 @@ int ncread_go(struct ncread *c, const struct ncread_place *to, struct nc_piece p
         if (!all_known(&c->here) || !axis) { /* from the dark: only its end is known */
             piece.p[0] = piece.p[1];
             piece.q[0] = piece.q[1];
+            piece.dark = !(c->here.known[0] && c->here.known[1]);
         }
         ncread_plane_turn(c, &piece);
         ncread_unit_piece(c, &piece);

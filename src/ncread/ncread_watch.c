@@ -149,10 +149,12 @@ static void tell_change(struct ncread *c, enum watched what)
     ncread_watch_remark(c, w->line[what], w->block[what], text);
 }
 
-/* A number of a tool, 0: none is known, or it has a name. */
+/* A number of a tool, 0: none is known, -1: it has a name. */
 static int number_of(const struct ncread_watch *w, enum watched what)
 {
-    return w->known[what] && w->value[what] > 0 && w->value[what] < 1e9 ? (int)w->value[what] : 0;
+    if (!w->known[what])
+        return 0;
+    return w->value[what] < 0 ? -1 : w->value[what] < 1e9 ? (int)w->value[what] : 0;
 }
 
 static void tell_first(const struct ncread *c)

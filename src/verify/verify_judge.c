@@ -398,6 +398,8 @@ static void judge_tool(struct verdict *v, size_t cut)
     else if (known && fabs(motion->speed - path->speed) > fmax(1, even * path->speed))
         add_finding(v, true, cut, "the path's spindle turns at %g, the program's at %g",
                     path->speed, motion->speed);
+    if (path->tool > 0 && motion->tool == 0)
+        add_finding(v, false, cut, "the path is for tool %d, the program calls none", path->tool);
     if (path->tool > 0 && motion->tool > 0 && path->tool != motion->tool)
         add_finding(v, true, cut, "the path is for tool %d, the program takes tool %d", path->tool,
                     motion->tool);
@@ -437,6 +439,29 @@ static void judge_path(struct verdict *v)
         add_finding(v, true, found.slow.piece, "the feed is 1/%.4g of the path's",
                     found.slow.value);
     judge_tool(v, first_cut(v->program.motion));
+}
+
+/* Rapid moves from a place that is not known to below the top of the part: the ball may come
+ * through all of it.  Of programs that others wrote it is only told, for they may rest on more. */
+static void judge_dark(struct verdict *v)
+{
+    const struct nc_motion *motion = v->program.motion;
+    double top = -HUGE_VAL;
+    for (size_t i = 0; i < v->program.part->n; i++)
+        top = fmax(top, v->program.part->item[i].z);
+    for (size_t i = 0; i < motion->piece.n; i++) {
+        const struct nc_piece *piece = &motion->piece.item[i];
+        struct nc_motion_pose end = nc_motion_at(motion, piece, 1);
+        double up = motion->track == NC_MOTION_TIP ? v->options.radius : 0;
+        double low = vec_along(end.p, up, end.a).z - v->options.radius;
+        if (!piece->dark || !piece->rapid || low >= top - v->options.tolerance)
+            continue;
+        add_finding(v, v->program.post >= 0, i,
+                    "a rapid move comes from a place that is not known to %.3f mm below the part's "
+                    "top: an approach is missing",
+                    top - low);
+        return;
+    }
 }
 
 /* A rapid move that stays beside the part from end to end, across the tool. */
@@ -498,6 +523,8 @@ void verify_judge(struct verdict *v)
         judge_path(v);
     if (v->map.points > 0)
         judge_touches(v);
+    if (v->map.points > 0)
+        judge_dark(v);
     if (v->map.points > 0)
         judge_surface(v);
     judge_outliers(v);

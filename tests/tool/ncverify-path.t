@@ -112,6 +112,26 @@ control=heidenhain
 found "a tool longer than its table says" 'bad.heidenhain:[0-9]+: N[0-9]+: TOOL CALL with DL or DR'
 control=siemens
 
+# The first way over X and Y is gone, and the numbers do not tell it: from where the tool is at home it
+# would come across a hill.
+awk 'BEGIN { for (y = -8; y <= 8.001; y += 0.5) for (x = -8; x <= 8.001; x += 0.5)
+	printf "%.5f %.5f %.5f\n", x, y, 20 - (x * x + y * y) / 12 }' >hill.xyz
+cloud2mesh -q -t 2 hill.xyz -o hill.ply
+meshnorm -q -r 6 --scallop 0.2 --avoid hill.ply >hill.cl
+for control in fanuc siemens heidenhain linuxcnc; do
+	machine='table-ac'
+	[ $control = linuxcnc ] && machine=linuxcnc-xyzac
+	ncpost -q -c $control -m $machine hill.cl >hill.$control
+	awk -v h=$([ $control = heidenhain ] && echo 1) '
+		!did && / X[-+0-9.]+ Y[-+0-9.]+( R0 FMAX)? *$/ { did = 1; next }
+		h && /^[0-9]+ / { sub(/^[0-9]+/, n + 0); n++ }
+		!h && /^N[0-9]+/ { n += 10; sub(/^N[0-9]+/, "N" n) } { print }' hill.$control >bad.$control
+	status 0 "$control: over a hill" ncverify -g hill.xyz hill.$control
+	status 3 "$control: without its first way over" ncverify -g hill.xyz bad.$control
+	has "$control: ... named" '^fault +N[0-9]+ .*a rapid move comes from a place that is not known' out
+done
+control=siemens machine=table-ac
+
 # a polynomial whose coefficients are 1 % too large
 awk '/POLY|PO\[/ { while (match($0, /,-?[0-9.]+[,)]/)) { v = substr($0, RSTART + 1, RLENGTH - 2)
 	line = line substr($0, 1, RSTART) sprintf("%.6f", v * 1.01); $0 = substr($0, RSTART + RLENGTH - 1) }

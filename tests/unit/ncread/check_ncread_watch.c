@@ -153,8 +153,13 @@ START_TEST(first_tool)
     options.dialect = &ncread_siemens;
     block("T=\"BALL 5\" G54");
     ncread_watch_cut(&c);
-    ck_assert_int_eq(motion.tool, 0);
+    ck_assert_int_eq(motion.tool, -1);
     ck_assert_double_eq(motion.speed, 0);
+    reading_end();
+    reading_begin();
+    block("G54");
+    ncread_watch_cut(&c);
+    ck_assert_int_eq(motion.tool, 0);
 }
 END_TEST
 

@@ -170,6 +170,28 @@ static void rapid_through(struct verdict *v)
     v->rapid = (struct verdict_rapid){.depth = 0.5, .points = 1, .point = 0, .piece = 2};
 }
 
+/* To 0 under a top of 2 that nobody is at, of a program of the suite's own and of another's. */
+static void from_the_dark(struct verdict *v)
+{
+    struct nc_motion *motion = (struct nc_motion *)v->program.motion;
+    motion->piece.item[0].p[1].x = -25; /* off the part */
+    motion->piece.item[0].dark = true;
+    ((struct vec3s *)v->program.part)->item[0].z = 2;
+    v->program.post = 0;
+}
+
+static void from_the_dark_elsewhere(struct verdict *v)
+{
+    from_the_dark(v);
+    v->program.post = -1;
+}
+
+static void from_the_dark_above(struct verdict *v)
+{
+    from_the_dark(v);
+    ((struct nc_motion *)v->program.motion)->piece.item[0].p[1].z = 2;
+}
+
 static void outliers_gouged(struct verdict *v)
 {
     v->outliers = (struct verdict_outliers){7, 2, 0.75, {1, 2, 3}};
@@ -337,6 +359,13 @@ static const struct {
     {part_left_of_region, false, NULL},
     {rapid_through, true,
      "N30 (line 3): a rapid move goes 0.500 mm deep through the part at 5.000 0.000 0.000"},
+    {from_the_dark, true,
+     "N10 (line 1): a rapid move comes from a place that is not known to 2.000 mm below the part's "
+     "top: an approach is missing"},
+    {from_the_dark_elsewhere, false,
+     "N10 (line 1): a rapid move comes from a place that is not known to 2.000 mm below the part's "
+     "top: an approach is missing"},
+    {from_the_dark_above, false, NULL},
     {outliers_gouged, false,
      "the ball is up to 0.750 mm deep in 2 of 7 points taken for outliers, as at 1.000 2.000 "
      "3.000; they are not judged"},
@@ -583,7 +612,7 @@ static const struct {
     const char *text; /* NULL: nothing is said */
 } tools[] = {{1, 8000, 3, 7, NULL},
              {1, 8060, 3, 7, NULL},
-             {0, 0, 0, 0, NULL},
+             {0, 0, -1, 0, NULL},
              {-1, 8000, 3, 7, "the path turns the spindle clockwise, the program the other way"},
              {1, 8100, 3, 7, "the path's spindle turns at 8000, the program's at 8100"},
              {1, 0, 3, 7, "the path's spindle turns at 8000, the program says no speed"},
