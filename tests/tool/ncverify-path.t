@@ -122,7 +122,7 @@ for control in fanuc siemens heidenhain linuxcnc; do
 	machine='table-ac'
 	[ $control = linuxcnc ] && machine=linuxcnc-xyzac
 	ncpost -q -c $control -m $machine hill.cl >hill.$control
-	awk -v h=$([ $control = heidenhain ] && echo 1) '
+	awk -v h="$([ $control = heidenhain ] && echo 1)" '
 		!did && / X[-+0-9.]+ Y[-+0-9.]+( R0 FMAX)? *$/ { did = 1; next }
 		h && /^[0-9]+ / { sub(/^[0-9]+/, n + 0); n++ }
 		!h && /^N[0-9]+/ { n += 10; sub(/^N[0-9]+/, "N" n) } { print }' hill.$control >bad.$control

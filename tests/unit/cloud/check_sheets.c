@@ -141,8 +141,7 @@ START_TEST(lines_in_turn)
     struct vec3s scan = {0};
     for (int j = 0; j <= 60; j++)
         for (int i = 0; i <= 60; i++)
-            *array_push(&scan) =
-                vec(0.2 * i, 0.2 * j, dome(0.2 * i, 0.2 * j) + (j % 2 ? 0.05 : 0));
+            *array_push(&scan) = vec(0.2 * i, 0.2 * j, dome(0.2 * i, 0.2 * j) + (j % 2 ? 0.05 : 0));
     struct sheets sheets = look(&scan, 1);
     ck_assert_uint_gt(sheets.places, sheets.looked / 2);
     array_free(&scan);
