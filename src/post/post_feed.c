@@ -257,11 +257,10 @@ static struct feed_spans span_speeds(const struct nc_planner *planner, const str
     struct feed_span span = {0};
     double minutes = 0;
     struct sample a = sample_at(planner, at, &along, 0, at->q);
-    const int looks = SPAN_PIECES;
     for (double s = 0; s < 1;) {
         double from = s, to = motion_next_knot(motion, s);
-        for (int i = 1; i <= looks; i++) {
-            s = i < looks ? from + (to - from) * i / looks : to;
+        for (int i = 1; i <= SPAN_PIECES; i++) {
+            s = i < SPAN_PIECES ? from + (to - from) * i / SPAN_PIECES : to;
             struct sample b = sample_at(planner, at, &along, s, a.q);
             double length = vec_distance(a.tip, b.tip);
             span.s = s;

@@ -118,7 +118,7 @@ static int leave_part(struct nc_planner *planner, const struct path_item *item)
     if (result == 0 && ik_travel(&planner->machine->chain, planner->state.at.q, to.at.q) >
                            2 * vec_angle(planner->state.pose.a, item->to.a) + far_turn) {
         planner->state.why = NC_WHY_RETRACT;
-        result = post_rewind_retract(planner);
+        result = post_motion_leave(planner, post_rewind_retracted(planner));
     }
     result = result == 0 ? post_item(planner, item) : -1;
     planner->leaves = false;

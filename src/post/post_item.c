@@ -102,7 +102,7 @@ int post_item_retract(struct nc_planner *planner)
     planner->state.why = NC_WHY_RETRACT;
     struct pose off = post_rewind_retracted(planner);
     if (isfinite(off.p.x))
-        return post_rewind_retract(planner);
+        return post_motion_leave(planner, off);
     planner->plan->unmet = true;
     return error_at(planner->error, planner->path->name, planner->state.line,
                     "pass %zu: found no way home from a cut with the tool upside down, expected a "

@@ -65,6 +65,14 @@ int post_motion_rapid(struct nc_planner *planner, struct pose to)
     return rapid_from_here(planner, to);
 }
 
+int post_motion_leave(struct nc_planner *planner, struct pose to)
+{
+    planner->leaves = true;
+    int result = post_motion_rapid(planner, to);
+    planner->leaves = false;
+    return result;
+}
+
 static int arc_piece(struct nc_planner *planner, const struct motion *motion, double s0, double s1,
                      int depth)
 {

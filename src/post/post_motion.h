@@ -13,6 +13,9 @@
 /* At the machine's rapid, straight to a pose. */
 int post_motion_rapid(struct nc_planner *planner, struct pose to);
 
+/* The same out of the part: in the singular direction no axis turns on it. */
+int post_motion_leave(struct nc_planner *planner, struct pose to);
+
 /*
  * At feed, along a motion from s0, where the program stands, to s1 (0 to 1); each block is within
  * the planner's `allowed`.  Where the rotary axes cannot go on as they stand, the tool retracts and

@@ -67,14 +67,6 @@ struct pose post_rewind_retracted(const struct nc_planner *planner)
     return off;
 }
 
-int post_rewind_retract(struct nc_planner *planner)
-{
-    planner->leaves = true;
-    int result = post_motion_rapid(planner, post_rewind_retracted(planner));
-    planner->leaves = false;
-    return result;
-}
-
 struct pose post_rewind_above(const struct nc_planner *planner, struct pose pose)
 {
     double rise = planner->plan->top - pose.p.z;
@@ -98,7 +90,7 @@ static int retract_turn_return(struct nc_planner *planner, const double q[])
     planner->state.why = NC_WHY_TURN;
     planner->state.faster = 1;
     planner->aim.n = 0;
-    if (post_rewind_retract(planner) != 0)
+    if (post_motion_leave(planner, up) != 0)
         return -1;
     post_block_turn(planner, q);
     struct motion back = motion_line(near, here);

@@ -20,10 +20,6 @@ struct nc_extent post_rewind_extent(const struct path *path);
  * where it never is. */
 struct pose post_rewind_retracted(const struct nc_planner *planner);
 
-/* Goes there at the rapid; in the singular direction no axis turns on the part.  -1: out of
- * travel. */
-int post_rewind_retract(struct nc_planner *planner);
-
 /* The pose above this one at the plan's top: along the tool axis where that leads up, else along z.
  * The pose itself where it is as high. */
 struct pose post_rewind_above(const struct nc_planner *planner, struct pose pose);

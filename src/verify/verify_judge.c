@@ -360,13 +360,19 @@ static void judge_remarks(struct verdict *v)
     }
 }
 
-/* How far the ball is off the part at s of a piece. */
-static double off_part(const struct verdict *v, const struct kdtree *part, size_t piece, double s)
+/* The ball's centre at s of a piece. */
+static struct vec3 ball_at(const struct verdict *v, size_t piece, double s)
 {
     const struct nc_motion *motion = v->program.motion;
     struct nc_motion_pose pose = nc_motion_at(motion, &motion->piece.item[piece], s);
     double up = motion->track == NC_MOTION_TIP ? v->options.radius : 0;
-    struct vec3 centre = vec_along(pose.p, up, pose.a);
+    return vec_along(pose.p, up, pose.a);
+}
+
+/* How far the ball is off the part there. */
+static double off_part(const struct verdict *v, const struct kdtree *part, size_t piece, double s)
+{
+    struct vec3 centre = ball_at(v, piece, s);
     size_t index;
     double distance2;
     kdtree_nearest(part, centre, 1, &index, &distance2);
@@ -451,10 +457,10 @@ static void judge_dark(struct verdict *v)
         top = fmax(top, v->program.part->item[i].z);
     for (size_t i = 0; i < motion->piece.n; i++) {
         const struct nc_piece *piece = &motion->piece.item[i];
-        struct nc_motion_pose end = nc_motion_at(motion, piece, 1);
-        double up = motion->track == NC_MOTION_TIP ? v->options.radius : 0;
-        double low = vec_along(end.p, up, end.a).z - v->options.radius;
-        if (!piece->dark || !piece->rapid || low >= top - v->options.tolerance)
+        if (!piece->dark || !piece->rapid)
+            continue;
+        double low = ball_at(v, i, 1).z - v->options.radius;
+        if (low >= top - v->options.tolerance)
             continue;
         add_finding(v, v->program.post >= 0, i,
                     "a rapid move comes from a place that is not known to %.3f mm below the part's "
@@ -521,12 +527,11 @@ void verify_judge(struct verdict *v)
     judge_remarks(v);
     if (v->program.path)
         judge_path(v);
-    if (v->map.points > 0)
+    if (v->map.points > 0) {
         judge_touches(v);
-    if (v->map.points > 0)
         judge_dark(v);
-    if (v->map.points > 0)
         judge_surface(v);
+    }
     judge_outliers(v);
     judge_ball(v);
     judge_machine(v);
