@@ -169,7 +169,8 @@ static void read_options(struct settings *s, struct cli *cli, int argc, char **a
          CLI_FLAG, &s->accept, 0, 0, 0, NULL},
         {0, "noise", "MM",
          "noise of the scan, one standard deviation, that is taken out of it\n"
-         "(default: measured); 0: every point is believed as it is",
+         "(default: what the program's head says, or measured); 0: every point is\n"
+         "believed as it is",
          CLI_NUMBER, &s->noise, 0, 100, 0, NULL},
         {0, "flute", "MM",
          "length of the shaft of the ball's diameter above the ball's centre,\n"
@@ -376,6 +377,18 @@ static bool read_part(const struct settings *s, const struct ncread_head *head,
     return scans;
 }
 
+/* The noise that the scan was said to have when the path was made; measured where these are not
+ * its points. */
+static void find_noise(struct settings *s, const struct ncread_head *head, size_t points)
+{
+    if (s->noise >= 0 || !head->noise_given)
+        return;
+    if (head->scans > 0 && !is_of_scan(head, (double)points))
+        return;
+    s->noise = head->noise;
+    say("noise of the scan: %g mm, as the program's head or path says (--noise)", s->noise);
+}
+
 /* The surface that the points of a scan stand for. */
 static void find_surface(const struct settings *s, int threads, struct vec3s *points,
                          struct verify_surface *surface)
@@ -410,8 +423,21 @@ static void say_tool(const struct path_head *head, struct nc_motion *motion)
     motion->offset = head->offset ? head->offset : head->tool;
 }
 
-/* The motion of a path; the region that it says, where the program says none. */
-static void read_path(const char *file, struct nc_motion *motion, struct region *region)
+/* The noise that a path says, and of which scan, where the program's head says none. */
+static void adopt_noise(const struct path_head *said, struct ncread_head *head)
+{
+    if (head->noise_given || !said->noise_given)
+        return;
+    head->noise_given = true;
+    head->noise = said->noise;
+    size_t n = head->scans > 0 ? 0 : said->scan.n;
+    for (size_t i = 0; i < n && i < NCREAD_SCANS; i++)
+        head->scan_points[head->scans++] = (double)said->scan.item[i].points;
+}
+
+/* The motion of a path; the region and noise that it says, where the program says none. */
+static void read_path(const char *file, struct nc_motion *motion, struct ncread_head *head,
+                      struct region *region)
 {
     struct path path = {0};
     struct error error;
@@ -421,6 +447,7 @@ static void read_path(const char *file, struct nc_motion *motion, struct region 
     motion->coolant = path.head.coolant > COOLANT_OFF;
     if (is_made_by_one_tool(&path))
         say_tool(&path.head, motion);
+    adopt_noise(&path.head, head);
     if (!region_given(region)) {
         *region = path.head.region;
         path.head.region.polygons = (struct region_polygons){0};
@@ -448,16 +475,17 @@ int main(int argc, char **argv)
     find_ball(&s, &head);
     find_tool(&s, &head);
     find_limit(&s, &head);
+    ncread_head_region(&head, &region);
+    if (s.path) {
+        read_path(s.path, &path, &head, &region);
+        program.path = &path;
+    }
     if (read_part(&s, &head, &points)) {
+        find_noise(&s, &head, points.n);
         find_surface(&s, cli.threads, &points, &surface);
         program.surface = &surface;
     }
     program.part = &points;
-    ncread_head_region(&head, &region);
-    if (s.path) {
-        read_path(s.path, &path, &region);
-        program.path = &path;
-    }
     if (region_given(&region))
         program.region = &region;
     if (program.region && !s.partial)

@@ -51,6 +51,8 @@ struct ncread_head {
     double flute;                   /* 0: none */
     char holder[NCREAD_HEAD_TEXT];  /* cones R0:R1:L or cylinders R:L joined by +; "": none */
     double scallop, tolerance;      /* 0: not said */
+    bool noise_given;               /* of the scan: */
+    double noise;                   /* one standard deviation; 0: every point is believed */
     double post, axis;              /* what ncpost spent, mm and degrees; below zero: not said */
     bool contact_feed;              /* feeds are those of the contact point */
     bool centre;                    /* places are the ball's centre, not the tip */

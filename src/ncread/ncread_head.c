@@ -111,6 +111,13 @@ static void read_place(struct ncread_head *head, int row, const char *s)
     head->place_rows |= 1 << row;
 }
 
+static void read_noise(struct ncread_head *head, const char *s)
+{
+    double noise;
+    head->noise_given = num_read(&s, &noise) && noise >= 0 && isfinite(noise);
+    head->noise = head->noise_given ? noise : 0;
+}
+
 /* More of the region; a line was ended before a blank. */
 static void add_region(struct ncread_head *head, const char *text)
 {
@@ -183,6 +190,8 @@ void ncread_head_line(struct ncread_head *head, const char *line)
         read_name(head->control_file, sizeof head->control_file, s);
     } else if (has_key(&s, "MACHINE: ")) {
         read_name(head->machine_file, sizeof head->machine_file, s);
+    } else if (has_key(&s, "NOISE: ")) {
+        read_noise(head, s);
     } else if (has_key(&s, "SCAN: ")) {
         if (head->scans < NCREAD_SCANS)
             head->scan_points[head->scans++] = number_at(&s);

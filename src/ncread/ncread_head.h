@@ -2,6 +2,7 @@
  * ncread_head - what the comments at a program's head say, in the form of every control's comments:
  *
  *   TOOL: BALL R5 FLUTE 20 HOLDER 5:60      SCALLOP: 0.02 TOLERANCE: 0.01
+ *   NOISE: 0.005
  *   FEED: CONTACT                           cloudmill ncpost for Siemens, Fork head C/A
  *   Tolerance ncpost 0.0011                 Tolerance sum 0.0112 mm, axis 0.0063 deg
  *   CONTROL: siemens                        MACHINE: head-ca

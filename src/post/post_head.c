@@ -251,7 +251,8 @@ static void region_key(struct nc_program *p, const struct region *region)
     key_line(p, "REGION", text);
 }
 
-/* SCALLOP: 0.02 TOLERANCE: 0.01, and the scans by which the path was guarded; mm. */
+/* SCALLOP: 0.02 TOLERANCE: 0.01, and the scans by which the path was guarded, with the noise that
+ * they were said to have; mm. */
 static void surface_keys(struct nc_program *p)
 {
     if (p->options.contact_feed)
@@ -269,6 +270,10 @@ static void surface_keys(struct nc_program *p)
     }
     if (region_given(region) && region->polygons.corner.n <= CORNERS_SAID)
         region_key(p, region);
+    if (p->path->head.noise_given) {
+        num_write_short(said, p->path->head.noise, 6, false);
+        nc_comment(&p->w, "NOISE: %.20s", said);
+    }
     for (size_t i = 0; i < scan->n; i++) {
         const struct scan_source *s = &scan->item[i];
         char text[400];

@@ -42,6 +42,10 @@ for control in fanuc siemens heidenhain linuxcnc; do
 	has "$control: the tolerance alone" '^TOLERANCE: [0-9.]+$' head.txt
 	head_of $control ball.cl >head.txt
 	has "$control: the ball alone" '^TOOL: BALL R5 BALL-ONLY$' head.txt
+	hasnt "$control: no noise is said where the path says none" NOISE head.txt
+	sed 's/^.*SCAN/$$-> NOISE\/0.0125\n&/' tool.cl >noisy.cl
+	head_of $control noisy.cl >head.txt
+	has "$control: the noise that the scan was said to have" '^NOISE: 0\.0125$' head.txt
 done
 
 # ---- names of programs, the shortest and the longest, and what is none

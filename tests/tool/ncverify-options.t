@@ -69,6 +69,27 @@ sed 's/TABLE-AC/TABLE-OF-NOBODY/' good.nc >unknown.nc
 run ncverify -v -g scan.xyz unknown.nc
 has "a machine that is not there is told" 'the program.s head says table-of-nobody, and there is no such file here' err
 
+# the noise that the scan was said to have when the path was made: in the head, or else in the path
+meshnorm -q -r 4 --rows mesh --fixed 0,0,1 --avoid --noise 0.004 scan.ply -o noisy.cl
+biarcfit -q noisy.cl -o noisy-arcs.cl
+told='noise of the scan: 0.004 mm, as the program.s head or path says'
+for control in fanuc siemens heidenhain linuxcnc; do
+	ncpost -q -c $control noisy-arcs.cl -o noisy.nc
+	status 0 "$control: a program of a scan with noise" ncverify -g scan.xyz noisy.nc
+	has "$control: ... whose noise is told" "$told" err
+	has "$control: ... and taken out" '^part .*, noise 0.0040 mm' out
+	ncverify -g scan.xyz --noise 0 noisy.nc >out 2>err
+	hasnt "$control: ... unless it is said" noise out
+	sed 's/NOISE: /NOTHING /' noisy.nc >silent.nc
+	ncverify -c $control -g scan.xyz silent.nc >out 2>err
+	hasnt "$control: the head says it, not the reader" noise out
+	ncverify -c $control -g scan.xyz -p noisy-arcs.cl silent.nc >out 2>err
+	has "$control: the path says it, too" "$told" err
+done
+sed 1d scan.xyz >another.xyz
+ncverify -g another.xyz noisy.nc >out 2>err
+hasnt "of another scan it is measured" noise out
+
 # the tool of files: its ball, flute and holder, as options say them
 printf 'name = short ball\nradius = 4\nflute = 9\nshank = 4\nlength = 60\nstickout = 30\n' >ball.txt
 printf 'name = holder\nholder = 12:20\n' >holder.txt

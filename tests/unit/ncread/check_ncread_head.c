@@ -78,6 +78,16 @@ START_TEST(words)
     line("(TOLERANCE NCPOST 0.0011)");
     line("(TOLERANCE SUM 0.0112 MM, AXIS 0.0063 DEG)");
     line("(SCALLOP: 0.02 TOLERANCE: 0.01)");
+    ck_assert(!head.noise_given);
+    line("(NOISE: 0.005)");
+    ck_assert(head.noise_given);
+    ck_assert_double_eq(head.noise, 0.005);
+    line("; NOISE: 0");
+    ck_assert(head.noise_given && head.noise == 0);
+    for (int i = 0; i < 3; i++) {
+        line((const char *const[]){"(NOISE: -1)", "(NOISE: little)", "(NOISE:)"}[i]);
+        ck_assert(head.noise == 0 && (i == 2 || !head.noise_given));
+    }
     line("(UNMET: MESHNORM: KEPT OFF BY THE SURFACE)");
     line("(UNMET+: UP TO 0.1 MM, WORST)");
     line("(UNMET+: AT 1.000 2.000 3.000)");
