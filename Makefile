@@ -86,7 +86,7 @@ $(BUILD)/%.o: %.c Makefile
 once := io/nurbs/% nurbs/trim_% nurbs/construct nurbs/uv_polygon machine/machine% stage/% \
   mesh/mesh_clip mesh/mesh_repair toolpath/pass_extend toolpath/rest_% base/cli math/band cloud/upsample \
   cloud/crest_fit cloud/edge_points cloud/edge_meet cloud/edge_crest cloud/edge_fill \
-  cloud/edge_flank cloud/edge_along cloud/cone_tip cloud/roof cloud/sheets cloud/holes io/path/path_tool \
+  cloud/edge_flank cloud/edge_along cloud/cone_tip cloud/roof cloud/sheets io/path/path_tool \
   gouge/guard_mesh io/mesh/ply io/mesh/ply_source toolpath/scallop gouge/access gouge/axis_choose cloud/outliers \
   gouge/gouge_lift gouge/gouge_refit gouge/lift_smooth gouge/link gouge/link_retract gouge/link_sweep gouge/smooth_up gouge/smooth_aside \
   simulate/part_coverage
@@ -95,7 +95,7 @@ $(once:%=$(BUILD)/src/%.o): CFLAGS := $(CFLAGS:-O3=-O2)
 small := io/nurbs/nurbs_text% machine/machine machine/machine_options machine/template base/cli \
   stage/tool_% stage/nurbs_report stage/path_options stage/gouge_options stage/guard_read \
   stage/toolpath_report stage/path_coverage stage/path_check io/nurbs/iges% io/nurbs/step% \
-  cloud/edge_unknown cloud/edge_cliff cloud/edge_foot cloud/sheets cloud/holes cloud/roof \
+  cloud/edge_unknown cloud/edge_cliff cloud/edge_foot cloud/sheets cloud/roof \
   cloud/rim_points cloud/edge_points cloud/cone_tip toolpath/rest_% stage/toolpath_shorten \
   stage/toolpath_moves stage/toolpath_order simulate/unseen_% io/path/path_cycle \
   nurbs/construct mesh/mesh_repair io/path/path_tool mesh/mesh_clip nurbs/uv_polygon \

@@ -105,7 +105,7 @@ static struct settings read_options(struct cli *cli, int argc, char **argv)
         {0, "subdivide", NULL, "divide the cloud by orientation, for steep sides", CLI_FLAG,
          &s.meshing.subdivide, 0, 0, 0, NULL},
         {0, "stream", NULL,
-         "read the file again instead of keeping its points: memory goes with\n"
+         "set the points aside in a file instead of keeping them: memory goes with\n"
          "the nodes of the grid (normals: facet, or as asked for; no outliers,\n"
          "creases, walls and ribs are looked for; with normals of facets files\n"
          "of 8 MB and more are read so anyway)",

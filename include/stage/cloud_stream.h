@@ -1,7 +1,9 @@
 /*
- * cloud_stream - the mesh of a cloud that is nowhere whole in memory: its file is read again for
- * each look at it, and what is kept goes with the nodes of the grid.  The points of a small file
- * may be kept, for to read them takes longer than to look at them.
+ * cloud_stream - the mesh of a cloud that is nowhere whole in memory: its points are read again for
+ * each look at it, and what is kept goes with the nodes of the grid.  To read their text takes
+ * longer than to look at them: the points of a small file may be kept, and those of a larger one go
+ * into a spool (io/cloud/cloud_spool.h) in the first look; where there is no room for that the file
+ * is read again.
  *
  * Nodes and normals of the facets (--normals facet) need no more: the same mesh as cloudmesh.h
  * makes, byte by byte.  The looks:
@@ -41,15 +43,16 @@ struct stream_vertex {
 
 struct cloud_stream {
     const char *file;
-    struct transform place;           /* from its units to mm */
-    int threads;                      /* one reads, the other works on what was read */
-    struct cloud_count count;         /* what was read, and what was skipped */
-    size_t n;                         /* points */
-    struct vec3s kept;                /* as placed, of a small file; empty where it is larger */
-    uint64_t hash;                    /* scan_source.h */
-    struct box box;                   /* as placed, mm */
-    struct plan_extent flat, turned;  /* in direction 0, and in that of the rows */
-    double mean;                      /* spacing of the points, mm */
+    struct transform place;          /* from its units to mm */
+    int threads;                     /* one reads, the other works on what was read */
+    struct cloud_count count;        /* what was read, and what was skipped */
+    size_t n;                        /* points */
+    struct vec3s kept;               /* as placed, of a small file; empty where it is larger */
+    struct cloud_spool *spool;       /* as placed, of a larger one; NULL: there is no room for it */
+    uint64_t hash;                   /* scan_source.h */
+    struct box box;                  /* as placed, mm */
+    struct plan_extent flat, turned; /* in direction 0, and in that of the rows */
+    double mean;                     /* spacing of the points, mm */
     struct cloudmesh_options options; /* with the spacing that was taken */
     struct reposition nodes;
     struct holes holes;

@@ -2,6 +2,9 @@
 #include "meshing/grid_facets.h"
 
 #include <stdlib.h>
+#include <string.h>
+
+#include "base/array.h"
 
 enum { POINTS_UP = 1, POINTS_DOWN = 2, VERTEX = 4 };
 
@@ -74,22 +77,31 @@ void grid_facets_free(struct grid_facets *facets)
     facets->mark = NULL;
 }
 
-/* The mean of the normals of the facets about a node, in the order of the facets. */
-static struct vec3 normal_at(const struct grid_facets *f, int column, int row)
+/* Adds the normals of the facets between a row and the next to the sums of their corners, which are
+ * by column from the first one kept: sum[0] of this row, sum[1] of the next. */
+static void add_normals(const struct grid_facets *f, int row, struct vec3 *const sum[2])
 {
-    static const int AROUND[6][3] = {{0, -1, 0}, {-1, -1, 1}, {0, -1, 1},
-                                     {-1, 0, 0}, {0, 0, 0},   {-1, 0, 1}};
-    struct vec3 sum = {0, 0, 0}, p[3], normal;
+    const struct reposition *r = f->nodes;
+    const struct node_choice *choice = r->choice + (size_t)row * (size_t)r->width;
+    const unsigned char *mark = f->mark + (size_t)row * (size_t)r->width;
+    const int shift[2] = {0, r->first[row] - r->first[row + 1]};
+    struct vec3 p[3], normal;
 
-    for (int k = 0; k < 6; k++) {
-        int at[2] = {column + AROUND[k][0], row + AROUND[k][1]}, down = AROUND[k][2];
-        const unsigned char *mark = mark_of(f, at[0], at[1]);
-        if (mark && (*mark & (down ? POINTS_DOWN : POINTS_UP)) &&
-            corners_of(f, at[0], at[1], down, p) && mesh_triangle_normal(p, &normal))
-            sum = vec_add(sum, normal);
-    }
-    normal = mesh_mean_direction(sum);
-    return normal.z < 0 ? vec(0, 0, 1) : normal;
+    for (int down = 0; down < 2; down++)
+        for (int k = 0; k < r->width; k++) {
+            int at[3];
+            if (!(mark[k] & (down ? POINTS_DOWN : POINTS_UP)))
+                continue;
+            for (int i = 0; i < 3; i++) {
+                const int *by = CORNER[down][i];
+                at[i] = k + by[0] + shift[by[1]];
+                p[i] = choice[by[1] * r->width + at[i]].at;
+            }
+            if (!mesh_triangle_normal(p, &normal))
+                continue;
+            for (int i = 0; i < 3; i++)
+                sum[CORNER[down][i][1]][at[i]] = vec_add(sum[CORNER[down][i][1]][at[i]], normal);
+        }
 }
 
 void grid_facets_vertices(const struct grid_facets *f,
@@ -97,13 +109,26 @@ void grid_facets_vertices(const struct grid_facets *f,
                                        int column),
                           void *context)
 {
-    for (int row = 0; row < f->nodes->grid.rows; row++)
-        for (int k = 0, first = f->nodes->first[row]; k < f->nodes->width; k++) {
-            size_t node = (size_t)row * (size_t)f->nodes->width + (size_t)k;
-            if (f->mark[node] & VERTEX)
-                take(context, f->nodes->choice[node].at, normal_at(f, first + k, row), row,
-                     first + k);
+    size_t width = (size_t)f->nodes->width;
+    struct vec3 *sum[2] = {mem_alloc(width, sizeof *sum[0]), mem_alloc(width, sizeof *sum[1])};
+
+    for (int row = 0; row < f->nodes->grid.rows; row++) {
+        if (row + 1 < f->nodes->grid.rows)
+            add_normals(f, row, sum);
+        for (size_t k = 0, node = (size_t)row * width; k < width; k++, node++) {
+            if (!(f->mark[node] & VERTEX))
+                continue;
+            struct vec3 normal = mesh_mean_direction(sum[0][k]);
+            take(context, f->nodes->choice[node].at, normal.z < 0 ? vec(0, 0, 1) : normal, row,
+                 f->nodes->first[row] + (int)k);
         }
+        struct vec3 *done = sum[0];
+        sum[0] = sum[1];
+        sum[1] = done;
+        memset(done, 0, width * sizeof *done);
+    }
+    free(sum[0]);
+    free(sum[1]);
 }
 
 /* The numbers of a row's vertices, by column from the first one kept; returns the next number. */

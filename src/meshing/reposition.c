@@ -7,7 +7,7 @@
 
 static const double STEPS = 1e9;
 
-enum { EMPTY = 1, BESIDE = 2 };
+enum { EMPTY = 1, BESIDE = 2, CORNER = 4 /* of a rhombus with one beside */ };
 
 /* A point as it looks from a node, in units of t. */
 struct view {
@@ -235,7 +235,33 @@ static int nodes_around(const struct reposition *r, int column, int row, size_t 
     return n;
 }
 
-/* Empty nodes inside the cloud: all but one of those around have a point. */
+/* Marks the lower left nodes of the rhombi that a node beside an empty one is a corner of. */
+static void mark_rhombi(struct reposition *r, int column, int row)
+{
+    for (int corner = 0; corner < 4; corner++) {
+        size_t node = index_of(r, column - (corner & 1), row - (corner >> 1));
+        if (node != NO_POINT)
+            r->empty[node] |= CORNER;
+    }
+}
+
+/* Marks an empty node inside the cloud, where all but one of those around have a point. */
+static bool mark_empty(struct reposition *r, int column, int row, size_t node)
+{
+    size_t around[6];
+    int full, n = nodes_around(r, column, row, around, &full);
+
+    if (full < 5)
+        return false;
+    r->empty[node] |= EMPTY;
+    for (int k = 0; k < n; k++) {
+        int beside = (int)(around[k] / (size_t)r->width);
+        r->empty[around[k]] |= BESIDE;
+        mark_rhombi(r, (int)(around[k] % (size_t)r->width) + r->first[beside], beside);
+    }
+    return true;
+}
+
 bool reposition_empty(struct reposition *r)
 {
     bool any = false;
@@ -245,17 +271,10 @@ bool reposition_empty(struct reposition *r)
     r->empty = mem_alloc((size_t)r->grid.rows * (size_t)r->width, sizeof *r->empty);
     for (int row = 0; row < r->grid.rows; row++)
         for (int k = 0, first = r->first[row]; k < r->width; k++) {
-            size_t node = (size_t)row * (size_t)r->width + (size_t)k, around[6];
-            int full, n;
-            if (first + k >= r->grid.columns || r->choice[node].point != NO_CHOICE)
-                continue;
-            n = nodes_around(r, first + k, row, around, &full);
-            if (full < 5)
-                continue;
-            r->empty[node] |= EMPTY;
-            while (n-- > 0)
-                r->empty[around[n]] |= BESIDE;
-            any = true;
+            size_t node = (size_t)row * (size_t)r->width + (size_t)k;
+            if (first + k < r->grid.columns && r->choice[node].point == NO_CHOICE &&
+                mark_empty(r, first + k, row, node))
+                any = true;
         }
     return any;
 }
@@ -267,8 +286,12 @@ void reposition_fill(struct reposition *r, const struct vec3 *point, size_t n)
     const double within = 0.49; /* t^2 */
     int column, row;
     for (size_t i = 0; i < n; i++, r->n++) {
+        struct place at = place_of(&r->grid, point[i]);
+        size_t node = index_of(r, at.column, at.row);
+        if (node != NO_POINT && !(r->empty[node] & CORNER))
+            continue;
         nearest_node(&r->grid, point[i], &column, &row);
-        size_t node = index_of(r, column, row); /* one beside, if it is near an empty one at all */
+        node = index_of(r, column, row); /* one beside, if it is near an empty one at all */
         if ((r->empty[node] & BESIDE) && r->choice[node].point != r->n)
             compete_circle(r, point[i], r->n, within, r->empty);
     }

@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "base/reader.h"
+#include "base/spool.h"
 #include "io/mesh/stl.h"
 
 enum { HEAD = 4096, CHUNK = 1 << 16 }; /* HEAD: bytes that tell what a file is */
@@ -89,7 +90,7 @@ enum stream_kind stream_tell(const char *head, size_t n)
 static int keep_input(struct reader *r, struct error *error)
 {
     static char chunk[CHUNK];
-    FILE *copy = tmpfile();
+    FILE *copy = spool_open();
     if (!copy)
         return error_at(error, r->name, 0, "cannot keep a copy: %s", strerror(errno));
     long n;

@@ -1,6 +1,7 @@
 /* cloud_stream - see cloud_stream.h. */
 #include "stage/cloud_stream.h"
 
+#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -8,6 +9,7 @@
 #include "base/array.h"
 #include "cloud/cloud.h"
 #include "cloudmesh_steps.h"
+#include "io/cloud/cloud_spool.h"
 #include "io/mesh/ply.h"
 #include "stream_surface.h"
 
@@ -48,8 +50,14 @@ static void take_block(void *context, const struct vec3 *point, size_t n)
     l->see(l, point, n);
 }
 
-/* Shows all points to `see`: those that are kept or, where they are too many, the file's.  -1: also
- * where they are others than before. */
+static void see_placed(void *context, const struct vec3 *point, size_t n)
+{
+    struct look *l = context;
+    l->see(l, point, n);
+}
+
+/* Shows all points to `see`: those that are kept or, where they are too many, those in the spool or,
+ * where there was no room for it, the file's.  -1: also where they are others than before. */
 static int look_again(struct look *l,
                       void (*see)(struct look *look, const struct vec3 *point, size_t n),
                       struct error *error)
@@ -62,6 +70,11 @@ static int look_again(struct look *l,
         see(l, l->stream->kept.item, l->stream->kept.n);
         return 0;
     }
+    if (cloud_spool_holds(l->stream->spool))
+        return cloud_spool_look(l->stream->spool, see_placed, l)
+                   ? 0
+                   : error_at(error, file, 0, "cannot read the copy of its points: %s",
+                              strerror(errno));
     if (cloud_read_blocks(file, take_block, l, l->stream->threads, &count, error) < 0)
         return -1;
     if (count.points != l->stream->n)
@@ -101,15 +114,21 @@ static double distance2_xy(struct vec3 a, struct vec3 b)
     return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y);
 }
 
-/* Keeps the points of a small file, of which reading takes longer than all else. */
+/* Keeps the points of a small file, of which reading takes longer than all else; of a larger one
+ * they go into a spool. */
 static void keep_block(struct cloud_stream *s, const struct vec3 *point, size_t n)
 {
     if (s->kept.n == s->n && n <= s->kept.cap - s->kept.n) {
         memcpy(s->kept.item + s->kept.n, point, n * sizeof *point);
         s->kept.n += n;
-    } else {
+        return;
+    }
+    if (s->kept.n == s->n) {
+        s->spool = cloud_spool_new();
+        cloud_spool_add(s->spool, s->kept.item, s->kept.n);
         array_free(&s->kept);
     }
+    cloud_spool_add(s->spool, point, n);
 }
 
 static void see_extent(struct look *l, const struct vec3 *point, size_t n)
@@ -263,6 +282,7 @@ static int begin(struct look *l, struct error *error)
     l->see = see_extent;
     if (cloud_read_blocks(s->file, take_first, l, s->threads, &s->count, error) < 0)
         return -1;
+    cloud_spool_end(s->spool);
     if (s->n < 3 || distance2_xy(l->from, l->far) == 0)
         return 1;
     if (!(s->options.direction != 0))
@@ -299,6 +319,8 @@ int cloud_stream_begin(const char *file, const struct transform *place,
 void cloud_stream_free(struct cloud_stream *stream)
 {
     array_free(&stream->kept);
+    cloud_spool_free(stream->spool);
+    stream->spool = NULL;
     reposition_free(&stream->nodes);
     holes_free(&stream->holes);
     grid_facets_free(&stream->facets);

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 static char name[64];
@@ -68,4 +69,19 @@ char *scratch_read(size_t *n)
     text[*n] = '\0';
     fclose(f);
     return text;
+}
+
+static struct rlimit room;
+
+void scratch_no_room(void)
+{
+    if (getrlimit(RLIMIT_FSIZE, &room) != 0 ||
+        setrlimit(RLIMIT_FSIZE, &(struct rlimit){0, room.rlim_max}) != 0)
+        abort();
+}
+
+void scratch_room(void)
+{
+    if (setrlimit(RLIMIT_FSIZE, &room) != 0)
+        abort();
 }

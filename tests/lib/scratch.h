@@ -13,6 +13,10 @@ const char *scratch_name(void);
 const char *scratch_bytes(const void *bytes, size_t n);
 const char *scratch_text(const char *text);
 
+/* Ends, or gives back, all room for files: what is written to one fails. */
+void scratch_no_room(void);
+void scratch_room(void);
+
 /* What is in it, with a '\0' behind; to be freed. */
 char *scratch_read(size_t *n);
 

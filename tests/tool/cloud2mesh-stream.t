@@ -84,4 +84,23 @@ cloud2mesh -q -t 1 --normals facet "$TMP/large.xyz" | sed '/^comment/d' >"$TMP/a
 cloud2mesh -q -t 1 --normals facet <"$TMP/large.xyz" | sed '/^comment/d' >"$TMP/b"
 same 'a large file: the same mesh as through a pipe' "$TMP/a" "$TMP/b"
 
+# points set aside in a file: no folder shows it, and where there is no room the cloud is read again
+mkdir "$TMP/aside"
+without_room() { # BLOCKS OPTIONS...
+	(ulimit -f "$1" && shift && TMPDIR=$TMP/aside cloud2mesh -q "$@" "$TMP/large.xyz")
+}
+for how in '--normals facet' '--normals facet --stream' '--normals quadric --stream'; do
+	# shellcheck disable=SC2086 # words
+	without_room unlimited -t 1 $how >"$TMP/a"
+	ok "$how: the folder is empty" test -z "$(ls -A "$TMP/aside")"
+	for room in 0 2000; do
+		# shellcheck disable=SC2086 # words
+		without_room $room -t 1 $how | cat >"$TMP/b"
+		same "$how, room for $room blocks: the same mesh" "$TMP/a" "$TMP/b"
+	done
+done
+# shellcheck disable=SC2086 # words
+TMPDIR=/nowhere/at/all cloud2mesh -q -t 1 $how "$TMP/large.xyz" >"$TMP/b"
+same 'no such folder: another one serves' "$TMP/a" "$TMP/b"
+
 done_testing

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "base/array.h"
+#include "io/cloud/cloud_spool.h"
 #include "io/mesh/meshfile.h"
 #include "scratch.h"
 
@@ -198,7 +199,7 @@ START_TEST(no_surface)
 }
 END_TEST
 
-/* Between two looks a point went. */
+/* Between two looks a point went: that matters where the file is read again, and only there. */
 START_TEST(a_file_that_changes)
 {
     struct cloudmesh_options options = usual();
@@ -207,6 +208,15 @@ START_TEST(a_file_that_changes)
     scan();
     const char *file = file_of(points.n);
     ck_assert_int_eq(cloud_stream_begin(file, &none, &options, 0, 1, &stream, &error), 0);
+    ck_assert(cloud_spool_holds(stream.spool));
+    file_of(points.n - 1);
+    ck_assert_int_eq(cloud_stream_nodes(&stream, &error), 0);
+    cloud_stream_free(&stream);
+    file = file_of(points.n);
+    scratch_no_room();
+    ck_assert_int_eq(cloud_stream_begin(file, &none, &options, 0, 1, &stream, &error), 0);
+    scratch_room();
+    ck_assert(!cloud_spool_holds(stream.spool));
     file_of(points.n - 1);
     ck_assert_int_eq(cloud_stream_nodes(&stream, &error), -1);
     ck_assert_ptr_nonnull(strstr(error.text, "changes while it is read"));
