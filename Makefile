@@ -20,7 +20,7 @@
 PREFIX  = /usr/local
 DESTDIR =
 CC      = cc
-CFLAGS  = -O3
+CFLAGS  = -O3 -fno-asynchronous-unwind-tables
 BUILD   = build
 EXE     =
 VERSION := $(shell cat VERSION)
@@ -80,28 +80,21 @@ $(BUILD)/%.o: %.c Makefile
 	@mkdir -p $(@D)
 	$(CC) $(FLAGS) $(CFLAGS) $(CPPFLAGS) -MD -MP -c -o $@ $<
 
-# Readers of models and machines, trimming, clipping and what calls the stages run once, and sharp
-# edges are few, as are the lifts of a strip and its links beside what they ask: at most -O2, so that
-# no tool has more than 1 MB.  An optimiser changes no byte of a result.
+# Readers of models and machines, trimming, clipping and what calls the stages run once: at most -O2,
+# so that no tool has more than 1 MB.  An optimiser changes no byte of a result.
 once := io/nurbs/% nurbs/trim_% nurbs/construct nurbs/uv_polygon machine/machine% stage/% \
-  mesh/mesh_clip mesh/mesh_repair toolpath/pass_extend toolpath/rest_% base/cli math/band cloud/upsample \
-  cloud/crest_fit cloud/edge_points cloud/edge_meet cloud/edge_crest cloud/edge_fill \
-  cloud/edge_flank cloud/edge_along cloud/cone_tip cloud/roof cloud/sheets io/path/path_tool \
-  gouge/guard_mesh io/mesh/ply io/mesh/ply_source toolpath/scallop gouge/access gouge/axis_choose cloud/outliers \
-  gouge/gouge_lift gouge/gouge_refit gouge/lift_smooth gouge/link gouge/link_retract gouge/link_sweep gouge/smooth_up gouge/smooth_aside \
-  simulate/part_coverage
+  mesh/mesh_clip mesh/mesh_repair toolpath/pass_extend toolpath/rest_% base/cli \
+  io/path/path_tool io/mesh/ply io/mesh/ply_source toolpath/scallop simulate/unseen_%
 $(once:%=$(BUILD)/src/%.o): CFLAGS := $(CFLAGS:-O3=-O2)
 # Of these, IGES and STEP files and where rest passes go, also without what makes -O2 longer.
 small := io/nurbs/nurbs_text% machine/machine machine/machine_options machine/template base/cli \
   stage/tool_% stage/nurbs_report stage/path_options stage/gouge_options stage/guard_read \
   stage/toolpath_report stage/path_coverage stage/path_check io/nurbs/iges% io/nurbs/step% \
-  cloud/edge_unknown cloud/edge_cliff cloud/edge_foot cloud/sheets cloud/roof \
-  cloud/rim_points cloud/edge_points cloud/cone_tip toolpath/rest_% stage/toolpath_shorten \
-  stage/toolpath_moves stage/toolpath_order simulate/unseen_% io/path/path_cycle \
-  nurbs/construct mesh/mesh_repair io/path/path_tool mesh/mesh_clip nurbs/uv_polygon \
-  stage/plane_passes stage/mesh_% stage/coverage_judge gouge/link_retract toolpath/pass_extend \
-  io/path/path_head math/region io/path/path_write io/mesh/ply_origin gouge/link \
-  io/cloud/cloud_formats nurbs/primitive nurbs/approximate stage/toolpath gouge/guard_mesh
+  toolpath/rest_% stage/toolpath_shorten stage/toolpath_moves stage/toolpath_order \
+  io/path/path_cycle nurbs/construct mesh/mesh_repair io/path/path_tool mesh/mesh_clip \
+  nurbs/uv_polygon stage/plane_passes stage/mesh_% stage/coverage_judge toolpath/pass_extend \
+  io/path/path_head io/path/path_write io/mesh/ply_origin io/cloud/cloud_formats nurbs/primitive \
+  nurbs/approximate stage/toolpath
 $(small:%=$(BUILD)/src/%.o): CFLAGS := $(patsubst -O2,-Os,$(CFLAGS:-O3=-Os))
 
 # The file VERSION is what `--version`, the tarball and the packages say.
