@@ -56,8 +56,8 @@ static void see_placed(void *context, const struct vec3 *point, size_t n)
     l->see(l, point, n);
 }
 
-/* Shows all points to `see`: those that are kept or, where they are too many, those in the spool or,
- * where there was no room for it, the file's.  -1: also where they are others than before. */
+/* Shows all points to `see`: those that are kept or, where they are too many, those in the spool
+ * or, where there was no room for it, the file's.  -1: also where they are others than before. */
 static int look_again(struct look *l,
                       void (*see)(struct look *look, const struct vec3 *point, size_t n),
                       struct error *error)

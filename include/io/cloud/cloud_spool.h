@@ -19,8 +19,8 @@ struct cloud_spool;
 /* NULL: there is no folder for such a file (base/spool.h). */
 struct cloud_spool *cloud_spool_new(void);
 
-/* All that are added come before the end, and looks after it.  Where they cannot be written the file
- * is given up, and holds no points from then on. */
+/* All that are added come before the end, and looks after it.  Where they cannot be written the
+ * file is given up, and holds no points from then on. */
 void cloud_spool_add(struct cloud_spool *spool, const struct vec3 *point, size_t n);
 void cloud_spool_end(struct cloud_spool *spool);
 
