@@ -94,7 +94,7 @@ small := io/nurbs/nurbs_text% machine/machine machine/machine_options machine/te
   io/path/path_cycle nurbs/construct mesh/mesh_repair io/path/path_tool mesh/mesh_clip \
   nurbs/uv_polygon stage/plane_passes stage/mesh_% stage/coverage_judge toolpath/pass_extend \
   io/path/path_head io/path/path_write io/mesh/ply_origin io/cloud/cloud_formats nurbs/primitive \
-  nurbs/approximate stage/toolpath simulate/unseen_%
+  nurbs/approximate stage/toolpath simulate/unseen_% mesh/mesh_outline
 $(small:%=$(BUILD)/src/%.o): CFLAGS := $(patsubst -O2,-Os,$(CFLAGS:-O3=-Os))
 
 # The file VERSION is what `--version`, the tarball and the packages say.

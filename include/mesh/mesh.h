@@ -4,6 +4,7 @@
  * Lengths in mm.  Normals are unit vectors out of the material.  Beside it:
  *
  *   mesh_edges.h      edges, and the facets beside them
+ *   mesh_outline.h    its border seen along z, as polygons
  *   mesh_weld.h       vertices at one place become one
  *   mesh_repair.h     a mesh from elsewhere made fit to be cut: cleaned, oriented, with normals
  *   mesh_distance.h   how far points are from it, and which are above or below it

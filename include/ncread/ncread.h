@@ -42,7 +42,7 @@ enum {
     NCREAD_HEAD_TEXT = 1200,
     NCREAD_HEAD_NAME = 120,
     NCREAD_SCANS = 500,
-    NCREAD_HEAD_REGION = 12000
+    NCREAD_HEAD_REGION = 40000
 };
 struct ncread_head {
     char tool[NCREAD_HEAD_TEXT];    /* all of it; "": nothing */

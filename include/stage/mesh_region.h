@@ -15,8 +15,10 @@ struct mesh_region_options {
     const char *steep;  /* angles between the normal and `up`, degrees: 0:45; NULL: all */
     const char *region; /* file of polygons seen along z, mm: a corner `x y` a line, an empty line
                            between two of them; NULL: all */
-    struct region_polygons *polygons; /* what was read of it, starts as all zero; NULL: not kept */
+    struct region_polygons *polygons; /* what was read of it, or the outline of what was taken by
+                                         faces or slopes; starts as all zero; NULL: not kept */
     struct vec3 up;                   /* unit */
+    double border; /* mm: so near the border of a region of points its points are in none */
 };
 
 /* Is anything asked for? */
@@ -30,9 +32,10 @@ bool mesh_region_given(const struct mesh_region_options *options);
 int mesh_region_take(const struct mesh_region_options *options, const struct mesh *mesh,
                      struct mesh *part, struct error *error);
 
-/* Box and polygons as a region that has no border yet, and whose polygons are those of the options;
- * nothing is in question where faces or slopes are asked for, which no point is known to be of.
- * After mesh_region_take, which has read the polygons, and kept them. */
+/* The part as a region of points, whose polygons are those of the options; after mesh_region_take.
+ * What was asked for by faces or slopes is known by its outline, unless much of it is steeper than
+ * vertical, over another part of it or so narrow that all is at the border: then nothing is in
+ * question. */
 struct region mesh_region_of_points(const struct mesh_region_options *options);
 
 #endif

@@ -212,7 +212,7 @@ static void place_keys(struct nc_program *p, const struct transform *place)
 
 /* Corners of the polygons of a region: more would be a program of comments.  A number is no longer
  * than that, and no coordinate beyond FAR. */
-enum { CORNERS_SAID = 200, NUMBER = 16 };
+enum { CORNERS_SAID = 1000, NUMBER = 16 };
 static const double FAR = 1e9;
 
 /* " x y"; returns its length. */

@@ -7,6 +7,10 @@
 #include "base/num.h"
 #include "base/reader.h"
 #include "mesh/mesh_clip.h"
+#include "mesh/mesh_outline.h"
+
+/* Of the border of a region: so far an outline may be off it, and the border is so much wider. */
+static const double COARSE = 0.5;
 
 bool mesh_region_given(const struct mesh_region_options *options)
 {
@@ -119,7 +123,10 @@ static int take_box(const double *box, struct mesh *part, struct error *error)
     return 0;
 }
 
-enum { CORNERS_MAX = 1000 };
+enum {
+    CORNERS_MAX = 1000, /* of polygons */
+    CORNERS_FEW = 200   /* of an outline, as far as one so coarse is near enough */
+};
 
 /* A polygon ends: it must be one. */
 static int end_polygon(const struct reader *r, const struct region_polygons *p, struct error *error)
@@ -201,18 +208,53 @@ static int take_polygons(const struct mesh_region_options *options, struct mesh 
     return status;
 }
 
+/* Of the facets, some of which are looked at, enough are in the region with its border, and most
+ * without. */
+static bool holds_part(struct region region, const struct mesh *part)
+{
+    enum { LOOKED = 1000 };
+    const double enough = 0.01, most = 0.5;
+    size_t step = part->face.n / LOOKED + 1, inner = 0, held = 0, all = 0;
+
+    for (size_t f = 0; f < part->face.n; f += step, all++) {
+        const int *v = part->face.item[f].v;
+        const struct vec3 *p = part->vertex.item;
+        struct vec3 at = vec_scale(1.0 / 3, vec_add(vec_add(p[v[0]], p[v[1]]), p[v[2]]));
+        inner += region_holds(&region, at);
+        held += region_polygons_hold(&region.polygons, at);
+    }
+    return (double)inner >= enough * (double)all && (double)held >= most * (double)all;
+}
+
 struct region mesh_region_of_points(const struct mesh_region_options *options)
 {
     const double *box = options->box;
-    struct region region = {.boxed = box != NULL};
+    bool outlined = options->faces || options->steep;
+    struct region region = {.boxed = box && !outlined,
+                            .border = (outlined ? 1 + COARSE : 1) * options->border};
 
-    if (options->faces || options->steep)
-        return (struct region){0};
-    if (box)
+    if (region.boxed)
         region.box = (struct box){vec(box[0], box[1], box[2]), vec(box[3], box[4], box[5])};
-    if (options->region)
+    if (options->region || outlined)
         region.polygons = *options->polygons;
     return region;
+}
+
+/* The outline of what faces or slopes were taken of, coarser where a finer one has too many
+ * corners; none where it says little. */
+static void keep_outline(const struct mesh_region_options *options, const struct mesh *part)
+{
+    struct region_polygons *outline = options->polygons;
+    const double coarsest = COARSE * options->border, narrow = 2 * options->border;
+
+    for (double within = coarsest / 4; within <= coarsest; within *= 2) {
+        region_polygons_free(outline);
+        if (mesh_outline_find(part, within, narrow, outline) && outline->corner.n <= CORNERS_FEW)
+            break;
+    }
+    struct region region = mesh_region_of_points(options);
+    if (outline->corner.n > CORNERS_MAX || !holds_part(region, part))
+        region_polygons_free(outline);
 }
 
 /* What is said of whole surfaces does not hold of a part of them: kmax does. */
@@ -239,5 +281,7 @@ int mesh_region_take(const struct mesh_region_options *options, const struct mes
         forget_surfaces(part);
     array_free(&part->surface);
     mesh_clip_unused(part);
+    if ((options->faces || options->steep) && options->polygons)
+        keep_outline(options, part);
     return 0;
 }

@@ -205,16 +205,15 @@ struct mesh_region_options path_options_region(void)
                                         .faces = path_options.faces,
                                         .steep = path_options.steep,
                                         .polygons = &path_options.polygons,
-                                        .up = {0, 0, 1}};
+                                        .up = {0, 0, 1},
+                                        .border = BORDER * path_options.radius};
 }
 
 struct region path_options_points(void)
 {
     struct mesh_region_options asked = path_options_region();
-    struct region region = mesh_region_of_points(&asked);
 
-    region.border = BORDER * path_options.radius;
-    return region;
+    return mesh_region_of_points(&asked);
 }
 
 /* The scan that guards, until path_options_guard. */

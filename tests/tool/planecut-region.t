@@ -39,7 +39,8 @@ every "--region: inside its polygons" l "$inside"
 ok "up to their sides" awk '$1 > 28 - 1e-4 { a++ } $1 < 2 + 1e-4 { b++ } $2 > 17 { c++ } $1 > 4 - 1e-4 && $1 < 4 + 1e-4 && $2 > 4 && $2 < 6 { d++ }
 	END { exit !(a > 3 && b > 5 && c > 3 && d > 0) }' "$TMP/l"
 ok "on both sides of the hole in it" awk '$2 > 4.1 && $2 < 5.9 && $1 < 4 + 1e-4 { a++ } $2 > 4.1 && $2 < 5.9 && $1 > 8 - 1e-4 && $1 < 28 { b++ } END { exit !(a > 0 && b > 0) }' "$TMP/l"
-contacts top --faces "$(surface 2)"
+top=$(surface 2)
+contacts top --faces "$top"
 every "--faces: one, the top" top '$3 > 10 - 1e-6 && $6 > 1 - 1e-6'
 contacts two --faces "$(surface 2),$(surface 7)-$(surface 7)"
 every "two, the top and the hole" two '$6 > 1 - 1e-6 || ($1 - 15) ^ 2 + ($2 - 10) ^ 2 < 16 + 1e-4'
@@ -83,6 +84,30 @@ has "the largest ball that fits is told" "a ball of any radius fits" "$TMP/v"
 planecut -q -r 3 -s 4 --avoid "$TMP/hole.ply" 2>/dev/null | biarcfit -q -e 0.01 2>/dev/null | ncpost -q -c siemens >"$TMP/box.mpf" 2>/dev/null
 ncverify --partial -c siemens -g "$TMP/hole.ply" "$TMP/box.mpf" >"$TMP/out" 2>/dev/null
 has "a program for long facets is accepted" "^verdict *accepted" "$TMP/out"
+
+# What slopes and faces leave out is said, by its outline: the judge asks for the rest, and for all of
+# that.
+awk 'BEGIN { for (y = -15; y <= 15.001; y += 0.5) for (x = -15; x <= 15.001; x += 0.5)
+	printf "%.5f %.5f %.5f\n", x, y, 2.2 * sin(x / 4) * cos(y / 5) + 8 }' >"$TMP/waves.xyz"
+cloud2mesh -q -t 0.5 "$TMP/waves.xyz" -o "$TMP/waves.ply"
+cd "$TMP" || exit 1
+for steep in 0:18 15:40; do
+	status 0 "--steep $steep of a scan" planecut -q -r 3 --scallop 0.02 --steep $steep --avoid waves.ply -o waves.cl
+	has "... the path says its outline" '^\$\$-> REGION/POLYGON,' waves.cl
+	status 0 "... is fitted" bsplfit -q -e 0.01 waves.cl -o waves.spline
+	status 0 "... is a program" ncpost -q -c siemens waves.spline -o waves.mpf
+	status 0 "... is accepted" ncverify -q -g waves.xyz --partial waves.mpf
+	has "... in the region that is to be cut" 'in the region that is to be cut' out
+done
+half=$(awk -F/ '/PASS/ { n++ } END { print int(n / 2) }' waves.cl)
+awk -v half="$half" '/PASS/ { n++ } n < half || n > half + 2 || /FINI/' waves.cl | ncpost -q -c siemens -o less.mpf 2>/dev/null
+status 3 "three passes fewer are not" ncverify -q -g waves.xyz --partial less.mpf
+has "... for they are left" 'fault .* of material is left' out
+planecut -q -r 3 -s 1 --faces "$top" --avoid hole.ply >top.cl 2>/dev/null
+ncpost -q -c siemens top.cl >top.mpf
+grep '^; REGION' top.mpf | sed 's/^[^:]*: //' | tr '\n' ' ' >top
+has "--faces: the outline of the top has its hole" '^BORDER 1.125 POLYGON [0-9. ]* POLYGON [0-9. ]*$' top
+has "... and its corners" ' 0 20 0 0 30 0 30 20 $' top
 
 # ---- what is refused
 

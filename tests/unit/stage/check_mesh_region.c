@@ -91,6 +91,36 @@ START_TEST(a_steepness)
 }
 END_TEST
 
+/* What was taken by surfaces or slopes is a region of points by its outline, with a border half as
+ * wide again; none where all of it is at the border, or where much is under another part. */
+START_TEST(an_outline)
+{
+    const struct {
+        const char *faces, *steep;
+        double border, low, high; /* along x, with the border; 0: nothing is known */
+    } is[] = {{"5", NULL, 1, -18.5, -1.5},
+              {NULL, "0:30", 0.5, -19.25, 9.25},
+              {NULL, "30:60", 0.5, 10.75, 20 * 0.8660254 - 0.75},
+              {NULL, "85:90", 0.5, 0, 0},
+              {"5", NULL, 20, 0, 0}};
+    for (size_t i = 0; i < sizeof is / sizeof *is; i++) {
+        struct region_polygons polygons = {0};
+        struct mesh_region_options options = {.faces = is[i].faces,
+                                              .steep = is[i].steep,
+                                              .border = is[i].border,
+                                              .polygons = &polygons};
+        area_of(options);
+        struct region region = mesh_region_of_points(&options);
+        ck_assert_int_eq(region_given(&region), is[i].high > is[i].low);
+        for (double x = -25; x < 25 && region_given(&region); x += 0.1)
+            if (fabs(x - is[i].low) > 0.2 && fabs(x - is[i].high) > 0.2)
+                ck_assert_int_eq(region_holds(&region, vec(x, 20, 3)),
+                                 x > is[i].low && x < is[i].high);
+        region_polygons_free(&polygons);
+    }
+}
+END_TEST
+
 /* A square with a triangle cut out of it, on the flat part. */
 START_TEST(polygons)
 {
@@ -147,6 +177,7 @@ int main(void)
     tcase_add_test(tcase, surfaces_by_their_numbers);
     tcase_add_test(tcase, a_box);
     tcase_add_test(tcase, a_steepness);
+    tcase_add_test(tcase, an_outline);
     tcase_add_test(tcase, polygons);
     tcase_add_test(tcase, what_cannot_be_taken);
     tcase_add_test(tcase, files_that_hold_no_polygon);
