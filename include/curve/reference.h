@@ -26,6 +26,8 @@ struct reference {
     double offset;        /* mm: from the tip to the centre the radius, from the centre to the tip
                              the negative radius; 0: there is no other point */
     bool turns;           /* the axis is not the same everywhere */
+    bool flat[3];         /* this component is 0 in every axis, as where a machine turns about X
+                             alone: it stays so (reference_of, reference_distinct) */
     bool other_leads;     /* the axis turns, and the other point has the longer path: its places
                              tell better which axes belong together */
 };
@@ -54,6 +56,12 @@ struct reference reference_distinct(const struct run *run, bool centre);
 struct reference reference_sample(const struct reference *reference, size_t parts);
 
 void reference_free(struct reference *reference);
+
+/* v with those components that are 0 in every axis taken from `zero`. */
+struct vec3 reference_flat(const struct reference *reference, struct vec3 v, struct vec3 zero);
+
+/* A unit vector without the components that are 0 in every axis. */
+struct vec3 reference_flat_axis(const struct reference *reference, struct vec3 axis);
 
 struct vec3 reference_point(const struct reference *reference, double place);
 struct vec3 reference_axis(const struct reference *reference, double place);

@@ -20,13 +20,25 @@ enum axis_kind {
     AXIS_FIXED       /* everywhere the same */
 };
 
+/* The great circle of axes that a machine of one rotary axis has. */
+struct axis_circle {
+    struct vec3 pole; /* unit, what they turn about; zero: there is none, any axis may be */
+    struct vec3 zero; /* unit, across it: the axis at 0 */
+    double min, max;  /* travel, radians */
+};
+
+/* The axis of the circle that is nearest to a unit vector, or the vector itself if there is none;
+ * beyond its travel, the end that is less of a turn away; along the pole, the one at 0. */
+struct vec3 axis_circle_nearest(const struct axis_circle *circle, struct vec3 axis);
+
 struct tool_axis_options {
     enum axis_kind kind;
-    double tilt;           /* LEAN: radians, positive towards the next row */
-    double lead;           /* LEAN: radians, positive the way the tool feeds */
-    struct vec3 point;     /* TO_POINT, FROM_POINT; CIRCLE: its centre; mm */
-    struct vec3 direction; /* FIXED: unit, tip to spindle; CIRCLE: unit, its axis */
-    double radius;         /* CIRCLE: mm */
+    double tilt;               /* LEAN: radians, positive towards the next row */
+    double lead;               /* LEAN: radians, positive the way the tool feeds */
+    struct vec3 point;         /* TO_POINT, FROM_POINT; CIRCLE: its centre; mm */
+    struct vec3 direction;     /* FIXED: unit, tip to spindle; CIRCLE: unit, its axis */
+    double radius;             /* CIRCLE: mm */
+    struct axis_circle circle; /* the axis is the nearest of these to the one by the rule */
 };
 
 /* What stays the same along one strip, in the direction it is cut. */

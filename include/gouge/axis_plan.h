@@ -26,7 +26,8 @@ struct axis_planner_options {
     const struct gouge_check *guard; /* NULL: nothing is in the way */
     double radius;                   /* of the ball, mm */
     struct holder holder;            /* flute, shank and holder above the ball */
-    struct kinematic_chain chain;    /* of the machine; fewer than two axes: any direction */
+    struct kinematic_chain chain;    /* of the machine; of one axis, which is across the tool:
+                                        the directions of a circle; none: the rule's alone */
     double tolerance; /* half of it a guard point may be in the tool, and a tenth of it a tip that
                          goes straight may swing the ball off a straight line, mm */
     bool between;     /* points may be put between those of a run */

@@ -24,8 +24,11 @@ struct rotary_frame {
     bool both;
 };
 
-/* Z and both for fewer than two axes. */
+/* Of one axis it is the pole; Z and both for none. */
 struct rotary_frame rotary_frame_of(const struct kinematic_chain *chain);
+
+/* The axes that a chain of one rotary axis has, where that is across the tool; else no circle. */
+struct axis_circle rotary_circle(const struct kinematic_chain *chain);
 
 /* The angle off the pole, and the direction there, radians. */
 struct rotary_angles {
@@ -50,7 +53,7 @@ double rotary_pole_between(struct rotary_angles from, struct rotary_angles to);
 bool rotary_reaches(const struct kinematic_chain *chain, struct vec3 axis);
 
 /* The same for all directions between two, on the great circle: looked at every degree, so that a
- * turn of less is held to stay where its ends are.  A chain of fewer than two axes: true. */
+ * turn of less is held to stay where its ends are.  A chain of no axes: true. */
 bool rotary_reaches_between(const struct kinematic_chain *chain, struct vec3 from, struct vec3 to);
 
 enum { ROTARY_LEAN_DIRECTIONS = 24 };

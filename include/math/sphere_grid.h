@@ -24,6 +24,10 @@ struct sphere_grid {
 struct vec3 sphere_spiral(int k, double z);
 
 struct sphere_grid sphere_grid_new(struct vec3 pole);
+
+/* Moves the directions of the two rings beside the equator onto it: each is there twice. */
+void sphere_grid_level(struct sphere_grid *grid);
+
 void sphere_grid_free(struct sphere_grid *grid);
 
 /* The directions around one: the corners of the cell it is in, two of each of two rings, or the

@@ -28,6 +28,7 @@ struct coverage_options {
     const struct holder *holder;       /* what is above the ball; no parts: the ball alone comes */
     bool upright;                      /* only on this axis: */
     struct vec3 axis;                  /* unit */
+    struct vec3s axes;                 /* only on these, unit, with a holder; none: on any */
     double radius;                     /* of the ball, mm */
     double limit;                      /* what may stay on a point that is cut, mm */
     double near;                       /* so near comes a ball that could cut a point, mm */

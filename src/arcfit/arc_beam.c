@@ -128,7 +128,7 @@ struct vec3 arc_axis_end(const struct reference *reference, const struct arc_pie
         fmin(part * within->axis, ARC_BEARING * hypot(piece->axis_to.x, piece->axis_to.y));
     shift = clamp(shift, -most, most);
     struct vec3 axis = vec_unit(vec_along(piece->axis_to, shift, side));
-    return vec_unit(vec_round(axis, digits));
+    return vec_unit(vec_round(reference_flat_axis(reference, axis), digits));
 }
 
 /* ---- the beam */

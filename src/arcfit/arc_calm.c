@@ -91,7 +91,7 @@ static void move_joint(struct calm *c, size_t k)
     for (int i = 0; i < HALVINGS; i++, by.lean /= 2, by.bearing /= 2) {
         struct leaning to = {was.lean + by.lean, was.bearing + by.bearing};
         struct arc_piece a = c->piece[k - 1], b = c->piece[k];
-        a.axis_to = b.axis = axis_of(to);
+        a.axis_to = b.axis = reference_flat_axis(c->reference, axis_of(to));
         if (to.lean < UPRIGHT || !holds(c, &a) || !holds(c, &b))
             continue;
         c->piece[k - 1] = a;

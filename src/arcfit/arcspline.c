@@ -61,6 +61,7 @@ void arcspline_set_axis(struct arcspline *spline, const struct reference *refere
     if (reference->offset != 0)
         j->axis =
             vec_unit(vec_along(j->axis, held_turn(j->axis, j->side / reference->offset), side));
+    j->axis = reference_flat_axis(reference, j->axis);
 }
 
 void arcspline_lean_axis(struct arcspline *spline, const struct reference *reference, size_t joint,

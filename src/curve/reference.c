@@ -70,6 +70,21 @@ static void set_turns(struct reference *reference)
 {
     reference->turns = axis_turns(reference);
     reference->other_leads = reference->turns && other_path_is_longer(reference);
+    for (int i = 0; i < 3; i++)
+        reference->flat[i] = true;
+    for (size_t k = 0; k < reference->n; k++) {
+        const struct vec3 a = reference->axis[k];
+        reference->flat[0] = reference->flat[0] && a.x == 0;
+        reference->flat[1] = reference->flat[1] && a.y == 0;
+        reference->flat[2] = reference->flat[2] && a.z == 0;
+    }
+}
+
+struct vec3 reference_flat(const struct reference *reference, struct vec3 v, struct vec3 zero)
+{
+    const bool *flat = reference->flat;
+
+    return vec(flat[0] ? zero.x : v.x, flat[1] ? zero.y : v.y, flat[2] ? zero.z : v.z);
 }
 
 struct reference reference_of(const struct run *run, size_t from, size_t n, bool centre,
@@ -93,6 +108,13 @@ struct reference reference_of(const struct run *run, size_t from, size_t n, bool
     array_free(&alone);
     set_turns(&r);
     return r;
+}
+
+struct vec3 reference_flat_axis(const struct reference *reference, struct vec3 axis)
+{
+    struct vec3 flat = reference_flat(reference, axis, vec(0, 0, 0));
+
+    return vec_distance(flat, axis) > 0 ? vec_unit(flat) : axis;
 }
 
 /* The root of the mean square of how far the tip and the end of the radius move. */

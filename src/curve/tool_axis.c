@@ -42,6 +42,23 @@ static struct vec3 nearest_on_circle(const struct tool_axis_options *rule, struc
     return vec_along(rule->point, rule->radius, out);
 }
 
+struct vec3 axis_circle_nearest(const struct axis_circle *circle, struct vec3 axis)
+{
+    const double along = 1e-9; /* so near the pole there is no nearest one */
+    struct vec3 pole = circle->pole, zero = circle->zero, flat = vec_reject(axis, pole);
+
+    if (vec_length(pole) == 0)
+        return axis;
+    if (vec_length(flat) < along)
+        flat = zero;
+    double q = atan2(vec_dot(pole, vec_cross(zero, flat)), vec_dot(zero, flat));
+    double middle = (circle->min + circle->max) / 2;
+    q += 2 * PI * round((middle - q) / (2 * PI));
+    if (q >= circle->min && q <= circle->max)
+        return vec_unit(flat);
+    return vec_turn(zero, pole, q < circle->min ? circle->min : circle->max);
+}
+
 struct vec3 tool_axis_at(const struct tool_axis_options *rule, const struct tool_axis_feed *feed,
                          struct vec3 centre, struct vec3 normal)
 {
@@ -64,5 +81,5 @@ struct vec3 tool_axis_at(const struct tool_axis_options *rule, const struct tool
         a = rule->direction;
         break;
     }
-    return vec_length(a) > 0 ? vec_unit(a) : normal;
+    return axis_circle_nearest(&rule->circle, vec_length(a) > 0 ? vec_unit(a) : normal);
 }

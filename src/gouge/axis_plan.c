@@ -19,6 +19,8 @@ struct axis_planner *axis_planner_new(const struct axis_planner_options *options
     p->options = *options;
     p->frame = rotary_frame_of(&options->chain);
     p->grid = sphere_grid_new(p->frame.pole);
+    if (options->chain.n == 1) /* no other direction is reached */
+        sphere_grid_level(&p->grid);
     struct access_options access = {
         options->guard, &p->options.holder,     &p->grid,        options->radius / 12, MARGIN,
         SLOPE,          options->tolerance / 2, options->threads};
@@ -26,7 +28,7 @@ struct axis_planner *axis_planner_new(const struct axis_planner_options *options
     p->reached = mem_alloc((size_t)p->grid.n, sizeof *p->reached);
     p->beside = mem_alloc((size_t)p->grid.n, sizeof *p->beside);
     for (int i = 0; i < p->grid.n; i++) {
-        p->reached[i] = options->chain.n == 2 && rotary_reaches(&options->chain, p->grid.at[i]);
+        p->reached[i] = options->chain.n > 0 && rotary_reaches(&options->chain, p->grid.at[i]);
         axis_choose_neighbours(p, i);
     }
     return p;
@@ -97,7 +99,7 @@ static bool check_points(struct work *w, const struct run *run, const struct dou
             now = -1;
             continue;
         }
-        if (p->options.fixed && vec_dot(b->axis, b->normal) < -1e-6)
+        if ((p->options.fixed || p->options.chain.n == 1) && vec_dot(b->axis, b->normal) < -1e-6)
             now = -1; /* below the ball's equator, where a node beside it was not */
         state[i] = now >= -slack ? AXIS_PLAN_CUT : AXIS_PLAN_SKIP;
         if (i > 0 && fmin(before, now) >= -slack &&

@@ -57,7 +57,7 @@ static bool reaches_extremes(const struct kinematic_chain *chain, struct vec3 fr
 
 bool rotary_reaches_between(const struct kinematic_chain *chain, struct vec3 from, struct vec3 to)
 {
-    double angle = vec_angle(from, to), parts = chain->n < 2 ? 0 : ceil(angle / RADIANS(1));
+    double angle = vec_angle(from, to), parts = chain->n < 1 ? 0 : ceil(angle / RADIANS(1));
 
     for (double k = 1; k < parts; k++)
         if (!rotary_reaches(chain, vec_slerp(from, to, k / parts)))
@@ -68,15 +68,24 @@ bool rotary_reaches_between(const struct kinematic_chain *chain, struct vec3 fro
 struct rotary_frame rotary_frame_of(const struct kinematic_chain *chain)
 {
     const double beside = RADIANS(10);
-    struct rotary_frame f = {.pole = chain->n == 2 ? chain->rotary[0].axis : vec(0, 0, 1)};
+    struct rotary_frame f = {.pole = chain->n > 0 ? chain->rotary[0].axis : vec(0, 0, 1)};
 
     if (vec_dot(f.pole, chain->tool) < 0)
         f.pole = vec_scale(-1, f.pole);
     f.x = vec_unit(vec_reject(fabs(f.pole.z) > 0.9 ? vec(1, 0, 0) : vec(0, 0, 1), f.pole));
     f.y = vec_cross(f.pole, f.x);
-    f.both = chain->n < 2 || solutions_within(chain, vec_along(vec_scale(cos(beside), f.pole),
-                                                               sin(beside), f.x)) > 1;
+    f.both = chain->n == 0 || solutions_within(chain, vec_along(vec_scale(cos(beside), f.pole),
+                                                                sin(beside), f.x)) > 1;
     return f;
+}
+
+struct axis_circle rotary_circle(const struct kinematic_chain *chain)
+{
+    const struct rotary *r = &chain->rotary[0];
+
+    if (chain->n != 1 || fabs(vec_dot(r->axis, chain->tool)) > UPRIGHT)
+        return (struct axis_circle){.min = 0};
+    return (struct axis_circle){r->axis, chain->tool, r->min, r->max};
 }
 
 static double off_by(struct rotary_angles a, struct rotary_angles b)

@@ -41,6 +41,14 @@ struct sphere_grid sphere_grid_new(struct vec3 pole)
     return grid;
 }
 
+void sphere_grid_level(struct sphere_grid *grid)
+{
+    const int middle = SPHERE_GRID_RINGS / 2;
+
+    for (int i = grid->start[middle - 1]; i < grid->start[middle + 1]; i++)
+        grid->at[i] = vec_unit(vec_reject(grid->at[i], grid->pole));
+}
+
 void sphere_grid_free(struct sphere_grid *grid)
 {
     free(grid->at);

@@ -128,7 +128,7 @@ static bool prove_printed(struct knots_tries *t, struct candidate *candidate)
             return false;
         }
         t->effort -= (double)t->reference->n;
-        if (spline_bound_print(&curve))
+        if (spline_bound_print(&curve, t->reference))
             spline_bound_measure(&curve, t->reference, SPLINE_RESOLUTION_FREE * o->tolerance,
                                  INFINITY, &proof);
         if (deviation_within(&proof, &t->within) && never_stops(&curve, &t->fine)) {

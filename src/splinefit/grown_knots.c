@@ -374,7 +374,7 @@ static double prove(const struct growth *g, struct free_knots_result *found)
     double tolerance = o->tolerance;
 
     found->curve = bspline_copy(&g->curve);
-    if (!spline_bound_print(&found->curve))
+    if (!spline_bound_print(&found->curve, g->whole))
         return INFINITY;
     spline_bound_measure(&found->curve, g->whole, SPLINE_RESOLUTION_GROWN * tolerance,
                          HOPELESS * tolerance, &found->proof);

@@ -57,7 +57,7 @@ static bool print_knots(struct bspline *curve)
     return true;
 }
 
-bool spline_bound_print(struct bspline *curve)
+bool spline_bound_print(struct bspline *curve, const struct reference *reference)
 {
     for (size_t i = 0; i < curve->poles; i++) {
         if (!isfinite(vec_dot(curve->pole[i], curve->pole[i])))
@@ -70,7 +70,8 @@ bool spline_bound_print(struct bspline *curve)
     for (size_t i = 0; i < curve->poles; i++) {
         curve->pole[i] = printed_point(curve->pole[i]);
         if (curve->head != NULL)
-            curve->head[i] = printed_point(curve->head[i]);
+            curve->head[i] =
+                printed_point(reference_flat(reference, curve->head[i], curve->pole[i]));
     }
     return true;
 }

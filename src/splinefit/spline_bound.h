@@ -11,10 +11,11 @@ enum { SPLINE_BOUND_DIGITS = 6 }; /* decimals of poles and knots in the path str
 
 /*
  * Scales the knots so that they run from 0 to the curve's length in mm, and rounds knots and poles
- * to the printed digits.  False when a pole is not finite or inner knots that were apart fall into
- * one (the curve is too short for its poles).
+ * to the printed digits; the head's poles stand over the curve's along what is 0 in all axes of
+ * the reference, so that the curve's axes have no other.  False when a pole is not finite or inner
+ * knots that were apart fall into one (the curve is too short for its poles).
  */
-bool spline_bound_print(struct bspline *curve);
+bool spline_bound_print(struct bspline *curve, const struct reference *reference);
 
 /*
  * Fills *proof with upper bounds of the distances both ways between the curve and the reference.

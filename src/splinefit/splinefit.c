@@ -129,7 +129,7 @@ static bool try_combination(const struct search *s, size_t poles, int params, in
     const double *u = s->u[params];
 
     knots_fill((enum knots_method)knots, u, t->n, curve.degree, poles, curve.knot);
-    if (lsq_fit(&curve, u, t->point, s->head, t->n) && spline_bound_print(&curve)) {
+    if (lsq_fit(&curve, u, t->point, s->head, t->n) && spline_bound_print(&curve, t)) {
         scale_params(s, u, &curve);
         if (is_accepted(s, &curve, &proof) && !bspline_has_short_span(&curve, s->options->least)) {
             bspline_free(&fit->curve);
@@ -195,7 +195,7 @@ static bool try_straight(const struct search *s, struct splinefit *fit)
     const struct splinefit_options *o = s->options;
 
     *fit = (struct splinefit){.curve = spline_straight(s->reference), .kind = SPLINEFIT_STRAIGHT};
-    if (spline_bound_print(&fit->curve)) {
+    if (spline_bound_print(&fit->curve, s->reference)) {
         spline_bound_measure(&fit->curve, s->reference, o->tolerance * SPLINE_RESOLUTION,
                              o->tolerance, &fit->proof);
         fit->within = deviation_within(&fit->proof, &s->within);
@@ -217,7 +217,7 @@ static void set_polyline(const struct search *s, struct splinefit *fit)
         thin_lines(s->reference, &room, s->options->least > 0 && !s->paper ? LINE : 0, &off);
 
     *fit = (struct splinefit){.curve = spline_polyline(&t), .kind = SPLINEFIT_POLYLINE};
-    spline_bound_print(&fit->curve);
+    spline_bound_print(&fit->curve, s->reference);
     spline_bound_polyline(&fit->curve, &t, &fit->proof);
     fit->proof = deviation_worst(fit->proof, off);
     made = (struct deviation){fit->proof.point, 0, fit->proof.axis};
@@ -449,7 +449,7 @@ void splinefit_through(const struct reference *reference, const struct reference
     const struct deviation within = {options->tolerance, options->tolerance, options->angle};
 
     *fit = (struct splinefit){.curve = spline_through(reference, ends), .kind = SPLINEFIT_THROUGH};
-    bool printed = spline_bound_print(&fit->curve);
+    bool printed = spline_bound_print(&fit->curve, whole);
     spline_bound_measure(&fit->curve, whole, options->tolerance * SPLINE_RESOLUTION, INFINITY,
                          &fit->proof);
     fit->within = printed && deviation_within(&fit->proof, &within);

@@ -151,6 +151,8 @@ struct path_coverage path_coverage_new(const struct mesh *mesh, const struct mes
         .vertex = c.vertex,
         .normal = mesh->normal.item,
         .threads = t->threads};
+    if (vec_length(t->lift.axis.circle.pole) > 0)
+        c.options.axes = coverage_judge_axes(&t->rule.chain);
     return c;
 }
 
@@ -160,6 +162,7 @@ void path_coverage_free(struct path_coverage *c)
     gouge_free(c->bare);
     kdtree_free(c->vertex);
     array_free(&c->beside);
+    array_free(&c->options.axes);
 }
 
 /* Strips over what is left become passes of the path. */

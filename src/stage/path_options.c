@@ -8,6 +8,7 @@
 #include "gouge/guard_mesh.h"
 #include "guard_read.h"
 #include "machine/machine_options.h"
+#include "machine/rotary_cost.h"
 #include "math/box.h"
 #include "mesh/mesh_distance.h"
 #include "toolpath/scallop.h"
@@ -25,6 +26,9 @@ static const double ASIDE = 0.05;
 
 /* Of the radius: the normals of a row are averaged over so much of it before and after. */
 static const double EVEN = 0.4;
+
+/* Degrees: so far within the travel of a single rotary axis its axes end. */
+static const double INSIDE = 0.5;
 
 /* Of the radius: so near the border of a region, where rows end, its points are not asked for. */
 static const double BORDER = 0.25;
@@ -400,13 +404,28 @@ static int read_body(struct path_head *head, struct error *error)
     return tool_options_read(&options, c->radius, &head->body, error);
 }
 
-/* Fewer than two rotary axes leave the tool one fixed axis, if the machine has it. */
-static int check_machine(const struct kinematic_chain *chain, struct error *error)
+/* One rotary axis across the tool leaves the tool a circle of axes, as far as what is fitted to
+ * them stays within the travel. */
+static void take_circle(struct kinematic_chain *chain, struct tool_axis_options *axis)
+{
+    struct rotary *r = &chain->rotary[0];
+
+    if (vec_length(rotary_circle(chain).pole) == 0)
+        return;
+    double inside = fmin(RADIANS(INSIDE), (r->max - r->min) / 4);
+    r->min += inside;
+    r->max -= inside;
+    axis->circle = rotary_circle(chain);
+}
+
+/* With fewer than two rotary axes and no circle a fixed axis is left, if the machine has it. */
+static int check_machine(const struct kinematic_chain *chain, const struct tool_axis_options *axis,
+                         struct error *error)
 {
     const struct path_options *c = &path_options;
-    bool fixed = c->fixed_given && !(c->lean > 0);
 
-    if (chain->n >= 2 || (fixed && chain_angles(chain, vec_unit(vec_of(c->fixed))).n > 0))
+    if (chain->n >= 2 || vec_length(axis->circle.pole) > 0 ||
+        (c->fixed_given && !(c->lean > 0) && rotary_reaches(chain, axis->direction)))
         return 0;
     return error_set(error,
                      "-m %s: found %d of two rotary axes, expected --fixed with an axis it has",
@@ -414,15 +433,17 @@ static int check_machine(const struct kinematic_chain *chain, struct error *erro
 }
 
 /* The machine whose rotary axes are to move least. */
-static int read_machine(struct kinematic_chain *chain, struct error *error)
+static int read_machine(struct toolpath *t, struct error *error)
 {
     const struct machine_options options = {.name = path_options.machine};
     struct machine machine;
 
     if (machine_options_read(&options, &machine, error) != 0)
         return -1;
-    *chain = machine.chain;
-    return check_machine(chain, error);
+    t->rule.chain = machine.chain;
+    if (!path_options.fixed_given)
+        take_circle(&t->rule.chain, &t->lift.axis);
+    return check_machine(&t->rule.chain, &t->lift.axis, error);
 }
 
 /* How much centres may be lifted to run smoothly: what is asked for, or a tenth of the tolerance
@@ -478,7 +499,7 @@ int path_options_rules(const struct mesh *mesh, const struct gouge_check *guard,
     t->rule.lean = RADIANS(c->lean);
     t->rule.turn = RADIANS(c->turn);
     t->rule.spacing = distance;
-    if (read_machine(&t->rule.chain, error) != 0)
+    if (read_machine(t, error) != 0)
         return -1;
     if (read_body(&t->path->head, error) != 0)
         return -1;

@@ -47,6 +47,7 @@ static void try_leans(void *context, size_t from, size_t to)
 
     for (size_t i = from; i < to; i++) {
         struct tool_axis_options rule = rotary_lean(trial->least, trial->most, (int)i);
+        rule.circle = trial->t->lift.axis.circle;
         trial->travel[i] = travel_by(trial->t, &rule);
     }
 }
@@ -67,6 +68,7 @@ void toolpath_choose_lean(struct toolpath *t)
     free(trial.travel);
     if (now < before) {
         struct tool_axis_options rule = rotary_lean(trial.least, trial.most, (int)best);
+        rule.circle = asked->circle;
         t->lift.axis = rule;
         for (size_t i = 0; i < t->strip.n; i++)
             t->strip.item[i].lift.axis = rule;

@@ -168,25 +168,32 @@ static bool comes_along(const struct coverage_options *o, struct vec3 c, struct 
     return gouge_holder_clear(o->guard, o->holder, c, axis, -o->tolerance);
 }
 
-/* True if the tool can stand at a ball that touches along d: on its only axis, or on any of many
- * that come from above and from the ball's side. */
-static bool has_axis(const struct coverage_options *o, struct vec3 c, struct vec3 d)
+static bool comes_by(const struct coverage_options *o, struct vec3 c, struct vec3 d,
+                     struct vec3 axis)
 {
     const double flattest = 0.05; /* cosine */
 
+    return vec_dot(axis, d) > flattest && comes_along(o, c, axis);
+}
+
+/* True if the tool can stand at a ball that touches along d: on its only axis, on any of those that
+ * there are, or of many that come from above, on the ball's side. */
+static bool has_axis(const struct coverage_options *o, struct vec3 c, struct vec3 d)
+{
     if (o->upright)
         return gouge_open(o->guard, c, o->axis, o->radius, o->tolerance);
     if (!gouge_open_anyhow(o->guard, c, d, o->radius, o->tolerance))
         return false;
-    if (!o->holder || o->holder->n == 0)
-        return true;
-    if (d.z >= 0 && comes_along(o, c, d))
-        return true;
-    for (int k = 0; k < AXES; k++) {
-        struct vec3 axis = spread(k, 2 * AXES);
-        if (vec_dot(axis, d) > flattest && comes_along(o, c, axis))
+    for (size_t k = 0; k < o->axes.n; k++)
+        if (comes_by(o, c, d, o->axes.item[k]))
             return true;
-    }
+    if (o->axes.n > 0)
+        return false;
+    if (!o->holder || o->holder->n == 0 || (d.z >= 0 && comes_along(o, c, d)))
+        return true;
+    for (int k = 0; k < AXES; k++)
+        if (comes_by(o, c, d, spread(k, 2 * AXES)))
+            return true;
     return false;
 }
 

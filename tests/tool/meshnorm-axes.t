@@ -155,10 +155,59 @@ has "of none it is told" 'three-axis: found 0 of two rotary axes, expected --fix
 few 0 three-axis --fixed 0,0,1
 few 2 three-axis --fixed 0,0.2,1
 few 2 three-axis --fixed 0,0,1 --lean-limit 10
-few 2 table-a --tilt 20
-has "of one" 'table-a: found 1 of two rotary axes' "$TMP/err"
+printf 'include = table-a\nname = C\naxes = C\n' >"$TMP/c.txt"
+few 2 "$TMP/c.txt" --tilt 20
+has "of one along the tool" 'c.txt: found 1 of two rotary axes' "$TMP/err"
 few 0 table-a --fixed 0,0.2,1
 status 0 "which the program takes" ncpost -q -c linuxcnc -m table-a -o "$TMP/few.ngc" "$TMP/few.cl"
 few 2 table-a --fixed 0.1,0.2,1
+
+# ---- one rotary axis across the tool: of the circle of axes that it has the nearest to the rule
+
+# Half of a cylinder about X, R 15, on posts, so that walls are to both sides.
+awk 'BEGIN { for (x = -6; x <= 6.001; x += 0.4) for (a = -72; a <= 72.001; a += 2)
+	printf "%.5f %.5f %.5f\n", x, 15 * sin(a / 57.29578), 15 * cos(a / 57.29578) }' >"$TMP/half.xyz"
+cloud2mesh -q "$TMP/half.xyz" -o "$TMP/half.ply"
+turns() { # LOW HIGH: the path in $TMP/one.cl has axes of the circle about X, and as far as that
+	awk -F, -v low="$1" -v high="$2" '/^GOTO/ { n++; a = -atan2($5, $6) * 57.29578
+		if ($4 != 0 || a < low || a > high) bad++; if (a < least) least = a; if (a > most) most = a }
+		END { print least, most; exit !(n > 50 && bad == 0 && least < 0.6 * low && most > 0.6 * high) }' "$TMP/one.cl"
+}
+one() { # STATUS MACHINE OPTION...: a path, which is as long for ncpost on every control
+	want=$1 machine=$2
+	shift 2
+	status "$want" "$machine $*" meshnorm -r 3 --avoid -m "$machine" "$@" -o "$TMP/one.cl" "$TMP/half.ply"
+	[ "$want" -eq 0 ] || return
+	for fit in 'biarcfit -e 0.01' 'bsplfit -e 0.01' cat; do
+		$fit "$TMP/one.cl" >"$TMP/one.fit" 2>/dev/null
+		for control in fanuc siemens heidenhain linuxcnc; do
+			ncpost -q -c $control -m "$machine" "$TMP/one.fit" -o "$TMP/one.nc"
+			result $? "$machine $*: ${fit%% *}, $control: the machine has these axes"
+			status 0 "... and the program is accepted" ncverify -q -g "$TMP/half.xyz" -m "$machine" \
+				-p "$TMP/one.fit" "$TMP/one.nc"
+		done
+	done
+}
+one 0 table-a
+ok "table-a: the axis turns with the surface" turns -88 88
+printf 'include = table-a\nname = part of A\na.min = -30\na.max = 50\n' >"$TMP/part.txt"
+one 0 "$TMP/part.txt" --tilt 0
+ok "as far as its travel" turns -30 50
+cd "$TMP" || exit 1
+status 0 "planecut has them, too" planecut -q -r 3 --scallop 0.02 --avoid -m table-a half.ply -o one.cl
+ok "of the circle" turns -88 88
+for rule in '--to-point 0,0,90' '--from-point 0,4,-30' '--lead 10' '--least-turn 25' '--axis-rate 4' '--circle 0,0,60,0,1,0,20'; do
+	# shellcheck disable=SC2086
+	status 0 "$rule" meshnorm -q -r 3 --avoid -m table-a $rule -o one.cl half.ply
+	ok "... of the circle" awk -F, '/^GOTO/ { n++; if ($4 != 0) exit 1 } END { exit !n }' one.cl
+done
+
+# A wall across the slope, at its foot: with the travel there is the tool does not come there, which is told.
+awk '{ print } END { for (x = -6; x <= 6.001; x += 0.4) for (z = -2; z <= 24; z += 0.4)
+	printf "%.5f %.5f %.5f\n", x, 17.5, z }' half.xyz >walled.xyz
+cloud2mesh -q half.xyz -o walled.ply
+meshnorm -r 3 --avoid -m part.txt -g walled.xyz -o walled.cl walled.ply 2>err
+has "what no axis of the circle reaches is told with its area" \
+	'(keeps flute, shank and holder clear at|out of reach of ball and tool:) .* mm2' err
 
 done_testing

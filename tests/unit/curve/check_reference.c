@@ -73,6 +73,29 @@ START_TEST(tip_and_centre)
 }
 END_TEST
 
+/* What is 0 in every axis stays 0. */
+START_TEST(axes_in_a_plane)
+{
+    struct run_point item[] = {pose(0, 0.1), pose(1, 0.2), pose(3, 0.3)};
+    struct run run = {.n = 3, .item = item, .radius = 8};
+    struct reference t = reference_distinct(&run, false);
+    struct vec3 off = vec_unit(vec(0.2, 1e-3, 1)), flat = reference_flat_axis(&t, off);
+
+    ck_assert(!t.flat[0] && t.flat[1] && !t.flat[2]);
+    ck_assert_double_eq(flat.y, 0);
+    ck_assert_double_eq_tol(vec_length(flat), 1, 1e-12);
+    ck_assert_double_lt(vec_distance(flat, off), 1.1e-3);
+    flat = reference_flat(&t, vec(1, 2, 3), vec(4, 5, 6));
+    ck_assert_double_eq(vec_distance(flat, vec(1, 5, 3)), 0);
+    reference_free(&t);
+    item[1].axis = off;
+    t = reference_distinct(&run, false);
+    ck_assert(!t.flat[0] && !t.flat[1] && !t.flat[2]);
+    ck_assert_double_eq(vec_distance(reference_flat_axis(&t, off), off), 0);
+    reference_free(&t);
+}
+END_TEST
+
 START_TEST(repeats_go_and_the_last_point_stays)
 {
     struct run_point item[] = {pose(0, 0), pose(0, 0),    pose(1, 0),   pose(1, 0),
@@ -172,6 +195,7 @@ int main(void)
     tcase_add_test(t, places);
     tcase_add_test(t, distances_go_downhill);
     tcase_add_test(t, tip_and_centre);
+    tcase_add_test(t, axes_in_a_plane);
     tcase_add_test(t, repeats_go_and_the_last_point_stays);
     tcase_add_test(t, a_turn_in_place_has_length);
     tcase_add_test(t, on_the_chords_and_evenly);

@@ -142,6 +142,41 @@ START_TEST(axis_has_length_one_where_nothing_tells_it)
 }
 END_TEST
 
+/* Of all axes of the circle within its travel none is nearer, whatever way it lies; there and back
+ * at the ends, and along the pole the one at 0. */
+START_TEST(nearest_on_the_circle_of_a_machine)
+{
+    const double travel[][2] = {{-0.3, 0.5}, {-2, 2}, {1, 4}, {-1e3, 1e3}};
+    const struct vec3 pole[] = {{1, 0, 0}, {0, -1, 0}, {0.6, 0.8, 0}};
+
+    for (int i = 0; i < 12; i++) {
+        struct axis_circle c = {pole[i % 3], vec(0, 0, 1), travel[i / 3][0], travel[i / 3][1]};
+        for (int k = 0; k < 200; k++) {
+            double z = sin(k), turn = 7.1 * k, r = sqrt(1 - z * z), nearest = HUGE_VAL;
+            struct vec3 a = vec(r * cos(turn), r * sin(turn), z);
+            struct vec3 got = axis_circle_nearest(&c, a);
+            for (int n = 0; n <= 4000; n++) {
+                double q = c.min + n / 4000.0 * fmin(c.max - c.min, 2 * PI);
+                nearest = fmin(nearest, vec_distance(vec_turn(c.zero, c.pole, q), a));
+            }
+            ck_assert_double_eq_tol(vec_length(got), 1, 1e-12);
+            ck_assert_double_eq_tol(vec_dot(got, c.pole), 0, 1e-12);
+            ck_assert_double_le(vec_distance(got, a), nearest + 1e-9);
+            ck_assert_double_ge(vec_distance(got, a), nearest - 2e-3);
+        }
+        if (c.min < 0)
+            ck_assert_double_lt(vec_distance(axis_circle_nearest(&c, c.pole), c.zero), 1e-12);
+    }
+    struct vec3 any = vec_unit(vec(1, 2, 3));
+    ck_assert_double_eq(
+        vec_distance(axis_circle_nearest(&(struct axis_circle){.min = 0}, any), any), 0);
+    struct tool_axis_options rule = {
+        .kind = AXIS_LEAN, .tilt = 0.3, .circle = {vec(1, 0, 0), vec(0, 0, 1), -2, 2}};
+    struct tool_axis_feed feed = feed_at(PI / 4, 1);
+    ck_assert_double_eq(tool_axis_at(&rule, &feed, vec(0, 0, 0), vec(0, 0, 1)).x, 0);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("tool_axis");
@@ -152,6 +187,7 @@ int main(void)
     tcase_add_test(tests, lead_and_tilt_of_a_run_in_a_plane);
     tcase_add_test(tests, axis_goes_through_points_and_circles);
     tcase_add_test(tests, axis_has_length_one_where_nothing_tells_it);
+    tcase_add_test(tests, nearest_on_the_circle_of_a_machine);
     suite_add_tcase(suite, tests);
     SRunner *runner = srunner_create(suite);
     srunner_run_all(runner, CK_NORMAL);

@@ -111,6 +111,53 @@ START_TEST(past_a_wall_the_tool_is_clear)
 }
 END_TEST
 
+/* A machine of one rotary axis, about X: the tool leans away from the wall within its circle; where
+ * it may lean to the other side alone, it does not come to the wall. */
+START_TEST(past_a_wall_on_a_circle)
+{
+    struct vec3s points = {0};
+    struct gouge_check *guard = floor_and_wall(25, &points);
+    const struct axis_planner_options options = {
+        .guard = guard,
+        .radius = RADIUS,
+        .holder = flute,
+        .chain = {.n = 1,
+                  .rotary = {{.axis = {1, 0, 0},
+                              .table = true,
+                              .min = -RADIANS(60),
+                              .max = _i < 2 ? RADIANS(60) : -RADIANS(5)}},
+                  .tool = {0, 0, 1}},
+        .tolerance = 0.01,
+        .between = true,
+        .play = RADIANS(15 * (_i % 2)),
+        .limit = RADIANS(85)};
+    struct axis_planner *planner = axis_planner_new(&options);
+    struct run run = pass(RADIANS(15), 0);
+    struct axis_plan plan = {.leaned = 0}, cut = {.leaned = 0};
+    size_t skipped = 0;
+
+    axis_plan_run(planner, &run, &plan);
+    for (size_t i = 0; i < plan.run.n; i++) {
+        const struct run_point *p = &plan.run.item[i];
+        bool beside = p->ball.x > 20 && p->ball.x < 40;
+        skipped += plan.state.item[i] == AXIS_PLAN_SKIP;
+        ck_assert(plan.state.item[i] != AXIS_PLAN_SKIP || (_i >= 2 && p->ball.x > 10));
+        ck_assert(_i < 2 || !beside || plan.state.item[i] == AXIS_PLAN_SKIP);
+        ck_assert_double_eq_tol(p->axis.x, 0, 1e-12);
+        if (_i < 2)
+            *array_push(&cut.run) = *p;
+    }
+    ck_assert_int_eq(skipped > 0, _i >= 2);
+    ck_assert_double_le(deepest(&cut, &points), 0.006);
+    array_free(&run);
+    axis_plan_free(&plan);
+    axis_plan_free(&cut);
+    axis_planner_free(planner);
+    gouge_free(guard);
+    array_free(&points);
+}
+END_TEST
+
 START_TEST(without_a_wall_the_rule_stays)
 {
     struct gouge_check *guard = floor_and_wall(0, NULL);
@@ -254,6 +301,7 @@ int main(void)
     TCase *tcase = tcase_create("axis_plan");
     tcase_set_timeout(tcase, 60);
     tcase_add_loop_test(tcase, past_a_wall_the_tool_is_clear, 0, 2);
+    tcase_add_loop_test(tcase, past_a_wall_on_a_circle, 0, 4);
     tcase_add_test(tcase, without_a_wall_the_rule_stays);
     tcase_add_test(tcase, with_play_the_rotary_axes_turn_little);
     tcase_add_loop_test(tcase, no_point_so_near_to_the_pole_but_at_it, 0, 3);

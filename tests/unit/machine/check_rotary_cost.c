@@ -53,6 +53,44 @@ START_TEST(leans_are_off_the_normal_by_what_was_asked)
 }
 END_TEST
 
+/* A machine of one rotary axis turns the tool about that; where it is along the tool, or there are
+ * two or none, there is no circle. */
+START_TEST(the_circle_of_one_axis)
+{
+    struct kinematic_chain one = {
+        .n = 1, .rotary = {{.axis = {1, 0, 0}, .min = -1, .max = 2}}, .tool = {0, 0, 1}};
+    struct axis_circle c = rotary_circle(&one);
+    struct rotary_frame frame = rotary_frame_of(&one);
+    struct rotary_angles at = {.lean = 0};
+
+    ck_assert_double_eq_tol(vec_distance(c.pole, vec(1, 0, 0)), 0, 1e-12);
+    ck_assert_double_eq(c.min, -1);
+    ck_assert_double_eq(c.max, 2);
+    for (double q = -1; q <= 2; q += 0.1) {
+        struct vec3 a = vec_turn(c.zero, c.pole, q);
+        double last = at.turn;
+        at = rotary_angles_near(&frame, a, at);
+        ck_assert_double_eq_tol(at.lean, PI / 2, 1e-9);
+        ck_assert(q < -0.95 || fabs(fabs(at.turn - last) - 0.1) < 1e-9);
+        ck_assert_double_lt(vec_distance(rotary_axis(&frame, at), a), 1e-12);
+        ck_assert(rotary_reaches(&one, a));
+        ck_assert(rotary_reaches_between(&one, a, vec_turn(c.zero, c.pole, fmin(2, q + 1))));
+        ck_assert(!rotary_reaches(&one, vec_unit(vec_add(a, vec(0.001, 0, 0)))));
+    }
+    ck_assert(!rotary_reaches(&one, vec_turn(c.zero, c.pole, 2.1)));
+    one.rotary[0].min =
+        -1.5; /* the short way from one end to the other is through what it has not */
+    ck_assert(
+        !rotary_reaches_between(&one, vec_turn(c.zero, c.pole, 2), vec_turn(c.zero, c.pole, -1.5)));
+    one.rotary[0].axis = vec(0, 0, 1);
+    ck_assert_double_eq(vec_length(rotary_circle(&one).pole), 0);
+    one.n = 0;
+    ck_assert_double_eq(vec_length(rotary_circle(&one).pole), 0);
+    struct machine machine = machine_default();
+    ck_assert_double_eq(vec_length(rotary_circle(&machine.chain).pole), 0);
+}
+END_TEST
+
 /* Past the pole the turn goes by while the axis leans, and stands at the pole itself. */
 START_TEST(a_way_past_the_pole_turns_beside_it)
 {
@@ -126,6 +164,7 @@ int main(void)
     SRunner *runner = srunner_create(suite);
     tcase_add_test(tests, ways_are_those_of_lean_and_direction);
     tcase_add_test(tests, leans_are_off_the_normal_by_what_was_asked);
+    tcase_add_test(tests, the_circle_of_one_axis);
     tcase_add_test(tests, a_way_past_the_pole_turns_beside_it);
     tcase_add_test(tests, a_turn_stays_within_its_travel_or_not);
     tcase_add_test(tests, the_middle_of_a_short_way);

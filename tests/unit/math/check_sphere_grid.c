@@ -27,6 +27,32 @@ START_TEST(all_round)
 }
 END_TEST
 
+/* The two rings about the equator stand on it, the others where they were. */
+START_TEST(level)
+{
+    struct sphere_grid g = sphere_grid_new(vec_unit(vec(0.2, -0.5, 0.8)));
+    sphere_grid_level(&g);
+    for (int ring = 0; ring < SPHERE_GRID_RINGS; ring++) {
+        double lean = (ring + 0.5) * PI / SPHERE_GRID_RINGS;
+        bool beside = fabs(lean - PI / 2) < SPHERE_GRID_STEP;
+        for (int k = g.start[ring]; k < g.start[ring + 1]; k++) {
+            ck_assert_double_eq_tol(vec_length(g.at[k]), 1, 1e-12);
+            ck_assert_double_eq_tol(vec_angle(g.at[k], g.pole), beside ? PI / 2 : lean, 1e-9);
+        }
+    }
+    for (int k = 0; k < 100; k++) { /* of each direction there, all four corners are there */
+        struct vec3 a = vec_along(vec_scale(cos(k), g.x), sin(k), g.y);
+        int corner[4];
+        sphere_grid_corners(&g, a, corner);
+        for (int i = 0; i < 4; i++)
+            ck_assert_double_le(vec_distance(g.at[corner[i]], a), SPHERE_GRID_STEP + 1e-9);
+        ck_assert_double_eq_tol(vec_dot(g.at[corner[0]], g.pole), 0, 1e-12);
+        ck_assert_double_eq_tol(vec_dot(g.at[corner[3]], g.pole), 0, 1e-12);
+    }
+    sphere_grid_free(&g);
+}
+END_TEST
+
 /* A cell is a step high and, where there are more than the least in a ring, a step wide: its
  * corners are no farther than its diagonal. */
 /* Evenly: every direction is near to one of them, and no two are near to each other. */
@@ -92,6 +118,7 @@ int main(void)
     TCase *tests = tcase_create("sphere_grid");
     SRunner *runner = srunner_create(suite);
     tcase_add_test(tests, all_round);
+    tcase_add_test(tests, level);
     tcase_add_test(tests, spiral);
     tcase_add_test(tests, corners);
     suite_add_tcase(suite, tests);

@@ -25,7 +25,7 @@ static struct bspline fitted(const struct reference *t, size_t poles)
     knots_fill(KNOTS_AVERAGE, u, t->n, 3, poles, b.knot);
     ck_assert(lsq_fit(&b, u, t->point, head, t->n));
     free(head);
-    ck_assert(spline_bound_print(&b));
+    ck_assert(spline_bound_print(&b, t));
     free(u);
     return b;
 }
@@ -90,7 +90,7 @@ START_TEST(printed_digits_and_length)
         ck_assert(printed(b.head[i].x) && printed(b.head[i].y) && printed(b.head[i].z));
     }
     b.pole[3].y = NAN;
-    ck_assert(!spline_bound_print(&b));
+    ck_assert(!spline_bound_print(&b, &t));
     bspline_free(&b);
     reference_free(&t);
     array_free(&run);
@@ -106,7 +106,7 @@ START_TEST(knots_that_would_fall_into_one)
         b.knot[i] = knot[i];
     for (size_t i = 0; i < 5; i++)
         b.pole[i] = vec(20 * (double)i, 0, 0);
-    ck_assert(!spline_bound_print(&b));
+    ck_assert(!spline_bound_print(&b, &(struct reference){.n = 0}));
     bspline_free(&b);
 }
 END_TEST

@@ -189,11 +189,21 @@ static double slot(double x, double y)
     return fabs(y) < 8 ? 0 : 30;
 }
 
+/* A slot along x: a shaft comes in upright or leaning along it, not leaning across it, where those
+ * are all the axes that there are. */
 START_TEST(a_holder_keeps_the_ball_from_the_bottom_of_a_slot)
 {
     struct vec3s points = points_on(slot, 20), bottom = {0}, nowhere = {0};
     struct sizes end = {0};
     struct holder holder = {.n = 2, .part = {{R, R, 15}, {12, 12, 40}}};
+    struct holder thin = {.n = 1, .part = {{R, R, 55}}};
+    struct vec3 axis[] = {{0, 0.6, 0.8}, {0, -0.8, 0.6}, {0.6, 0, 0.8}};
+    const struct {
+        const struct holder *holder;
+        size_t axes;
+        bool comes;
+    } is[] = {{NULL, 0, true},   {&holder, 0, false}, {&thin, 0, true},
+              {&thin, 2, false}, {&thin, 3, true},    {&holder, 3, false}};
 
     for (double x = -20; x <= 20; x += 0.25)
         for (double z = 0.25; z < 30; z += 0.25)
@@ -205,11 +215,12 @@ START_TEST(a_holder_keeps_the_ball_from_the_bottom_of_a_slot)
         for (double y = -1; y <= 1; y += 0.25)
             *array_push(&bottom) = vec(x, y, 0);
     *array_push(&nowhere) = vec(0, 0, 100);
-    for (int held = 0; held < 2; held++) {
+    for (size_t i = 0; i < sizeof is / sizeof *is; i++) {
         struct coverage *c = coverage_new(bottom.item, bottom.n, 1);
-        options.holder = held ? &holder : NULL;
+        options.holder = is[i].holder;
+        options.axes = (struct vec3s){.n = is[i].axes, .item = axis};
         coverage_cut(c, &options, &nowhere, &end);
-        ck_assert_uint_eq(coverage_report(c).out.n, held ? bottom.n : 0);
+        ck_assert_uint_eq(coverage_report(c).out.n, is[i].comes ? 0 : bottom.n);
         coverage_free(c);
     }
     gouge_free(guard);
