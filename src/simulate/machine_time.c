@@ -57,8 +57,8 @@ static double piece_way(struct timing *t, size_t piece, double *tip)
     return way;
 }
 
-/* Even steps along a piece at feed; what is left of the one before goes on in it. */
-static void add_piece(struct timing *t, size_t piece, double *carry)
+/* Even steps along a piece at feed; what is left of the one before goes on in it.  The length. */
+static double add_piece(struct timing *t, size_t piece, double *carry)
 {
     const struct nc_piece *p = &t->motion->piece.item[piece];
     double tip, way = piece_way(t, piece, &tip);
@@ -77,6 +77,7 @@ static void add_piece(struct timing *t, size_t piece, double *carry)
     *carry = fmod(*carry + way, t->step);
     if (feed > 0)
         t->time->programmed += tip / feed / 60;
+    return way;
 }
 
 /* Each place becomes the mean of those around it, as far as the control smooths. */
@@ -276,9 +277,7 @@ struct machine_time machine_time_of(const struct nc_motion *motion,
             end_run(&t, &carry);
             time_rapid(&t, i);
         } else {
-            double tip;
-            cut += piece_way(&t, i, &tip);
-            add_piece(&t, i, &carry);
+            cut += add_piece(&t, i, &carry);
         }
         ideal[i] = 60 * (time.programmed - programmed);
     }

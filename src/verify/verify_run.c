@@ -4,6 +4,7 @@
 
 #include "math/elementary.h"
 #include "base/array.h"
+#include "base/aside.h"
 #include "math/box.h"
 #include "math/kdtree.h"
 #include "verify_judge.h"
@@ -182,6 +183,20 @@ static void cut_stock(struct verdict *v)
     stock_free(&stock);
 }
 
+/* What all axes do, and how long it takes: of the program alone, so that it may be reckoned beside
+ * the rest. */
+static void follow_axes(void *context)
+{
+    struct verdict *v = context;
+    const struct nc_motion *motion = v->program.motion;
+    struct machine_time_options time = v->options.time;
+
+    v->axes = axis_limits_check(motion, &v->options.limits);
+    time.limits = &v->options.limits;
+    if (time.acceleration[0] > 0)
+        v->time = machine_time_of(motion, &time);
+}
+
 struct verdict verify_run(const struct verify_program *program,
                           const struct verify_options *options)
 {
@@ -192,6 +207,8 @@ struct verdict verify_run(const struct verify_program *program,
         v.options.partial = false;
     v.noise = program->surface ? SIGMAS * program->surface->noise : 0;
     v.limit = ROUNDED + v.noise + (isfinite(options->left) ? options->left : options->tolerance);
+    struct aside *aside = aside_begin(options->threads);
+    aside_do(aside, follow_axes, &v);
     centre_path_cut(program->motion, options->radius, FLAT, &v.cut);
     roll_cuts(&v);
     roll_rapids(&v);
@@ -201,11 +218,7 @@ struct verdict verify_run(const struct verify_program *program,
         look_under(&v);
     if (options->stock)
         cut_stock(&v);
-    v.axes = axis_limits_check(program->motion, &options->limits);
-    struct machine_time_options time = options->time;
-    time.limits = &options->limits;
-    if (time.acceleration[0] > 0)
-        v.time = machine_time_of(program->motion, &time);
+    aside_end(aside);
     verify_judge(&v);
     return v;
 }
