@@ -109,6 +109,17 @@ static void find_tool(struct settings *s, const struct ncread_head *head)
              said ? " (as the program's head says)" : "", text ? text : "none");
 }
 
+/* The deepest gouge: what the stages spent by the program's head, where a scan guarded it; of
+ * another they do not say how far the path may be off the part. */
+static void find_tolerance(struct settings *s, const struct ncread_head *head)
+{
+    bool known = head->tolerance > 0 && (head->scans > 0 || head->tolerance > s->tolerance);
+    if (s->tolerance_given || !known)
+        return;
+    s->tolerance = head->tolerance;
+    note("tolerance: %g mm (as the program's head says)", s->tolerance);
+}
+
 /* How much may be left. */
 static void find_limit(struct settings *s, const struct ncread_head *head)
 {
@@ -142,7 +153,9 @@ static void read_options(struct settings *s, struct cli *cli, int argc, char **a
                                "recognized by its first lines)"),
         machine_option_name(&s->machine),
         machine_option_set(&s->machine),
-        {'e', "tolerance", "MM", "deepest gouge; beyond it exit status 3 (default 0.05)",
+        {'e', "tolerance", "MM",
+         "deepest gouge; beyond it exit status 3 (default: what the stages spent by\n"
+         "the head of a program that a scan guarded, else 0.05 or that if it is more)",
          CLI_NUMBER, &s->tolerance, CLI_POSITIVE, 100, 0, &s->tolerance_given},
         {0, "scallop", "MM",
          "height of the scallops between passes: material left beyond it and the\n"
@@ -472,6 +485,7 @@ int main(int argc, char **argv)
     struct machine machine = read_machine(&s);
     say_contradictions(&s, &said);
     struct verify_program program = read_program(&s, &machine, cli.file[0], &motion, &head, &tcp);
+    find_tolerance(&s, &head);
     find_ball(&s, &head);
     find_tool(&s, &head);
     find_limit(&s, &head);

@@ -98,6 +98,23 @@ static bool comes_near(const struct verdict *v)
     return false;
 }
 
+/* A length that is more than another, both in so many digits that this is seen. */
+struct more_than {
+    char more[40], limit[40];
+};
+
+static struct more_than more_than(double more, double limit)
+{
+    struct more_than text;
+    for (int digits = 4; digits < 10; digits++) {
+        snprintf(text.more, sizeof text.more, "%.*f", digits, more);
+        snprintf(text.limit, sizeof text.limit, "%.*g", digits, limit);
+        if (strtod(text.more, NULL) > strtod(text.limit, NULL))
+            break;
+    }
+    return text;
+}
+
 /* What is left beyond the limit in the region that a part of a program cuts: the points that are
  * more than that below the ball. */
 static size_t left_in_region(const struct verdict *v)
@@ -128,20 +145,23 @@ static void judge_left(struct verdict *v)
     double border = BORDER * v->options.left + v->noise;
     bool far = !whole && r->over > border;
     double limit = whole ? v->limit : far && n <= most ? border : v->options.left;
+    struct more_than text = more_than(whole ? left->worst : r->over, limit);
     add_finding(v, far || n > most, piece_at(v, at),
-                "%.4f mm of material is left at %.3f %.3f %.3f, at most %.4g (%zu points%s; %zu "
-                "points may be)",
-                whole ? left->worst : r->over, p.x, p.y, p.z, limit, n, what, most);
+                "%s mm of material is left at %.3f %.3f %.3f, at most %s (%zu points%s; %zu points "
+                "may be)",
+                text.more, p.x, p.y, p.z, text.limit, n, what, most);
 }
 
 static void judge_surface(struct verdict *v)
 {
     const struct deviation_map *r = &v->map;
     struct vec3 p = v->program.part->item[r->gouge_at];
-    if (r->gouge > v->options.tolerance + v->noise)
+    if (r->gouge > v->options.tolerance + v->noise) {
+        struct more_than text = more_than(r->gouge, v->options.tolerance);
         add_finding(v, true, piece_at(v, r->gouge_at),
-                    "the ball is %.4f mm deep in the part at %.3f %.3f %.3f, tolerance %g",
-                    r->gouge, p.x, p.y, p.z, v->options.tolerance);
+                    "the ball is %s mm deep in the part at %.3f %.3f %.3f, tolerance %s", text.more,
+                    p.x, p.y, p.z, text.limit);
+    }
     judge_left(v);
     p = v->program.part->item[v->rapid.point];
     if (v->rapid.depth > 0)

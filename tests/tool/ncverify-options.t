@@ -90,6 +90,24 @@ sed 1d scan.xyz >another.xyz
 ncverify -g another.xyz noisy.nc >out 2>err
 hasnt "of another scan it is measured" noise out
 
+# the tolerance: what the head of a program says that a scan guarded, else 0.05 or that if it is more
+biarcfit -q -e 0.01 path.cl -o arcs.cl
+ncpost -q -c fanuc arcs.cl -o arcs.nc
+T=$(sed -n 's/.*TOLERANCE: \([0-9.]*\).*/\1/p' arcs.nc)
+status 0 "a program and its scan" ncverify -v -g scan.xyz arcs.nc
+has "... judged by the tolerance that its head says" "tolerance: $T mm \\(as the program.s head says\\)" err
+awk -v down=0.17 '/ G1 / { cut = 1 } cut && !done && match($0, / Z-?[0-9.]+/) && !/G53|G28|G0 / { n++
+	if (n == 12) { $0 = substr($0, 1, RSTART + 1) (substr($0, RSTART + 2, RLENGTH - 2) - down) substr($0, RSTART + RLENGTH); done = 1 } }
+	{ print }' good.nc >deep.nc
+status 3 "0.03 mm deep, where the head says less" ncverify -q -g scan.xyz deep.nc
+has "... is told" 'the ball is 0.0[0-9]* mm deep in the part at .*, tolerance 0.01' out
+status 0 "... unless more is allowed" ncverify -q -e 0.05 -g scan.xyz deep.nc
+sed 's/SCAN: /NOTHING /' deep.nc >foreign.nc
+status 0 "... or no scan guarded it" ncverify -q -g scan.xyz foreign.nc
+sed 's/TOLERANCE: [0-9.]*/TOLERANCE: 0.3/' foreign.nc >rough.nc
+status 0 "a program of a rough path" ncverify -v -g scan.xyz rough.nc
+has "... is judged by that" 'tolerance: 0.3 mm' err
+
 # the tool of files: its ball, flute and holder, as options say them
 printf 'name = short ball\nradius = 4\nflute = 9\nshank = 4\nlength = 60\nstickout = 30\n' >ball.txt
 printf 'name = holder\nholder = 12:20\n' >holder.txt

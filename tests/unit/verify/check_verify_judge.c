@@ -105,6 +105,11 @@ static void deep(struct verdict *v)
     v->map.gouge = 0.0102;
 }
 
+static void deep_by_little(struct verdict *v)
+{
+    v->map.gouge = 0.010002;
+}
+
 static void deep_by_noise(struct verdict *v)
 {
     v->map.gouge = 0.0102;
@@ -145,6 +150,12 @@ static void region_left_by_noise(struct verdict *v)
 static void part_left(struct verdict *v)
 {
     v->coverage.sum[COVERAGE_LEFT] = (struct part_coverage_sum){1, 2.5, 0.4, 0};
+}
+
+static void part_left_by_little(struct verdict *v)
+{
+    v->coverage.sum[COVERAGE_LEFT] = (struct part_coverage_sum){1, 2.5, 0.043312, 0};
+    v->limit = 0.043309;
 }
 
 static void part_left_share(struct verdict *v)
@@ -338,6 +349,9 @@ static const struct {
     {deep, true,
      "N20 (line 2): the ball is 0.0102 mm deep in the part at 5.000 0.000 0.000, "
      "tolerance 0.01"},
+    {deep_by_little, true,
+     "N20 (line 2): the ball is 0.010002 mm deep in the part at 5.000 0.000 0.000, "
+     "tolerance 0.01"},
     {deep_by_noise, false, NULL},
     {region_left, true,
      "N20 (line 2): 0.0512 mm of material is left at 5.000 0.000 0.000, at most 0.05 (1 points of "
@@ -352,6 +366,9 @@ static const struct {
     {part_left, true,
      "N20 (line 2): 0.4000 mm of material is left at 5.000 0.000 0.000, at most 0.05 (1 points, "
      "2.5 mm2 that the tool reaches; 0 points may be)"},
+    {part_left_by_little, true,
+     "N20 (line 2): 0.04331 mm of material is left at 5.000 0.000 0.000, at most 0.043309 (1 "
+     "points, 2.5 mm2 that the tool reaches; 0 points may be)"},
     {part_left_share, false,
      "N20 (line 2): 0.4000 mm of material is left at 5.000 0.000 0.000, at most 0.05 (1 points, "
      "2.5 mm2 that the tool reaches; 1 points may be)"},
