@@ -495,6 +495,7 @@ int main(int argc, char **argv)
         program.path = &path;
     }
     if (read_part(&s, &head, &points)) {
+        program.guarded = head.scans > 0 && is_of_scan(&head, (double)points.n);
         find_noise(&s, &head, points.n);
         find_surface(&s, cli.threads, &points, &surface);
         program.surface = &surface;

@@ -78,6 +78,7 @@ struct verify_program {
     const struct nc_motion *path;         /* that it was made from; NULL: not known */
     /* by what its head says: */
     bool contact_feed;    /* feeds are those of the contact point */
+    bool guarded;         /* by this scan: it ends above all of it */
     double post, axis;    /* off the path by, mm and degrees; below zero: not said */
     const char *made_for; /* the machine; "": not said */
     size_t unmet;         /* what its makers could not keep, and the first of it */

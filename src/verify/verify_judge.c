@@ -467,27 +467,44 @@ static void judge_path(struct verdict *v)
     judge_tool(v, first_cut(v->program.motion));
 }
 
+/* How far the lowest point of the ball is below the top of the part at a piece's end; 0: above. */
+static double below_top(const struct verdict *v, size_t piece)
+{
+    double top = -HUGE_VAL, low = ball_at(v, piece, 1).z - v->options.radius;
+    for (size_t i = 0; i < v->program.part->n; i++)
+        top = fmax(top, v->program.part->item[i].z);
+    return low < top - v->options.tolerance ? top - low : 0;
+}
+
 /* Rapid moves from a place that is not known to below the top of the part: the ball may come
  * through all of it.  Of programs that others wrote it is only told, for they may rest on more. */
 static void judge_dark(struct verdict *v)
 {
     const struct nc_motion *motion = v->program.motion;
-    double top = -HUGE_VAL;
-    for (size_t i = 0; i < v->program.part->n; i++)
-        top = fmax(top, v->program.part->item[i].z);
     for (size_t i = 0; i < motion->piece.n; i++) {
         const struct nc_piece *piece = &motion->piece.item[i];
         if (!piece->dark || !piece->rapid)
             continue;
-        double low = ball_at(v, i, 1).z - v->options.radius;
-        if (low >= top - v->options.tolerance)
+        double below = below_top(v, i);
+        if (below == 0)
             continue;
         add_finding(v, v->program.post >= 0, i,
                     "a rapid move comes from a place that is not known to %.3f mm below the part's "
                     "top: an approach is missing",
-                    top - low);
+                    below);
         return;
     }
+}
+
+/* What a scan guarded ends over all of it, however the tool stands, before it goes to a place of
+ * the machine, of which nothing is known here. */
+static void judge_end(struct verdict *v)
+{
+    size_t n = v->program.motion->piece.n;
+    double below = v->program.guarded && n > 0 && v->cut.n > 0 ? below_top(v, n - 1) : 0;
+    if (below > 0)
+        add_finding(v, true, n - 1,
+                    "the program ends %.3f mm below the part's top: a retract is missing", below);
 }
 
 /* A rapid move that stays beside the part from end to end, across the tool. */
@@ -550,6 +567,7 @@ void verify_judge(struct verdict *v)
     if (v->map.points > 0) {
         judge_touches(v);
         judge_dark(v);
+        judge_end(v);
         judge_surface(v);
     }
     judge_outliers(v);

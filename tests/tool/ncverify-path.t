@@ -129,6 +129,16 @@ for control in fanuc siemens heidenhain linuxcnc; do
 	status 0 "$control: over a hill" ncverify -g hill.xyz hill.$control
 	status 3 "$control: without its first way over" ncverify -g hill.xyz bad.$control
 	has "$control: ... named" '^fault +N[0-9]+ .*a rapid move comes from a place that is not known' out
+	# and its last way up, which leaves the lift at feed
+	awk -v h="$([ $control = heidenhain ] && echo 1)" '
+		/ (X|Y)[-+0-9.]/ && (/ FMAX/ || / G0 /) && !/M91|G53|G28|SUPA/ { last = NR } { line[NR] = $0 }
+		END { for (i = 1; i <= NR; i++) { $0 = line[i]
+			if (i >= last && / [XYZ][-+0-9.]/ && !/M91|G53|G28|SUPA/) continue
+			if (h && /^[0-9]+ /) { sub(/^[0-9]+/, n + 0); n++ }
+			if (!h && /^N[0-9]+/) { n += 10; sub(/^N[0-9]+/, "N" n) }
+			print } }' hill.$control >bad.$control
+	status 3 "$control: without its last way up" ncverify -g hill.xyz bad.$control
+	has "$control: ... named" '^fault +N[0-9]+ .*the program ends [0-9.]+ mm below the part.s top: a retract is missing' out
 done
 control=siemens machine=table-ac
 

@@ -203,6 +203,25 @@ static void from_the_dark_above(struct verdict *v)
     ((struct nc_motion *)v->program.motion)->piece.item[0].p[1].z = 2;
 }
 
+static void ends_below(struct verdict *v)
+{
+    ((struct vec3s *)v->program.part)->item[0].z = 40;
+    v->program.guarded = true;
+}
+
+static void ends_below_elsewhere(struct verdict *v)
+{
+    ends_below(v);
+    v->program.guarded = false;
+}
+
+static void ends_above(struct verdict *v)
+{
+    ends_below(v);
+    struct nc_motion *motion = (struct nc_motion *)v->program.motion;
+    motion->piece.item[motion->piece.n - 1].p[1].z = 40;
+}
+
 static void outliers_gouged(struct verdict *v)
 {
     v->outliers = (struct verdict_outliers){7, 2, 0.75, {1, 2, 3}};
@@ -383,6 +402,10 @@ static const struct {
      "N10 (line 1): a rapid move comes from a place that is not known to 2.000 mm below the part's "
      "top: an approach is missing"},
     {from_the_dark_above, false, NULL},
+    {ends_below, true,
+     "N30 (line 3): the program ends 10.000 mm below the part's top: a retract is missing"},
+    {ends_below_elsewhere, false, NULL},
+    {ends_above, false, NULL},
     {outliers_gouged, false,
      "the ball is up to 0.750 mm deep in 2 of 7 points taken for outliers, as at 1.000 2.000 "
      "3.000; they are not judged"},
