@@ -77,15 +77,15 @@ static double allowed(const struct edge_work *work, double spacing, double dista
 }
 
 /* How many neighbours lie on the plane, each the less the further off it is (Torr and Zisserman's
- * MSAC, 2000). */
-static double weigh_plane(const struct edge_work *work, const struct edge_hood *near,
-                          double spacing, struct vec3 normal)
+ * MSAC, 2000); where they can't be more than `most`, not all of them are counted. */
+static double weigh_plane(const struct edge_hood *near, const double *least, struct vec3 normal,
+                          double most)
 {
     double on = 0;
 
-    for (size_t k = 0; k < near->n; k++) {
+    for (size_t k = 0; k < near->n && on + (double)(near->n - k) > most; k++) {
         double off = vec_dot(normal, vec_sub(near->point[k], near->point[0]));
-        double part = off / allowed(work, spacing, near->distance2[k]);
+        double part = off / least[k];
         on += fmax(0, 1 - part * part);
     }
     return on;
@@ -96,8 +96,10 @@ static bool find_plane(const struct edge_work *work, const struct edge_hood *nea
                        struct vec3 *normal)
 {
     const double skew = 0.3; /* sine of the angle between the two */
-    double most = 0;
+    double most = 0, least[EDGE_NEAR];
 
+    for (size_t k = 0; k < near->n; k++)
+        least[k] = allowed(work, spacing, near->distance2[k]);
     for (size_t a = 1; a < TRIED; a++)
         for (size_t b = a + 1; b < TRIED; b++) {
             struct vec3 to_a = vec_sub(near->point[a], near->point[0]);
@@ -106,7 +108,7 @@ static bool find_plane(const struct edge_work *work, const struct edge_hood *nea
             double l = vec_length(across);
             if (!(l > skew * sqrt(near->distance2[a] * near->distance2[b])))
                 continue;
-            double on = weigh_plane(work, near, spacing, vec_scale(1 / l, across));
+            double on = weigh_plane(near, least, vec_scale(1 / l, across), most);
             if (on > most) {
                 most = on;
                 *normal = vec_scale(1 / l, across);

@@ -2,20 +2,18 @@
 #include "cloud/upsample.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/array.h"
-#include "math/cubic.h"
 #include "math/triangles.h"
+#include "upsample_surface.h"
 
 enum {
-    FEWEST = 16,
-    NEAR = 32,
-    FEW = 24,
+    FEWEST = UPSAMPLE_FEWEST,
+    NEAR = UPSAMPLE_NEAR,
     RINGS = 14,
     BRIDGED = 8, /* rings: no farther in a hole or beyond a border */
     SAMPLE = 1500,
-    QUADRIC = 6,
-    CUBIC = 10,
     SECTORS = 32
 };
 
@@ -34,26 +32,6 @@ static const double SIGMAS = 4, ABOUT = 2, SURROUND = 3;
  * where they surround it, and where they do not. */
 static const double HOLE = 0.8, BEYOND = 0.4;
 
-/* A neighbourhood, nearest first. */
-struct neighbourhood {
-    size_t n;
-    uint32_t index[NEAR];
-    double distance2[NEAR];
-    struct vec3 point[NEAR];
-};
-
-/* Of point i; of several in one place, this one first. */
-static void find_neighbourhood(const struct upsample *fill, size_t i, size_t k,
-                               struct neighbourhood *near)
-{
-    const struct point_grid *b = fill->point_grid;
-
-    near->n = near_lists_nearest(fill->near, b, i, k, near->index, near->distance2);
-    for (size_t j = 0; j < near->n; j++)
-        near->point[j] = b->point[near->index[j]];
-    near->point[0] = b->point[i];
-}
-
 /* Points so far apart let the ball sink as far as it may. */
 static double gap_of(const struct upsample *fill)
 {
@@ -66,8 +44,8 @@ bool upsample_needed(const struct upsample *fill)
     size_t sample = b->n < SAMPLE ? b->n : SAMPLE, wide = 0, seen = 0;
 
     for (size_t i = 0; i < sample; i++) {
-        struct neighbourhood near;
-        find_neighbourhood(fill, i * b->n / sample, 7, &near);
+        struct upsample_hood near;
+        upsample_hood_find(fill, i * b->n / sample, 7, &near);
         if (near.n < 7)
             continue;
         seen++;
@@ -78,12 +56,13 @@ bool upsample_needed(const struct upsample *fill)
 
 /* A surface about a point, and how far the points of the neighbourhood are off it. */
 struct local_surface {
-    const struct quadric *q;
+    const struct upsample_surface *surface;
     bool known; /* off[] */
     double off[NEAR];
-    bool exact;  /* points are where the surface is, not beside it by noise */
-    bool smooth; /* as the ball asks for, beside it too */
-    bool rough;  /* an edge may be on it */
+    bool exact;   /* points are where the surface is, not beside it by noise */
+    bool smooth;  /* as the ball asks for, beside it too */
+    bool rough;   /* an edge may be on it */
+    bool doubted; /* it was, at a place */
 };
 
 /* How far a point may be off a surface that is to be used at a place so far from it, mm.  A ball
@@ -141,30 +120,37 @@ struct ways {
     double length2[NEAR];
     size_t last; /* the one that was nearer to the place asked for before */
     const struct quadric *q;
-    double high; /* mm: no place of q that is asked for is farther off its plane */
+    double high; /* mm: no place that is asked for is farther off the plane of q */
     double along_u, along_v, enough; /* of the last */
 };
 
-/* How far the quadric is off the plane u, v at most, up to `u` and `v` from its origin. */
-static double highest(const struct quadric *q, double u, double v)
+/* How far the surface is off the plane u, v at most, up to `u` and `v` from its origin. */
+static double highest(const struct upsample_surface *surface, double u, double v)
 {
-    const double *c = q->c;
+    const double *c = surface->q.c;
+    double high = 0;
 
-    return fabs(c[0]) + u * (fabs(c[1]) + fabs(c[3]) * u + fabs(c[4]) * v) +
-           v * (fabs(c[2]) + fabs(c[5]) * v) + u * u * (fabs(c[6]) * u + fabs(c[7]) * v) +
-           v * v * (fabs(c[8]) * u + fabs(c[9]) * v);
+    if (!surface->facetted)
+        return fabs(c[0]) + u * (fabs(c[1]) + fabs(c[3]) * u + fabs(c[4]) * v) +
+               v * (fabs(c[2]) + fabs(c[5]) * v) + u * u * (fabs(c[6]) * u + fabs(c[7]) * v) +
+               v * v * (fabs(c[8]) * u + fabs(c[9]) * v);
+    for (int k = 0; k < surface->facets.n; k++) {
+        c = surface->facets.plane[k];
+        high = fmax(high, fabs(c[0]) + u * fabs(c[1]) + v * fabs(c[2]));
+    }
+    return high;
 }
 
-/* From a place near a quadric to places of it within `reach`. */
-static void set_ways(const struct neighbourhood *near, struct vec3 from, const struct quadric *q,
-                     double reach, struct ways *ways)
+/* From a place near a surface to places of it within `reach`. */
+static void set_ways(const struct upsample_hood *near, struct vec3 from,
+                     const struct upsample_surface *surface, double reach, struct ways *ways)
 {
-    struct vec3 at = quadric_local(q, from);
+    struct vec3 at = quadric_local(&surface->q, from);
 
     ways->n = near->n < NEAR ? near->n : NEAR;
     ways->last = 0;
-    ways->q = q;
-    ways->high = fabs(at.z) + highest(q, fabs(at.x) + reach, fabs(at.y) + reach);
+    ways->q = &surface->q;
+    ways->high = fabs(at.z) + highest(surface, fabs(at.x) + reach, fabs(at.y) + reach);
     ways->along_u = ways->along_v = 0;
     ways->enough = HUGE_VAL;
     for (size_t i = 1; i < ways->n; i++) {
@@ -214,7 +200,7 @@ static bool is_nearest(struct ways *ways, struct vec3 out)
 /* Of a p that is nearer to `from` than to the other points: true if all points about bear the
  * surface out, and p is inside of those that do.  *off: of the points about from the surface, the
  * nearer the more. */
-static bool is_between(const struct upsample *fill, const struct neighbourhood *near,
+static bool is_between(const struct upsample *fill, const struct upsample_hood *near,
                        const struct local_surface *on, struct vec3 from, struct vec3 p, double *off)
 {
     size_t k = near->n < NEAR ? near->n : NEAR;
@@ -236,7 +222,7 @@ static bool is_between(const struct upsample *fill, const struct neighbourhood *
         if (about && !borne)
             return false;
         if (borne && around)
-            fan_add(&fan, vec_dot(beside, on->q->u), vec_dot(beside, on->q->v));
+            fan_add(&fan, vec_dot(beside, on->surface->q.u), vec_dot(beside, on->surface->q.v));
         if (about) {
             double weight = 1 / sqrt(far2) - 1 / (ABOUT * sqrt(out2));
             *off += weight * weight * on->off[i];
@@ -248,7 +234,7 @@ static bool is_between(const struct upsample *fill, const struct neighbourhood *
 }
 
 /* How deep the ball would sink between the points. */
-static double sink_between(const struct upsample *fill, const struct neighbourhood *near)
+static double sink_between(const struct upsample *fill, const struct upsample_hood *near)
 {
     size_t sixth = near->n > 6 ? 6 : near->n - 1;
 
@@ -256,13 +242,13 @@ static double sink_between(const struct upsample *fill, const struct neighbourho
 }
 
 /* That is deep enough to be looked at. */
-static bool may_sink(const struct upsample *fill, const struct neighbourhood *near)
+static bool may_sink(const struct upsample *fill, const struct upsample_hood *near)
 {
     return near->n > 0 && sink_between(fill, near) > fill->sink / 4;
 }
 
 /* And deeper than they are off the surface. */
-static bool would_sink(const struct upsample *fill, const struct neighbourhood *near, double spread)
+static bool would_sink(const struct upsample *fill, const struct upsample_hood *near, double spread)
 {
     double sink = sink_between(fill, near);
 
@@ -279,61 +265,33 @@ static bool is_hollow(const struct upsample *fill, const struct quadric *q)
     return quadric_curvature(&up) >= 1 / fill->radius;
 }
 
-/* The quadric through the fewest points that carry one: on laser lines it takes more.  HUGE_VAL:
- * there is none. */
-static double fit_quadric(const struct neighbourhood *near, struct quadric *q)
-{
-    for (size_t k = FEWEST; k <= near->n && k <= NEAR; k += FEWEST / 2)
-        if (quadric_settle(near->point, k, near->point[0], plane_normal(near->point, k), q) == 0)
-            return quadric_spread(q, near->point, k, QUADRIC);
-    return HUGE_VAL;
-}
-
-/* The cubic through the first k points in place of a quadric of this spread, where it leaves less.
- * Returns the spread. */
-static double fit_closer(const struct neighbourhood *near, size_t k, double spread,
-                         struct quadric *q)
-{
-    struct quadric cubic;
-
-    if (cubic_fit(near->point, NULL, k, q->origin, quadric_normal(q), &cubic) < 0)
-        return spread;
-    double less = quadric_spread(&cubic, near->point, k, CUBIC);
-    if (!(less < spread))
-        return spread;
-    *q = cubic;
-    return less;
-}
-
-/* The surface through a neighbourhood; returns its spread, HUGE_VAL: there is none. */
-static double fit_surface(const struct neighbourhood *near, struct quadric *q)
-{
-    double spread = fit_quadric(near, q);
-
-    return spread < HUGE_VAL && near->n >= FEW ? fit_closer(near, FEW, spread, q) : spread;
-}
-
-/* The same about point i. */
-static double fit_about(const struct upsample *fill, size_t i, struct quadric *q)
-{
-    struct neighbourhood near;
-
-    find_neighbourhood(fill, i, NEAR, &near);
-    return fit_surface(&near, q);
-}
-
 /* Surfaces of neighbours: a point on scan lines that are far apart against the points on them has
  * few lines about it, and a surface goes through these whatever is between. */
 struct witnesses {
     bool asked;
-    struct {
-        bool known, fits;
-        struct quadric q;
-    } of[NEAR];
+    bool known[NEAR];
+    struct upsample_surface of[NEAR];
 };
 
+/* Points of a smooth surface are no further off it, on average. */
+static double even_of(const struct upsample *fill)
+{
+    return fmax(fill->sink, MUCH * fill->noise);
+}
+
+/* About point i. */
+static void find_surface(const struct upsample *fill, size_t i, struct upsample_surface *surface)
+{
+    struct upsample_hood near;
+
+    upsample_hood_find(fill, i, NEAR, &near);
+    upsample_surface_find(&near, surface);
+    if (surface->spread < HUGE_VAL)
+        upsample_facets_find(fill, i, even_of(fill), surface);
+}
+
 /* The surfaces of the MOST neighbours nearest to p across from point i go through p too. */
-static bool is_witnessed(const struct upsample *fill, const struct neighbourhood *near,
+static bool is_witnessed(const struct upsample *fill, const struct upsample_hood *near,
                          const struct local_surface *on, struct vec3 from, struct vec3 p,
                          struct witnesses *witness)
 {
@@ -355,25 +313,15 @@ static bool is_witnessed(const struct upsample *fill, const struct neighbourhood
         }
         if (k == near->n)
             return w > 0;
-        if (!witness->of[k].known) {
-            witness->of[k].known = true;
-            witness->of[k].fits = fit_about(fill, near->index[k], &witness->of[k].q) < HUGE_VAL;
-        }
-        if (!witness->of[k].fits || fabs(quadric_off(&witness->of[k].q, p)) > least)
+        if (!witness->known[k])
+            find_surface(fill, near->index[k], &witness->of[k]);
+        witness->known[k] = true;
+        if (!(witness->of[k].spread < HUGE_VAL) ||
+            fabs(upsample_surface_off(&witness->of[k], p)) > least)
             return false;
         before = nearest;
     }
     return true;
-}
-
-/* Through the first k points, as of the second or third degree as leaves less.  Returns the spread,
- * HUGE_VAL: there is none. */
-static double fit_from(const struct neighbourhood *near, size_t k, struct vec3 origin,
-                       struct vec3 guess, struct quadric *q)
-{
-    if (quadric_settle(near->point, k, origin, guess, q) < 0)
-        return HUGE_VAL;
-    return fit_closer(near, k, quadric_spread(q, near->point, k, QUADRIC), q);
 }
 
 /* No point of the scan is over or under a half plane beyond p seen from above, so far: the scan
@@ -402,7 +350,7 @@ static bool is_at_border(const struct point_grid *b, struct vec3 p, double reach
 }
 
 /* The points nearest to p surround it on a surface, or the scan ends there. */
-static bool is_open(const struct upsample *fill, const struct neighbourhood *near,
+static bool is_open(const struct upsample *fill, const struct upsample_hood *near,
                     const struct quadric *q, struct vec3 p)
 {
     double far2 = near->distance2[near->n - 1];
@@ -421,16 +369,17 @@ static bool is_open(const struct upsample *fill, const struct neighbourhood *nea
  * *p: moved to it. */
 static bool is_bridged(const struct upsample *fill, const struct local_surface *on, struct vec3 *p)
 {
-    struct neighbourhood near;
+    struct upsample_hood near;
     struct quadric q;
-    double much = fmax(fill->sink, MUCH * fill->noise);
+    double much = even_of(fill);
 
     near.n = point_grid_nearest(fill->point_grid, *p, NEAR, near.index, near.distance2);
     for (size_t j = 0; j < near.n; j++)
         near.point[j] = fill->point_grid->point[near.index[j]];
     if (near.n < NEAR || near.distance2[0] > HOLE * HOLE * near.distance2[near.n - 1])
         return false;
-    double spread = fit_from(&near, NEAR, *p, quadric_normal_at(on->q, *p), &q);
+    double spread =
+        upsample_surface_fit(&near, NEAR, *p, quadric_normal_at(&on->surface->q, *p), &q);
     if (spread * fmax(1, sqrt(q.variance)) > much || is_hollow(fill, &q) ||
         !is_open(fill, &near, &q, *p))
         return false;
@@ -441,10 +390,10 @@ static bool is_bridged(const struct upsample *fill, const struct local_surface *
 }
 
 /* Most surfaces have no place between points that they are asked for. */
-static void measure_off(const struct neighbourhood *near, struct local_surface *on)
+static void measure_off(const struct upsample_hood *near, struct local_surface *on)
 {
     for (size_t k = 0; !on->known && k < near->n && k < NEAR; k++)
-        on->off[k] = quadric_off(on->q, near->point[k]);
+        on->off[k] = upsample_surface_off(on->surface, near->point[k]);
     on->known = true;
 }
 
@@ -462,7 +411,7 @@ static bool is_convex_at(const struct quadric *q, struct vec3 p)
 }
 
 /* All points about the place bear it out, and the surfaces across where they are asked. */
-static bool is_borne_out(const struct upsample *fill, const struct neighbourhood *near,
+static bool is_borne_out(const struct upsample *fill, const struct upsample_hood *near,
                          const struct local_surface *on, struct vec3 from, struct vec3 p,
                          struct witnesses *witness, double *off)
 {
@@ -471,7 +420,7 @@ static bool is_borne_out(const struct upsample *fill, const struct neighbourhood
 }
 
 /* Where the surface is at the place `at` beside `from`, if it is known there. */
-static bool is_known_at(const struct upsample *fill, const struct neighbourhood *near,
+static bool is_known_at(const struct upsample *fill, const struct upsample_hood *near,
                         struct local_surface *on, struct vec3 from, struct witnesses *witness,
                         struct vec3 *at)
 {
@@ -481,22 +430,28 @@ static bool is_known_at(const struct upsample *fill, const struct neighbourhood 
     if (!is_borne_out(fill, near, on, from, *at, witness, &off)) {
         if (on->smooth && is_bridged(fill, on, at))
             return true;
-        on->rough = true;
-        if (!is_convex_at(on->q, *at) || !is_borne_out(fill, near, on, from, *at, witness, &off))
+        /* through the few lines about goes a surface that bends in any way */
+        on->doubted = on->doubted || fill->lines;
+        if (!on->surface->facetted && !is_convex_at(&on->surface->q, *at))
+            return false;
+        on->rough = on->doubted = true;
+        if (!is_borne_out(fill, near, on, from, *at, witness, &off))
             return false;
     }
-    *at = vec_along(*at, off, on->q->w);
+    *at = vec_along(*at, off, on->surface->q.w);
     return true;
 }
 
-static void add_between(const struct upsample *fill, const struct neighbourhood *near,
-                        struct vec3 p, const struct quadric *q, double spread, bool exact,
+/* False: at a place the surface is doubtful, as by an edge. */
+static bool add_between(const struct upsample *fill, const struct upsample_hood *near,
+                        struct vec3 p, const struct upsample_surface *surface, bool exact,
                         struct vec3s *to)
 {
+    const struct quadric *q = &surface->q;
     /* on scan lines a surface goes through few of them that has nothing to do with the part */
-    bool smooth = !fill->lines && spread <= fmax(fill->sink, MUCH * fill->noise);
-    struct local_surface on = {.q = q, .exact = exact};
-    struct witnesses witness = {.asked = exact && fill->lines};
+    bool smooth = !fill->lines && surface->spread <= even_of(fill);
+    struct local_surface on = {.surface = surface, .exact = exact};
+    struct witnesses witness;
     size_t last = near->n < FEWEST ? near->n : FEWEST;
     double pitch = 0.75 * gap_of(fill);
     double reach = fmin(sqrt(near->distance2[last - 1]), RINGS * pitch);
@@ -506,15 +461,17 @@ static void add_between(const struct upsample *fill, const struct neighbourhood 
     struct ways ways;
 
     if (is_hollow(fill, q))
-        return;
-    set_ways(near, p, q, reach, &ways);
+        return true;
+    set_ways(near, p, surface, reach, &ways);
+    witness.asked = exact && fill->lines;
+    memset(witness.known, 0, sizeof witness.known);
     for (int j = -rings; j <= rings; j++) {
         for (int i = -rings; i <= rings; i++) {
             double u, v;
             triangles_at(pitch, i, j, &u, &v);
             if ((i == 0 && j == 0) || is_last_nearer(&ways, u, v) || hypot_compare(u, v, reach) > 0)
                 continue;
-            struct vec3 at = quadric_at(q, u0 + u, v0 + v);
+            struct vec3 at = upsample_surface_at(surface, u0 + u, v0 + v);
             if (!is_nearest(&ways, vec_sub(at, p)))
                 continue;
             measure_off(near, &on);
@@ -523,29 +480,36 @@ static void add_between(const struct upsample *fill, const struct neighbourhood 
                 *array_push(to) = at;
         }
     }
+    return !on.doubted;
 }
 
 void upsample_on(const struct upsample *fill, size_t i, struct vec3 p, const struct quadric *q,
                  double spread, struct vec3s *to)
 {
-    struct neighbourhood near;
+    const struct upsample_surface surface = {.q = *q, .spread = spread};
+    struct upsample_hood near;
 
-    find_neighbourhood(fill, i, NEAR, &near);
+    upsample_hood_find(fill, i, NEAR, &near);
     if (would_sink(fill, &near, spread))
-        add_between(fill, &near, p, q, spread, false, to);
+        add_between(fill, &near, p, &surface, false, to);
 }
 
 double upsample_about(const struct upsample *fill, size_t i, struct vec3s *to)
 {
-    struct neighbourhood near;
-    struct quadric q;
+    struct upsample_surface surface;
+    struct upsample_hood near;
 
-    find_neighbourhood(fill, i, NEAR, &near);
+    upsample_hood_find(fill, i, NEAR, &near);
     if (!may_sink(fill, &near))
         return 0;
-    double spread = fit_surface(&near, &q);
-    if (spread == HUGE_VAL || !would_sink(fill, &near, spread))
+    upsample_surface_find(&near, &surface);
+    if (surface.spread == HUGE_VAL || !would_sink(fill, &near, surface.spread))
         return 0;
-    add_between(fill, &near, near.point[0], &q, spread, true, to);
-    return spread;
+    size_t before = to->n;
+    if (!add_between(fill, &near, near.point[0], &surface, true, to) &&
+        upsample_facets_find(fill, i, even_of(fill), &surface)) {
+        to->n = before;
+        add_between(fill, &near, near.point[0], &surface, true, to);
+    }
+    return surface.spread;
 }

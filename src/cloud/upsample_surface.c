@@ -1,0 +1,123 @@
+/* upsample_surface - see upsample_surface.h. */
+#include "upsample_surface.h"
+
+#include "math/cubic.h"
+
+enum { QUADRIC = 6, CUBIC = 10 };
+
+void upsample_hood_find(const struct upsample *fill, size_t i, size_t k, struct upsample_hood *near)
+{
+    const struct point_grid *b = fill->point_grid;
+
+    near->n = near_lists_nearest(fill->near, b, i, k, near->index, near->distance2);
+    for (size_t j = 0; j < near->n; j++)
+        near->point[j] = b->point[near->index[j]];
+    near->point[0] = b->point[i];
+}
+
+/* The quadric through the fewest points that carry one: on laser lines it takes more.  HUGE_VAL:
+ * there is none. */
+static double fit_quadric(const struct upsample_hood *near, struct quadric *q)
+{
+    for (size_t k = UPSAMPLE_FEWEST; k <= near->n && k <= UPSAMPLE_NEAR; k += UPSAMPLE_FEWEST / 2)
+        if (quadric_settle(near->point, k, near->point[0], plane_normal(near->point, k), q) == 0)
+            return quadric_spread(q, near->point, k, QUADRIC);
+    return HUGE_VAL;
+}
+
+/* The cubic through the first k points in place of a quadric of this spread, where it leaves less.
+ * Returns the spread. */
+static double fit_closer(const struct upsample_hood *near, size_t k, double spread,
+                         struct quadric *q)
+{
+    struct quadric cubic;
+
+    if (cubic_fit(near->point, NULL, k, q->origin, quadric_normal(q), &cubic) < 0)
+        return spread;
+    double less = quadric_spread(&cubic, near->point, k, CUBIC);
+    if (!(less < spread))
+        return spread;
+    *q = cubic;
+    return less;
+}
+
+void upsample_surface_find(const struct upsample_hood *near, struct upsample_surface *surface)
+{
+    double spread = fit_quadric(near, &surface->q);
+
+    surface->facetted = false;
+    surface->spread = spread < HUGE_VAL && near->n >= UPSAMPLE_FEW
+                          ? fit_closer(near, UPSAMPLE_FEW, spread, &surface->q)
+                          : spread;
+}
+
+double upsample_surface_fit(const struct upsample_hood *near, size_t k, struct vec3 origin,
+                            struct vec3 guess, struct quadric *q)
+{
+    if (quadric_settle(near->point, k, origin, guess, q) < 0)
+        return HUGE_VAL;
+    return fit_closer(near, k, quadric_spread(q, near->point, k, QUADRIC), q);
+}
+
+/* 1, or -1 where the quadric faces down. */
+static double upwards(const struct quadric *q)
+{
+    return q->w.z < 0 ? -1 : 1;
+}
+
+/* The points bend down as a whole, and facets, which are farther off the more they bend, may be as
+ * near to them as a surface of this spread is. */
+static bool may_be_facets(const struct vec3 *local, size_t n, double reach2, double spread)
+{
+    const double part = 0.009;
+    const struct vec3 zero = {0, 0, 0}, up = {0, 0, 1};
+    struct quadric q;
+
+    if (quadric_fit_local(local, n, zero, up, &q) < 0)
+        return false;
+    double sum = q.c[3] + q.c[5];
+    return sum < 0 && spread > part * (hypot(q.c[3] - q.c[5], q.c[4]) - sum) * reach2;
+}
+
+bool upsample_facets_find(const struct upsample *fill, size_t i, double even,
+                          struct upsample_surface *surface)
+{
+    const double nearly = 3; /* of the spread: fewer facets, of fewer points, may do */
+    const struct point_grid *b = fill->point_grid;
+    uint32_t index[LEAST_PLANES_POINTS];
+    double distance2[LEAST_PLANES_POINTS];
+    struct vec3 local[LEAST_PLANES_POINTS];
+
+    if (!(surface->spread > even))
+        return false;
+    size_t n = point_grid_nearest(b, b->point[i], LEAST_PLANES_POINTS, index, distance2);
+    for (size_t k = 0; k < n; k++) {
+        local[k] = quadric_local(&surface->q, b->point[index[k]]);
+        local[k].z *= upwards(&surface->q);
+    }
+    if (n < LEAST_PLANES_POINTS || !may_be_facets(local, n, distance2[n - 1], surface->spread))
+        return false;
+    do {
+        if (least_planes_fit(local, n, even, &surface->facets) != 0)
+            return false;
+        surface->facetted = surface->facets.rms < surface->spread;
+        n -= n / 4;
+    } while (n > UPSAMPLE_NEAR && !surface->facetted &&
+             surface->facets.rms < nearly * surface->spread);
+    return surface->facetted;
+}
+
+double upsample_surface_off(const struct upsample_surface *surface, struct vec3 p)
+{
+    if (!surface->facetted)
+        return quadric_off(&surface->q, p);
+    struct vec3 at = quadric_local(&surface->q, p);
+    return at.z - upwards(&surface->q) * least_planes_at(&surface->facets, at.x, at.y);
+}
+
+struct vec3 upsample_surface_at(const struct upsample_surface *surface, double u, double v)
+{
+    struct vec3 at = quadric_at(&surface->q, u, v);
+
+    return surface->facetted ? vec_along(at, -upsample_surface_off(surface, at), surface->q.w) : at;
+}
