@@ -503,8 +503,10 @@ double upsample_about(const struct upsample *fill, size_t i, struct vec3s *to)
     if (!may_sink(fill, &near))
         return 0;
     upsample_surface_find(&near, &surface);
-    if (surface.spread == HUGE_VAL || !would_sink(fill, &near, surface.spread))
+    if (surface.spread == HUGE_VAL)
         return 0;
+    if (!would_sink(fill, &near, surface.spread))
+        return surface.spread;
     size_t before = to->n;
     if (!add_between(fill, &near, near.point[0], &surface, true, to) &&
         upsample_facets_find(fill, i, even_of(fill), &surface)) {
