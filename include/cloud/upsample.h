@@ -37,10 +37,12 @@ bool upsample_needed(const struct upsample *fill);
 void upsample_on(const struct upsample *fill, size_t i, struct vec3 p, const struct quadric *q,
                  double spread, struct vec3s *to);
 
-/* The same on a surface through the nearest points as they are: of the second degree through 16 to
+/*
+ * The same on a surface through the nearest points as they are: of the second degree through 16 to
  * 32 of them, or of the third through 24 where that leaves less; or, where such a place is doubtful
  * and facets that meet in edges between points explain more points as well, on these.  Returns how
- * far the points are off the former (one standard deviation, mm), 0 where the ball asks for none. */
+ * far the points are off the former (one standard deviation, mm), 0 where the ball asks for none.
+ */
 double upsample_about(const struct upsample *fill, size_t i, struct vec3s *to);
 
 #endif

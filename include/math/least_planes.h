@@ -22,8 +22,8 @@ struct least_planes {
 };
 
 /* Through n points, LEAST_PLANES_POINTS at most, u, v and height each: the fewest planes, two or
- * more, that leave no more than `even`, or those that leave the least.  -1: there are none, for each
- * has points enough to be known. */
+ * more, that leave no more than `even`, or those that leave the least.  -1: there are none, for
+ * each has points enough to be known. */
 int least_planes_fit(const struct vec3 *local, size_t n, double even, struct least_planes *fit);
 
 double least_planes_at(const struct least_planes *fit, double u, double v);

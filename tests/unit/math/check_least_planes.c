@@ -64,8 +64,8 @@ START_TEST(roofs_as_they_are)
 }
 END_TEST
 
-/* What is left of a roof with noise is the noise, 58 degrees of freedom; three standard deviations of
- * it are missed by chance once in 370 times, and a start may be missed, too. */
+/* What is left of a roof with noise is the noise, 58 degrees of freedom; three standard deviations
+ * of it are missed by chance once in 370 times, and a start may be missed, too. */
 START_TEST(noise_is_left)
 {
     const double sigma = 0.003;
