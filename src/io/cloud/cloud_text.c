@@ -4,6 +4,7 @@
  * Lines before the first row are tried in every style that a row may be written in; the first line
  * that is a row in one of them settles the style, and from there on each line must be a row in it.
  */
+#include "cloud_plain.h"
 #include "cloud_source.h"
 
 #include <stdlib.h>
@@ -17,11 +18,6 @@ struct field {
     char *from, *to; /* without the blanks around it */
 };
 
-static inline bool is_blank(char c)
-{
-    return c == ' ' || c == '\t';
-}
-
 /* A comment begins at p: `//`, `;` where it separates no columns, `#` but not that of 1.#IND. */
 static bool is_comment(const struct cloud_options *style, const char *p, const char *line)
 {
@@ -34,16 +30,16 @@ static bool next_field(const struct cloud_options *style, char **s, const char *
                        const char *end, struct field *field)
 {
     char *p = *s;
-    while (is_blank(*p))
+    while (cloud_is_blank(*p))
         p++;
     if (p == end || is_comment(style, p, line))
         return false;
     field->from = p;
-    while (p != end && !(style->delimiter == ' ' ? is_blank(*p) : *p == style->delimiter) &&
+    while (p != end && !(style->delimiter == ' ' ? cloud_is_blank(*p) : *p == style->delimiter) &&
            !is_comment(style, p, line))
         p++;
     field->to = p;
-    while (field->to > field->from && is_blank(field->to[-1]))
+    while (field->to > field->from && cloud_is_blank(field->to[-1]))
         field->to--;
     *s = p != end && *p == style->delimiter ? p + 1 : p;
     return true;
@@ -186,145 +182,6 @@ static bool sniff_row(const char *heading, char *line, size_t n, struct cloud_op
     return false;
 }
 
-/*
- * The common rows, fast.  Reading a cloud spends most of its time here, so this goes over the text
- * once, copies nothing, and tests no more than it must to know that a row is plain.
- */
-
-static inline const char *any_number(const char *p, double *value)
-{
-    const char *after = num_plain(p, value);
-    if (after)
-        return after;
-    return num_read(&p, value) && fabs(*value) <= CLOUD_TOO_LARGE ? p : NULL;
-}
-
-/* Over the blanks and the delimiter between two columns; NULL when there is none. */
-static inline const char *after_delimiter(const char *p, char delimiter)
-{
-    if (delimiter == ' ' && !is_blank(*p))
-        return NULL;
-    while (is_blank(*p))
-        p++;
-    if (delimiter == ' ')
-        return p;
-    if (*p != delimiter)
-        return NULL;
-    for (p++; is_blank(*p); p++)
-        ;
-    return p;
-}
-
-/* From the end of a row's third number to the next line; NULL when something else is there. */
-static inline const char *after_row(const char *p, char delimiter)
-{
-    if (*p == '\n')
-        return p + 1;
-    const char *third = p;
-    while (is_blank(*p))
-        p++;
-    if (delimiter == ' ' ? p != third : *p == delimiter)
-        while ((unsigned char)*p >= ' ' || *p == '\t')
-            p++;
-    p += *p == '\r';
-    return *p == '\n' ? p + 1 : NULL;
-}
-
-/* One row at p: the start of the next, or NULL when it is not plain. */
-static inline const char *one_row(const char *p, char delimiter, struct vec3 *row)
-{
-    while (is_blank(*p))
-        p++;
-    if (!(p = any_number(p, &row->x)) || !(p = after_delimiter(p, delimiter)) ||
-        !(p = any_number(p, &row->y)) || !(p = after_delimiter(p, delimiter)) ||
-        !(p = any_number(p, &row->z)))
-        return NULL;
-    return after_row(p, delimiter);
-}
-
-enum { SHORTEST_ROW = 6 }; /* `0 0 0` and its line end */
-
-/* Rows from both places in turn, as long as they are plain and before `middle` and `end`: where a
- * number ends, which the next one waits for, is found for two of them at once. */
-static inline size_t rows_in_turn(const char *at[2], const char *middle, const char *end,
-                                  char delimiter, struct vec3 *first, struct vec3 *second)
-{
-    size_t rows = 0;
-    while (at[0] != middle && at[1] != end) {
-        const char *p = one_row(at[0], delimiter, &first[rows]);
-        const char *q = one_row(at[1], delimiter, &second[rows]);
-        if (!p || !q)
-            break;
-        at[0] = p;
-        at[1] = q;
-        rows++;
-    }
-    return rows;
-}
-
-/* One copy for each delimiter, so that it is a constant to the compiler. */
-static inline const char *rows_of(const char *p, const char *end, char delimiter,
-                                  struct vec3 *point, size_t most, size_t *rows)
-{
-    for (*rows = 0; p != end && *rows < most; ++*rows) {
-        const char *next = one_row(p, delimiter, &point[*rows]);
-        if (!next)
-            break;
-        p = next;
-    }
-    return p;
-}
-
-/* The same, of much text by halves: the rows of the second come to stand behind as many as the
- * first may have, until it is known how many it has. */
-static inline const char *halves_of(const char *p, const char *end, char delimiter,
-                                    struct vec3 *point, size_t most, size_t *rows)
-{
-    enum { MANY = 4096 }; /* bytes that are worth it */
-    if (end - p < MANY || (size_t)(end - p) / SHORTEST_ROW > most)
-        return rows_of(p, end, delimiter, point, most, rows);
-    const char *half = p + (end - p) / 2, *feed = memchr(half, '\n', (size_t)(end - half));
-    const char *middle = feed ? feed + 1 : end;
-    struct vec3 *second = point + (middle - p) / SHORTEST_ROW;
-    const char *at[2] = {p, middle};
-    size_t both = rows_in_turn(at, middle, end, delimiter, point, second), left, right;
-    p = rows_of(at[0], middle, delimiter, point + both, most, &left);
-    *rows = both + left;
-    if (p != middle)
-        return p;
-    p = rows_of(at[1], end, delimiter, second + both, most, &right);
-    memmove(point + *rows, second, (both + right) * sizeof *point);
-    *rows += both + right;
-    return p;
-}
-
-/*
- * Reads whole lines from [text, end), where the last byte is a LF, as long as they are three
- * numbers of this style in the first three columns, and any columns after them.  Appends up
- * to `most` points; *rows says how many.  Returns how many bytes they took; the line after them,
- * if there is one, is for cloud_row_read.
- */
-static size_t parse_plain_rows(const struct cloud_options *style, const char *text, const char *end,
-                               size_t most, struct vec3s *points, size_t *rows)
-{
-    const size_t *column = style->column;
-    *rows = 0;
-    if (style->point == ',' || column[0] != 0 || column[1] != 1 || column[2] != 2)
-        return 0;
-    size_t fit = (size_t)(end - text) / SHORTEST_ROW;
-    if (most > fit)
-        most = fit;
-    if (most == 0)
-        return 0;
-    array_reserve(points, points->n + most + 1); /* the last may prove to be no whole row */
-    struct vec3 *point = points->item + points->n;
-    const char *after = style->delimiter == ','   ? halves_of(text, end, ',', point, most, rows)
-                        : style->delimiter == ';' ? halves_of(text, end, ';', point, most, rows)
-                                                  : halves_of(text, end, ' ', point, most, rows);
-    points->n += *rows;
-    return (size_t)(after - text);
-}
-
 /* A row whose first column may be its number and no coordinate. */
 struct numbered {
     struct cloud_row row; /* as x y z in the columns after it */
@@ -346,6 +203,7 @@ struct text {
     size_t first;  /* point of the first of them */
     bool counting; /* the next row may be one of them */
     struct cloud_options style;
+    bool looked, even;  /* whether decimals are even was looked at; they are */
     bool begun;         /* the first row was there */
     bool doubtful;      /* it had words after its numbers: a heading, unless the next has too */
     bool reserved;      /* room was made for all points of the file */
@@ -559,7 +417,12 @@ static void read_plain_rows(struct text *t)
     const char *ahead;
     size_t rows, n = reader_ahead(t->source->reader, &ahead);
     size_t most = t->promised ? t->promised - t->rows : n;
-    size_t taken = parse_plain_rows(&t->style, ahead, ahead + n, most, t->source->points, &rows);
+    if (!t->looked && n > 0) {
+        t->even = cloud_plain_even(ahead, ahead + n);
+        t->looked = true;
+    }
+    size_t taken =
+        cloud_plain_rows(&t->style, t->even, ahead, ahead + n, most, t->source->points, &rows);
     if (!t->style.point && memchr(ahead, '.', taken))
         t->style.point = '.';
     reader_take(t->source->reader, taken, rows);

@@ -17,6 +17,11 @@ struct cloud_options {
     size_t column[3]; /* which columns are x, y and z, from 0 */
 };
 
+static inline bool cloud_is_blank(char c)
+{
+    return c == ' ' || c == '\t';
+}
+
 enum cloud_row_kind {
     CLOUD_POINT,
     CLOUD_NOT_FINITE, /* a coordinate is nan, inf or beyond CLOUD_TOO_LARGE */

@@ -259,7 +259,7 @@ size_t ply_row_numbers(const struct ply_source *s, size_t n, double *value)
         return 0;
     p = text;
     for (size_t i = 0; i < n; i++) {
-        p = num_plain(over_blanks(p), &value[i]);
+        p = num_even(over_blanks(p), &value[i]);
         if (!p || (*p != ' ' && *p != '\t' && *p != '\n'))
             return 0;
     }

@@ -302,7 +302,7 @@ static const char *plain_numbers(const char *s, size_t most, double *v, size_t *
     if (*s != '/')
         return NULL;
     for (*n = 0; *n < most; s = skip_blanks(s)) {
-        s = num_plain(skip_blanks(s + 1), &v[(*n)++]);
+        s = num_even(skip_blanks(s + 1), &v[(*n)++]);
         if (!s)
             return NULL;
         if (*s != ',' && *(s = skip_blanks(s)) != ',')

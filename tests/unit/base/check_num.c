@@ -52,12 +52,15 @@ START_TEST(plain_numbers_as_strtod)
         int kind = (int)(next_random() % (sizeof follow / sizeof *follow));
         strcpy(to, follow[kind]);
         char *end;
-        double value, truth = strtod(text, &end);
-        const char *p = num_plain(text, &value);
+        double truth = strtod(text, &end);
         bool number = before + (point ? behind : 0) > 0, exponent = end != text && end > to;
-        if (p ? p != end || memcmp(&value, &truth, sizeof value) != 0
-              : number && !exponent && before + behind < 15 && kind < 6)
-            ck_abort_msg("%s: %.17g", text, value);
+        for (int even = 0; even < 2; even++) {
+            double value;
+            const char *p = even ? num_even(text, &value) : num_plain(text, &value);
+            if (p ? p != end || memcmp(&value, &truth, sizeof value) != 0
+                  : number && !exponent && before + behind < 15 && kind < 6)
+                ck_abort_msg("%s: %.17g", text, value);
+        }
     }
 }
 END_TEST
