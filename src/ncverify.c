@@ -109,15 +109,17 @@ static void find_tool(struct settings *s, const struct ncread_head *head)
              said ? " (as the program's head says)" : "", text ? text : "none");
 }
 
-/* The deepest gouge: what the stages spent by the program's head, where a scan guarded it; of
- * another they do not say how far the path may be off the part. */
+/* The deepest gouge: what the stages spent by the program's head, where a scan guarded it, but for
+ * how far its mesh is off the scan; of another they do not say how far the path may be off the
+ * part. */
 static void find_tolerance(struct settings *s, const struct ncread_head *head)
 {
-    bool known = head->tolerance > 0 && (head->scans > 0 || head->tolerance > s->tolerance);
-    if (s->tolerance_given || !known)
+    bool guarded = head->scans > 0;
+    double spent = head->tolerance - (guarded ? head->mesh : 0);
+    if (s->tolerance_given || !(spent > (guarded ? 0 : s->tolerance)))
         return;
-    s->tolerance = head->tolerance;
-    note("tolerance: %g mm (as the program's head says)", s->tolerance);
+    (spent > s->tolerance ? say : note)("tolerance: %g mm (as the program's head says)", spent);
+    s->tolerance = spent;
 }
 
 /* How much may be left. */
@@ -153,10 +155,8 @@ static void read_options(struct settings *s, struct cli *cli, int argc, char **a
                                "recognized by its first lines)"),
         machine_option_name(&s->machine),
         machine_option_set(&s->machine),
-        {'e', "tolerance", "MM",
-         "deepest gouge; beyond it exit status 3 (default: what the stages spent by\n"
-         "the head of a program that a scan guarded, else 0.05 or that if it is more)",
-         CLI_NUMBER, &s->tolerance, CLI_POSITIVE, 100, 0, &s->tolerance_given},
+        {'e', "tolerance", "MM", "deepest gouge, or exit status 3 (by the head)", CLI_NUMBER,
+         &s->tolerance, CLI_POSITIVE, 100, 0, &s->tolerance_given},
         {0, "scallop", "MM",
          "height of the scallops between passes: material left beyond it and the\n"
          "tolerance, where the tool could cut it, gives exit status 3 (default:\n"

@@ -223,6 +223,8 @@ void ncread_head_line(struct ncread_head *head, const char *line)
             read_name(head->machine, sizeof head->machine, s + 1);
     } else if (has_word(&s, "Tolerance ncpost")) {
         head->post = number_at(&s);
+    } else if (has_word(&s, "Tolerance cloud2mesh")) {
+        head->mesh = number_at(&s);
     } else if (has_word(&s, "Tolerance sum")) {
         s += strcspn(s, ",");
         if (has_word(&s, ", axis"))

@@ -4,6 +4,7 @@
  *   TOOL: BALL R5 FLUTE 20 HOLDER 5:60      SCALLOP: 0.02 TOLERANCE: 0.01
  *   NOISE: 0.005
  *   FEED: CONTACT                           cloudmill ncpost for Siemens, Fork head C/A
+ *   Tolerance cloud2mesh 0.0002
  *   Tolerance ncpost 0.0011                 Tolerance sum 0.0112 mm, axis 0.0063 deg
  *   CONTROL: siemens                        MACHINE: head-ca
  *   SET: A.max=30                           SCAN: 1681,3cad464a0113cb05,scan.xyz

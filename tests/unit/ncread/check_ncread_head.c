@@ -77,6 +77,8 @@ START_TEST(words)
     line("(CLOUDMILL NCPOST FOR FANUC, FORK HEAD C/A)");
     line("(TOLERANCE NCPOST 0.0011)");
     line("(TOLERANCE SUM 0.0112 MM, AXIS 0.0063 DEG)");
+    line("(TOLERANCE CLOUD2MESH   0.0062)");
+    ck_assert_double_eq(head.mesh, 0.0062);
     line("(SCALLOP: 0.02 TOLERANCE: 0.01)");
     ck_assert(!head.noise_given);
     line("(NOISE: 0.005)");
