@@ -21,6 +21,8 @@
 #include "stage/path_motion.h"
 #include "verify/verify.h"
 
+static const double USUAL = 0.05; /* mm: the deepest gouge, where the head does not say */
+
 struct settings {
     int unit;
     bool radius_given, flute_given, band_given, left_given, tolerance_given, scallop_given;
@@ -470,7 +472,7 @@ static void read_path(const char *file, struct nc_motion *motion, struct ncread_
 
 int main(int argc, char **argv)
 {
-    struct settings s = {.tolerance = 0.05, .left_share = 0.5, .noise = -1};
+    struct settings s = {.tolerance = USUAL, .left_share = 0.5, .noise = -1};
     struct cli cli;
     struct nc_motion motion = {0};
     struct ncread_head head = {.post = -1, .axis = -1};
@@ -508,6 +510,7 @@ int main(int argc, char **argv)
     const struct verify_options options = {.radius = s.radius,
                                            .tolerance = s.tolerance,
                                            .left = s.left,
+                                           .told = s.tolerance_given ? 0 : USUAL,
                                            .share = s.left_share / 100,
                                            .partial = s.partial,
                                            .band = s.band,

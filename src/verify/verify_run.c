@@ -206,7 +206,8 @@ struct verdict verify_run(const struct verify_program *program,
     if (v.program.region) /* what is to be cut is known, and judged as if it were all */
         v.options.partial = false;
     v.noise = program->surface ? SIGMAS * program->surface->noise : 0;
-    v.limit = ROUNDED + v.noise + (isfinite(options->left) ? options->left : options->tolerance);
+    v.limit = ROUNDED + v.noise +
+              (isfinite(options->left) ? options->left : fmax(options->told, options->tolerance));
     struct aside *aside = aside_begin(options->threads);
     aside_do(aside, follow_axes, &v);
     centre_path_cut(program->motion, options->radius, FLAT, &v.cut);
