@@ -54,6 +54,14 @@ static inline int num_leading(uint64_t eight)
     return other ? __builtin_ctzll(other) / 8 : 8;
 }
 
+/* The number of at most 15 digits, so many of them behind the point: both are exact, so that one
+ * division rounds once, to the nearest double. */
+static inline double num_of_digits(bool negative, uint64_t mantissa, size_t decimals)
+{
+    double magnitude = (double)(int64_t)mantissa / num_ten[decimals];
+    return negative ? -magnitude : magnitude;
+}
+
 /* num_plain of any length. */
 static inline const char *num_long(const char *p, double *value)
 {
@@ -79,9 +87,7 @@ static inline const char *num_long(const char *p, double *value)
     }
     if (digits - 1 >= 15 || *p >= 'A') /* none or too many; an exponent */
         return NULL;
-    /* both are exact, so that one division rounds once: the nearest double */
-    double magnitude = (double)(int64_t)mantissa / num_ten[decimals];
-    *value = negative ? -magnitude : magnitude;
+    *value = num_of_digits(negative, mantissa, decimals);
     return p;
 }
 
@@ -102,8 +108,7 @@ static inline const char *num_plain(const char *p, double *value)
         int digits = num_digits((num_eight(q) & first) | (num_eight(q + 1) & ~first), &mantissa);
         q += digits + 1;
         if (digits > 0 && (unsigned char)*q < '0') { /* neither a further digit nor an exponent */
-            double magnitude = (double)(int64_t)mantissa / num_ten[digits - before];
-            *value = negative ? -magnitude : magnitude;
+            *value = num_of_digits(negative, mantissa, (size_t)(digits - before));
             return q;
         }
     }
@@ -132,8 +137,7 @@ static inline const char *num_even(const char *p, double *value)
     }
     if (digits - 1 >= 15 || *p >= 'A') /* as in num_long */
         return NULL;
-    double magnitude = (double)(int64_t)mantissa / num_ten[decimals];
-    *value = negative ? -magnitude : magnitude;
+    *value = num_of_digits(negative, mantissa, decimals);
     return p;
 }
 

@@ -158,9 +158,7 @@ bool out_may_be_file(const char *file)
 struct out *out_open(const char *file)
 {
     struct out *o = mem_alloc(1, sizeof *o);
-#ifdef SIGXFSZ
-    signal(SIGXFSZ, SIG_IGN); /* a file beyond its limit: write tells */
-#endif
+    ignore_file_limit();
     if (!file || strcmp(file, "-") == 0) {
         o->fd = 1;
         o->name = "standard output";

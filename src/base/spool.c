@@ -39,9 +39,7 @@ FILE *spool_open(void)
     const char *folder[] = {getenv("TMPDIR"), "/var/tmp", "/tmp"};
     int fd = -1;
 
-#ifdef SIGXFSZ
-    signal(SIGXFSZ, SIG_IGN); /* a file beyond its limit: a write tells */
-#endif
+    ignore_file_limit();
     for (size_t i = 0; i < sizeof folder / sizeof *folder && fd < 0; i++)
         if (folder[i] && *folder[i])
             fd = create_in(folder[i]);

@@ -10,6 +10,14 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+/* A write tells that a file is at its limit; no signal ends the process. */
+static inline void ignore_file_limit(void)
+{
+#ifdef SIGXFSZ
+    signal(SIGXFSZ, SIG_IGN);
+#endif
+}
+
 #ifndef _WIN32
 
 #include <sys/mman.h>

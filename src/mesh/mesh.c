@@ -38,9 +38,8 @@ bool mesh_triangle_normal(const struct vec3 p[3], struct vec3 *normal)
 {
     double longest = 0;
     for (int i = 0; i < 3; i++) {
-        struct vec3 edge = vec_sub(p[i < 2 ? i + 1 : 0], p[i]);
-        double length2 = vec_dot(edge, edge);
-        longest = length2 > longest ? length2 : longest;
+        struct vec3 edge = vec_sub(p[(i + 1) % 3], p[i]);
+        longest = larger(vec_dot(edge, edge), longest);
     }
     struct vec3 cross = vec_cross(vec_sub(p[1], p[0]), vec_sub(p[2], p[0]));
     double area = vec_length(cross);

@@ -467,12 +467,19 @@ static void judge_path(struct verdict *v)
     judge_tool(v, first_cut(v->program.motion));
 }
 
-/* How far the lowest point of the ball is below the top of the part at a piece's end; 0: above. */
-static double below_top(const struct verdict *v, size_t piece)
+/* The height of the part's highest point, mm. */
+static double part_top(const struct verdict *v)
 {
-    double top = -HUGE_VAL, low = ball_at(v, piece, 1).z - v->options.radius;
+    double top = -HUGE_VAL;
     for (size_t i = 0; i < v->program.part->n; i++)
         top = fmax(top, v->program.part->item[i].z);
+    return top;
+}
+
+/* How far the lowest point of the ball is below the part's top at a piece's end; 0: above. */
+static double below_top(const struct verdict *v, double top, size_t piece)
+{
+    double low = ball_at(v, piece, 1).z - v->options.radius;
     return low < top - v->options.tolerance ? top - low : 0;
 }
 
@@ -481,11 +488,12 @@ static double below_top(const struct verdict *v, size_t piece)
 static void judge_dark(struct verdict *v)
 {
     const struct nc_motion *motion = v->program.motion;
+    double top = part_top(v);
     for (size_t i = 0; i < motion->piece.n; i++) {
         const struct nc_piece *piece = &motion->piece.item[i];
         if (!piece->dark || !piece->rapid)
             continue;
-        double below = below_top(v, i);
+        double below = below_top(v, top, i);
         if (below == 0)
             continue;
         add_finding(v, v->program.post >= 0, i,
@@ -501,7 +509,9 @@ static void judge_dark(struct verdict *v)
 static void judge_end(struct verdict *v)
 {
     size_t n = v->program.motion->piece.n;
-    double below = v->program.guarded && n > 0 && v->cut.n > 0 ? below_top(v, n - 1) : 0;
+    if (!v->program.guarded || n == 0 || v->cut.n == 0)
+        return;
+    double below = below_top(v, part_top(v), n - 1);
     if (below > 0)
         add_finding(v, true, n - 1,
                     "the program ends %.3f mm below the part's top: a retract is missing", below);
