@@ -20,8 +20,8 @@
  * (stream_surface.h).  More looks:
  *
  *   5. the points about places that tell the noise, and how many points a surface takes
- *   6. and on: those about the rows of a band, each: two for five
- *      vertices, but two million at least
+ *   6. into which bands of rows they go (stream_bands.h), of which one at a time is in memory: two
+ *      points for five vertices, but two million at least
  *
  * About 80 bytes a node, half a byte a point, and 100 MB.
  */

@@ -11,6 +11,7 @@
 #include "cloudmesh_steps.h"
 #include "io/cloud/cloud_spool.h"
 #include "io/mesh/ply.h"
+#include "stream_bands.h"
 #include "stream_surface.h"
 
 enum { SHORT_ROW = 6 /* bytes */ };

@@ -10,6 +10,7 @@
 #include "cloud/outliers.h"
 #include "meshing/node_heights.h"
 #include "stage/cloud_prepare.h"
+#include "stream_bands.h"
 
 /* Rows beside a band on which its vertices depend: normals that face down take those of the facets
  * about the vertices as they were moved, which took theirs of those about the nodes, which took
@@ -27,14 +28,6 @@ enum { SAMPLE = 200 /* vertices that say how many points a surface takes */ };
 
 /* ---- how many points are where */
 
-static int row_of(const struct grid *g, const struct vec3 *p)
-{
-    double y = g->plan_extent.cosine * p->y - g->plan_extent.sine * p->x;
-    double v = (y - g->y) / (g->t * GRID_SLANT);
-
-    return v > 0 ? (v < g->rows - 1 ? (int)v : g->rows - 1) : 0;
-}
-
 struct stream_counts *stream_counts_new(const struct cloud_stream *s)
 {
     struct stream_counts *c = mem_alloc(1, sizeof *c);
@@ -50,7 +43,7 @@ void stream_counts_add(struct stream_counts *c, const struct grid *grid, const s
 {
     for (size_t i = 0; i < n; i++) {
         c->of_cell[point_grid_cell(&c->cells, point[i])]++;
-        c->of_row[row_of(grid, &point[i])]++;
+        c->of_row[stream_row(grid, &point[i])]++;
     }
 }
 
@@ -261,27 +254,8 @@ static int look_at_sample(struct work *w, double asked, struct error *error)
 
 /* ---- bands */
 
-struct band {
-    const struct grid *grid;
-    int first, last; /* rows */
-    int low, high;   /* rows of the points about them */
-    size_t n;        /* these */
-    struct vec3s *point;
-};
-
-static void see_band(void *context, const struct vec3 *point, size_t n)
-{
-    struct band *b = context;
-
-    for (size_t i = 0; i < n; i++) {
-        int row = row_of(b->grid, &point[i]);
-        if (row >= b->low && row <= b->high)
-            *array_push(b->point) = point[i];
-    }
-}
-
-/* The same of all vertices: with noise, as far as four times as many points are at a corner as
- * surfaces begin with, and a tenth more. */
+/* How far from a vertex its surface is looked for: with noise, as far as four times as many points
+ * are at a corner as surfaces begin with, and a tenth more. */
 static double far_of(const struct work *w)
 {
     double corner = sqrt(4 * 4 * (double)w->rule.neighbours / PI);
@@ -289,39 +263,24 @@ static double far_of(const struct work *w)
     return w->sigma > 0 ? fmin(1.1 * corner, FARTHEST) : FAR;
 }
 
-/* The rows from `first` on about which there are no more points than may be in memory. */
-static struct band next_band(const struct work *w, int first)
+static struct stream_bands bands_of(const struct work *w)
 {
-    const struct cloud_stream *s = w->stream;
-    const struct grid *g = &s->nodes.grid;
-    int about = MARGIN - 1 + (int)ceil(far_of(w) * s->mean / (g->t * GRID_SLANT)) + 1,
-        end = g->rows - 1;
-    struct band b = {.grid = g, .first = first, .last = first};
+    const struct grid *g = &w->stream->nodes.grid;
+    int about = MARGIN - 1 + (int)ceil(far_of(w) * w->stream->mean / (g->t * GRID_SLANT)) + 1;
 
-    b.low = first > about ? first - about : 0;
-    b.high = first + about < end ? first + about : end;
-    for (int row = b.low; row <= b.high; row++)
-        b.n += w->counts->of_row[row];
-    while (b.last < end) {
-        size_t more = b.last + 1 + about <= end ? w->counts->of_row[b.last + 1 + about] : 0;
-        if (b.n + more > w->at_a_time)
-            break;
-        b.n += more;
-        b.last++;
-    }
-    b.high = b.last + about < end ? b.last + about : end;
-    return b;
+    return stream_bands_of(g, w->counts->of_row, about, w->at_a_time);
 }
 
 /* The mesh of a band and of the rows beside it, its vertices where no band has moved them. */
-static void mesh_band(struct work *w, const struct band *b)
+static void mesh_band(struct work *w, const struct stream_band *b)
 {
+    const struct grid *grid = &w->stream->nodes.grid;
     struct mesh *mesh = &w->mesh;
-    int low = b->first > MARGIN ? b->first - MARGIN : 0, end = b->grid->rows - 1;
+    int low = b->first > MARGIN ? b->first - MARGIN : 0, end = grid->rows - 1;
 
     mesh->vertex.n = mesh->row.n = mesh->col.n = mesh->face.n = mesh->normal.n = 0;
     grid_facets_part(&w->stream->facets, low, b->last + MARGIN < end ? b->last + MARGIN : end, 0,
-                     b->grid->columns - 1, mesh);
+                     grid->columns - 1, mesh);
     if (w->before.n > 0)
         memcpy(mesh->vertex.item, w->before.item, w->before.n * sizeof *mesh->vertex.item);
     w->before.n = 0;
@@ -380,15 +339,14 @@ static void keep_vertex(struct work *w, size_t v, double off)
     reposition_move(&w->stream->nodes, mesh->col.item[v], mesh->row.item[v], mesh->vertex.item[v]);
 }
 
-static int do_band(struct work *w, struct band *b, struct error *error)
+static int do_band(struct work *w, struct stream_bands *bands, size_t k, struct error *error)
 {
-    struct cloud_stream *s = w->stream;
+    const struct stream_band *b = &bands->item[k];
     struct point_grid scan = {.first = NULL};
 
     w->point.n = 0;
-    array_reserve(&w->point, b->n);
-    b->point = &w->point;
-    if (cloud_stream_look(s, see_band, b, error) < 0 || sort_points(w, &w->point, &scan, error) < 0)
+    if (stream_bands_points(bands, k, w->stream, &w->point, error) < 0 ||
+        sort_points(w, &w->point, &scan, error) < 0)
         return -1;
     mesh_band(w, b);
     const struct mesh *mesh = &w->mesh;
@@ -409,15 +367,14 @@ static int do_band(struct work *w, struct band *b, struct error *error)
 static int look_at_bands(struct work *w, struct error *error)
 {
     w->mesh.origin = (struct mesh_origin){.ledger = NAN, .noise = w->stream->noise};
-    int rows = w->stream->nodes.grid.rows, status = 0, looks = 0;
+    struct stream_bands bands = bands_of(w);
+    int status = 0;
 
-    for (int row = 0; row < rows && status == 0; looks++) {
-        struct band band = next_band(w, row);
-        status = do_band(w, &band, error);
-        row = band.last + 1;
-    }
-    note("points in memory for %d band%s of rows, one after the other", looks,
-         looks == 1 ? "" : "s");
+    for (size_t k = 0; k < bands.n && status == 0; k++)
+        status = do_band(w, &bands, k, error);
+    note("points in memory for %zu band%s of rows, one after the other", bands.n,
+         bands.n == 1 ? "" : "s");
+    stream_bands_free(&bands);
     return status;
 }
 

@@ -1,6 +1,6 @@
 /*
  * stream_surface - the vertices of a cloud_stream on the surface of its scan, band by band of rows:
- * only the points about one band are in memory, and each band is a look at the file.
+ * only the points about one band are in memory (stream_bands.h).
  *
  * In a band the functions that make the mesh of a cloud in memory (meshing/node_heights.h,
  * scan_normals.h, smooth_nodes.h) see the same vertices, facets and points, these sorted into the
@@ -28,11 +28,5 @@ struct stream_counts *stream_counts_new(const struct cloud_stream *stream);
 void stream_counts_add(struct stream_counts *counts, const struct grid *grid,
                        const struct vec3 *point, size_t n);
 void stream_counts_free(struct stream_counts *counts);
-
-/* Shows all points of the file, as placed, to `see`.  -1: also where they are others than before.
- */
-int cloud_stream_look(struct cloud_stream *stream,
-                      void (*see)(void *context, const struct vec3 *point, size_t n), void *context,
-                      struct error *error);
 
 #endif
