@@ -113,14 +113,19 @@ static double *left_of(const struct vec3 *point, const double *height, const str
     return left;
 }
 
-static size_t count_left(const double *height, size_t n, const size_t *of, const double *left,
+/* Of those that were asked for; what is on the others is set to 0. */
+static size_t count_left(double *height, size_t n, const size_t *of, const double *left,
                          const struct part_coverage *judged, size_t *worst)
 {
     size_t found = 0;
 
     for (size_t i = 0; i < n; i++) {
-        if (left[i] == 0 || judged->of[i] != COVERAGE_LEFT)
+        if (left[i] == 0)
             continue;
+        if (judged->of[i] != COVERAGE_LEFT) {
+            height[of[i]] = 0;
+            continue;
+        }
         found++;
         if (*worst == n || height[of[i]] > height[*worst])
             *worst = of[i];
@@ -129,7 +134,7 @@ static size_t count_left(const double *height, size_t n, const size_t *of, const
 }
 
 /* What lies in the way, which is asked of the points in an order of their own. */
-static size_t ask(const struct vec3 *point, const double *height, struct vec3s *place,
+static size_t ask(const struct vec3 *point, double *height, struct vec3s *place,
                   const struct coverage_judge_options *options, size_t *worst)
 {
     size_t n = place->n, *of = mem_alloc(n, sizeof *of);
@@ -162,7 +167,7 @@ static size_t ask(const struct vec3 *point, const double *height, struct vec3s *
     return found;
 }
 
-size_t coverage_judge_left(const struct vec3 *point, const double *height, size_t n,
+size_t coverage_judge_left(const struct vec3 *point, double *height, size_t n,
                            const struct coverage_judge_options *options, size_t *worst)
 {
     struct vec3s place = {0};

@@ -3,8 +3,8 @@
  * whether the tool could have cut it (simulate/part_coverage.h): the same question, asked by who
  * makes the path, so that nothing that a path calls out of reach is found to be left.
  *
- * It is asked as the stages to come leave it: they widen what may be left, and a ball that comes
- * within half of that is one that could cut.
+ * Stages to come widen what may be left, and a ball that comes within half of that is one that
+ * could cut: where more may be left fewer points are asked for, and more of them are in reach.
  */
 #ifndef CLOUDMILL_COVERAGE_JUDGE_H
 #define CLOUDMILL_COVERAGE_JUDGE_H
@@ -24,8 +24,9 @@ struct coverage_judge_options {
 };
 
 /* Of n points those with something left on them (height, mm; 0: not asked) that are judged to be
- * within reach: how many, and the one with most on it (n: there is none). */
-size_t coverage_judge_left(const struct vec3 *point, const double *height, size_t n,
+ * within reach: how many, and the one with most on it (n: there is none).  What is on the others is
+ * set to 0. */
+size_t coverage_judge_left(const struct vec3 *point, double *height, size_t n,
                            const struct coverage_judge_options *options, size_t *worst);
 
 /* Unit vectors up the tool, evenly over the upper half of the sphere, that the machine's rotary

@@ -7,6 +7,7 @@
 #include "coverage_judge.h"
 #include "gouge/guard_mesh.h"
 #include "math/kdtree.h"
+#include "path_judged.h"
 #include "stage/path_options.h"
 #include "toolpath/rest_passes.h"
 #include "toolpath/scallop.h"
@@ -25,11 +26,6 @@ static const double SIGMAS = 1.5;
 /* Of the limit as all stages leave it, those to come each with a tolerance of its own: a ball that
  * comes so near to a point could cut it.  So much of the limit of this one rest passes can. */
 static const double SURE = 0.5, SOME = 0.8;
-enum { STAGES = 2 };
-
-/* What a judge finds left by the program for each point that it finds by the path, at most: of
- * fourteen scans it found 0.4 to 1. */
-static const double JUDGED = 1.05;
 
 /* Of the radius: strips in planes are no shorter. */
 static const double SHORT = 1;
@@ -231,39 +227,22 @@ void path_coverage_measure(struct path_coverage *c, const struct toolpath *t)
     coverage_cut(c->coverage, &c->options, &t->ball, &t->ball_end);
 }
 
-/* How many of the points that are out of reach or kept off who judges a program by the points takes
- * for left. */
-static size_t judged_left(const struct path_coverage *c, struct coverage_point *worst)
+/* What who judges a program by the points takes for left: what is beside them is in the way. */
+static struct path_judged judged_left(const struct path_coverage *c)
 {
-    double limit = c->allowed + STAGES * c->tolerance;
-    const struct coverage_judge_options options = {.radius = c->options.radius,
-                                                   .limit = limit,
-                                                   .noise = fmax(path_options.noise, 0),
-                                                   .holder = c->options.holder,
-                                                   .chain = &c->rule->chain,
-                                                   .scan = c->scan,
-                                                   .threads = c->options.threads};
-    size_t n, at;
+    size_t n;
     const struct coverage_point *point = coverage_points(c->coverage, &n);
     struct vec3s place = {0};
 
     for (size_t i = 0; i < n; i++)
         *array_push(&place) = point[i].p;
-    for (size_t i = 0; i < c->beside.n; i++) /* what is beside is in the way */
+    for (size_t i = 0; i < c->beside.n; i++)
         *array_push(&place) = c->beside.item[i];
     if (c->part)
         add_mesh(c->part, c->spacing, c->options.threads, &place);
-    double *height = mem_alloc(place.n + 1, sizeof *height);
-    for (size_t i = 0; i < n; i++) {
-        bool asked = point[i].state == COVERAGE_KEPT || point[i].state == COVERAGE_OUT;
-        height[i] = asked && point[i].height > limit ? point[i].height : 0;
-    }
-    size_t found = coverage_judge_left(place.item, height, place.n, &options, &at);
-    if (found > 0)
-        *worst = point[at];
+    struct path_judged judged = path_judged(c, &place);
     array_free(&place);
-    free(height);
-    return found;
+    return judged;
 }
 
 static void say_out(const struct coverage_report *r)
@@ -304,15 +283,16 @@ static void say_left(const struct coverage_report *r, double limit, struct unmet
             path_options.left_share, r->left.area, limit, r->left.highest, at.x, at.y, at.z);
 }
 
-static void say_judged(const struct path_coverage *c, size_t judged,
-                       const struct coverage_report *r, const struct coverage_point *worst,
+static void say_judged(const struct path_coverage *c, const struct path_judged *judged,
                        struct unmets *unmet)
 {
-    if (judged > 0)
+    const struct coverage_point *worst = &judged->worst;
+
+    if (judged->n > 0)
         unmet_say(unmet,
                   "who judges by the %s alone takes %zu of these for left though "
                   "within reach, beside %zu that are: up to %.3f mm, worst at %.3f %.3f %.3f",
-                  c->scan ? "points of the scan" : "facets of the mesh", judged, r->left.n,
+                  c->scan ? "points of the scan" : "facets of the mesh", judged->n, judged->left,
                   worst->height, worst->p.x, worst->p.y, worst->p.z);
 }
 
@@ -321,20 +301,19 @@ int path_coverage_conclude(const struct path_coverage *c, struct unmets *unmet)
     if (!c->coverage)
         return EXIT_DONE;
     struct coverage_report r = coverage_report(c->coverage);
-    struct coverage_point worst;
-    size_t judged = c->scallop > 0 ? judged_left(c, &worst) : 0;
-    double left = 100 * ((double)r.left.n + JUDGED * (double)judged), points = (double)r.points;
-    bool much = left > path_options.left_share * points;
-    if (c->part) /* who judges it leaves no share */
-        much = judged > 0 || (r.left.n > 0 && r.left.highest > c->allowed + c->tolerance);
-    bool unmet_left = c->scallop > 0 && much;
+    struct path_judged judged = {0};
+    if (c->scallop > 0)
+        judged = judged_left(c);
+    bool unmet_left = judged.much;
+    if (c->scallop > 0 && c->part) /* who judges it leaves no share */
+        unmet_left = judged.n > 0 || (r.left.n > 0 && r.left.highest > c->allowed + c->tolerance);
 
     unmet = unmet_left ? unmet : NULL;
     say_out(&r);
     say_kept(&r, unmet);
     say_left(&r, c->options.limit, unmet);
     if (unmet_left)
-        say_judged(c, judged, &r, &worst, unmet);
+        say_judged(c, &judged, unmet);
     if (r.left.n == 0)
         note("all of %zu points within reach are cut to %.3f mm; %zu rest passes in %zu rounds",
              r.points, c->options.limit, c->strips, c->rounds);

@@ -40,6 +40,19 @@ has "says so" '^comment unmet cloud2mesh trough.xyz: the mesh is off by' trough.
 meshnorm -q -r 3 --spindle 9000 --tool 1 -o trough.cl trough.ply
 has "and the path of it" '^\$\$-> UNMET/cloud2mesh,trough.xyz: the mesh is off by' trough.cl
 
+# A half ball and a holder that keeps the tool off its foot: who judges the path as it is finds more
+# left than after stages that widen what may be, and none comes here.
+awk 'BEGIN { for (i = 0; i <= 49; i++) for (k = 0; k <= 49; k++) {
+	x = 12.9 * (i / 24.5 - 1); y = 12.9 * (k / 24.5 - 1); z = 12.9 * 12.9 - x * x - y * y
+	if (z > 0.16) printf "%.4f %.4f %.4f\n", x, y, sqrt(z) } }' >half.xyz
+cloud2mesh -q -o half.ply half.xyz
+status 3 "what stays for a program made at once is no success" \
+	meshnorm -r 2 --holder 5:60 -m table-a --avoid -g half.xyz -o half.cl half.ply
+has "and told" 'takes [0-9]+ of these for left' err
+ok "its program" ncpost --accept -q -c siemens -m table-a -o half.mpf half.cl
+status 3 "is refused by itself" ncverify -q --accept -g half.xyz -o verdict half.mpf
+has "for what is left" '^fault .* mm of material is left' verdict
+
 # Hostile text in the place of a stage's.
 sed 's/^\$\$-> UNMET.*/$$-> UNMET\/nothing/' trough.cl >bad.cl
 status 1 "a line without its stage" ncpost -q -c siemens bad.cl

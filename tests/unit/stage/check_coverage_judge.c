@@ -83,6 +83,10 @@ START_TEST(slot_is_out_of_reach)
     ck_assert_uint_ge(left, open);
     ck_assert_double_le((double)left, 1.2 * (double)open);
     ck_assert_double_ge(fabs(scan.item[worst].x), R);
+    size_t kept = 0; /* the others are asked for no more */
+    for (size_t i = 0; i < scan.n; i++)
+        kept += height[i] > 0;
+    ck_assert_uint_eq(kept, left);
 }
 END_TEST
 
@@ -97,6 +101,7 @@ START_TEST(by_the_limit)
     scan.item[middle].z = -sagitta - 0.03;
     height[middle] = 0.1;
     ck_assert_uint_eq(judged(0.05, &worst), 0);
+    height[middle] = 0.1; /* was set to 0 */
     ck_assert_uint_eq(judged(0.08, &worst), 1);
     ck_assert_uint_eq(worst, middle);
 }

@@ -1,0 +1,29 @@
+/*
+ * path_judged - what who judges a program by the points takes for left of what a path leaves
+ * (coverage_judge.h).
+ *
+ * Scallop and the tolerances of all stages may be left, so that what is left depends on the stages
+ * to come: by a larger limit fewer points are asked for, and more of them are within reach.  A path
+ * is judged as it is, where it becomes a program at once, and as STAGES with as much tolerance each
+ * may leave it.  Lengths in mm.
+ */
+#ifndef CLOUDMILL_PATH_JUDGED_H
+#define CLOUDMILL_PATH_JUDGED_H
+
+#include "stage/path_coverage.h"
+
+enum { STAGES = 2 };
+
+struct path_judged {
+    double limit;                /* so much may be left */
+    size_t left;                 /* points that are, though within reach */
+    size_t n;                    /* of those out of reach or kept off who judges takes for it ... */
+    struct coverage_point worst; /* ... what is on one of them */
+    bool much;                   /* both together: more than path_options.left_share */
+};
+
+/* By the limit that takes more for left.  `place`: all that is in the way, the points that are to
+ * be cut before the others. */
+struct path_judged path_judged(const struct path_coverage *c, const struct vec3s *place);
+
+#endif
