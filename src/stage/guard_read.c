@@ -112,16 +112,27 @@ void guard_scan_free(struct guard_scan *scan)
     scan_sources_free(&scan->source);
 }
 
-/* How many places have no point of the scan within `near`. */
+/* Points of the scan stand within `near` beside the upright through the place, both over and under
+ * it: it is on a wall, whose points lie far apart for who looks from above. */
+static bool is_on_wall(const struct kdtree *tree, struct box box, struct vec3 p, double near)
+{
+    return kdtree_any_beside(tree, p, vec(p.x, p.y, fmax(p.z, box.high.z)), near) &&
+           kdtree_any_beside(tree, p, vec(p.x, p.y, fmin(p.z, box.low.z)), near);
+}
+
+/* How many places have no point of the scan within `near`, and are on none of its walls. */
 static size_t far_places(const struct vec3s *place, const struct vec3s *scan, double near,
                          int threads)
 {
     const double rounding = 1e-12;
     struct kdtree *tree = kdtree_new_by(scan->item, scan->n, threads);
+    struct box box = box_around(scan->item, scan->n);
     size_t far = 0;
 
+    near *= 1 + rounding;
     for (size_t i = 0; i < place->n; i++)
-        far += !kdtree_any_beside(tree, place->item[i], place->item[i], near * (1 + rounding));
+        far += !kdtree_any_beside(tree, place->item[i], place->item[i], near) &&
+               !is_on_wall(tree, box, place->item[i], near);
     kdtree_free(tree);
     return far;
 }

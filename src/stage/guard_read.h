@@ -56,7 +56,8 @@ struct gouge_check *guard_read_scan(struct guard_scan *scan, struct guard_read_o
                                     struct error *error);
 
 /* That look: -1 if more than half of the places, which are `what`, are further than `near` mm from
- * every point of the scan. */
+ * every point of the scan; but a place that has points over and under it, seen from above no
+ * further beside it, is on a wall of it. */
 int guard_scan_near(const struct guard_scan *scan, const struct vec3s *place, const char *what,
                     double near, int threads, struct error *error);
 

@@ -289,6 +289,30 @@ START_TEST(for_a_path)
 }
 END_TEST
 
+/* A step that is higher than the path may be off the scan: on its wall, which no point is on, a
+ * path is where the scan is; as high before it or behind it, over it or under it is elsewhere. */
+START_TEST(a_path_on_a_wall)
+{
+    const struct {
+        double x, z;
+        int is;
+    } at[] = {{-4, 30, 0}, {0, 8, 0},   {0, 30, 0},  {0, 52, 0},   {4, 30, 0},   {-6, 30, -1},
+              {6, 30, -1}, {0, 66, -1}, {0, -6, -1}, {0, 1e6, -1}, {-30, 30, -1}};
+    make_floor(0);
+    for (size_t i = 0; i < points.n; i++)
+        points.item[i].z = points.item[i].x > 0 ? 60 : 0;
+    scan = (struct guard_scan){.point = points};
+    scan_sources_add(&scan.source, "scan.xyz", points.item, points.n);
+    points = (struct vec3s){0};
+    for (size_t k = 0; k < sizeof at / sizeof *at; k++) {
+        struct vec3 place = vec(at[k].x, 0.2, at[k].z);
+        struct vec3s one = {1, 1, &place};
+        ck_assert_msg(guard_scan_near(&scan, &one, "points of the path", 5, 1, &error) == at[k].is,
+                      "at %g %g", at[k].x, at[k].z);
+    }
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("guard_read");
@@ -301,6 +325,7 @@ int main(void)
     tcase_add_test(tests, much_noise_is_told);
     tcase_add_test(tests, elsewhere);
     tcase_add_test(tests, for_a_path);
+    tcase_add_test(tests, a_path_on_a_wall);
     suite_add_tcase(suite, tests);
     SRunner *runner = srunner_create(suite);
     srunner_run_all(runner, CK_ENV);
