@@ -335,7 +335,8 @@ static struct verify_program read_program(const struct settings *s, const struct
                                    .unmet_first = head->unmet_first,
                                    .contact_feed = head->contact_feed,
                                    .post = head->post,
-                                   .axis = head->axis};
+                                   .axis = head->axis,
+                                   .rapid = s->accept || head->of_whole ? 0 : head->rapid};
 }
 
 /* With so many points it may be a file of the scan that the head names, or all of them. */

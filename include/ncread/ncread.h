@@ -58,6 +58,8 @@ struct ncread_head {
     bool contact_feed;              /* feeds are those of the contact point */
     bool centre;                    /* places are the ball's centre, not the tip */
     bool numbered;                  /* by ncpost: in even steps */
+    bool of_whole;                  /* the program is a part, and this of all of it: ... */
+    double rapid;                   /* way of rapid moves, mm; 0: not said */
     char machine[NCREAD_HEAD_TEXT]; /* its name, as far as it is there; "": not said */
     char control_file[NCREAD_HEAD_NAME]; /* as -c has it, in any case; "": not said */
     char machine_file[NCREAD_HEAD_NAME]; /* the same of -m */

@@ -80,6 +80,7 @@ struct verify_program {
     bool contact_feed;    /* feeds are those of the contact point */
     bool guarded;         /* by this scan: it ends above all of it */
     double post, axis;    /* off the path by, mm and degrees; below zero: not said */
+    double rapid;         /* way of its rapid moves, mm; 0: not said */
     const char *made_for; /* the machine; "": not said */
     size_t unmet;         /* what its makers could not keep, and the first of it */
     const char *unmet_first;

@@ -111,6 +111,13 @@ static void read_place(struct ncread_head *head, int row, const char *s)
     head->place_rows |= 1 << row;
 }
 
+/* The way at rapid, which stands behind that at feed. */
+static void read_way(struct ncread_head *head, const char *s)
+{
+    number_at(&s);
+    head->rapid = has_word(&s, " mm, rapid ") ? number_at(&s) : 0;
+}
+
 static void read_noise(struct ncread_head *head, const char *s)
 {
     double noise;
@@ -221,6 +228,10 @@ void ncread_head_line(struct ncread_head *head, const char *line)
         s += strcspn(s, ",");
         if (*s)
             read_name(head->machine, sizeof head->machine, s + 1);
+    } else if (head->numbered && has_word(&s, "Cut ")) {
+        read_way(head, s);
+    } else if (head->numbered && (has_word(&s, "Part ") || has_word(&s, "From pass "))) {
+        head->of_whole = true;
     } else if (has_word(&s, "Tolerance ncpost")) {
         head->post = number_at(&s);
     } else if (has_word(&s, "Tolerance cloud2mesh")) {

@@ -38,6 +38,7 @@ struct nc_program {
     bool same_tool;     /* it goes back to work after a change of planes alone */
     int turned;         /* rotary axes of the machine that the control turns for them */
     size_t part, parts; /* 1 of 3; 0: the whole */
+    const int *from;    /* the pass that it begins with; NULL: the first */
     size_t met;         /* the move whose block is w.wanted */
     struct nc_tooling tooling;
     struct {

@@ -304,6 +304,8 @@ void nc_head(struct nc_program *p)
         nc_comment(&p->w, "%.70s", partno);
     nc_comment(&p->w, "cloudmill ncpost for %s, %.50s", p->machine->text.title, p->machine->name);
     machine_keys(p);
+    if (p->from)
+        nc_comment(&p->w, "From pass %d on; figures below are those of the whole", *p->from);
     if (p->parts)
         nc_comment(&p->w, "Part %zu of %zu; figures below are those of the whole", p->part,
                    p->parts);

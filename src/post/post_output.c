@@ -493,6 +493,7 @@ int nc_output(struct nc_program *p, struct post_extract extract, const char *fil
                              p->path->name);
         result = make_part(&later, p, first, whole->move.n, error);
         p->plan = &later;
+        p->from = &extract.from;
     }
     if (result == 0 && extract.explain >= 0)
         result = explain(p, extract.explain, file, error);
@@ -503,6 +504,7 @@ int nc_output(struct nc_program *p, struct post_extract extract, const char *fil
     else if (result == 0)
         write_program(p, file);
     p->plan = whole;
+    p->from = NULL;
     free_part(&later);
     return result;
 }

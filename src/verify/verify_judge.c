@@ -29,6 +29,7 @@ enum { TURN_STEPS = 4, CURVE_PARTS = 4 };
 #define ROLLS 1.5       /* times as fast as the ball rolls over an edge */
 #define THICKER 0.01    /* of the ball's radius: so much thicker than it, a tool is a holder */
 #define RIM 0.25        /* times the root of the points of a region: one in 16 at its border */
+#define WAY 0.1         /* mm that a way is shorter than the head says: it has one decimal there */
 #define BORDER 1.5      /* times what may be left: so much at few points of a region that is cut */
 
 static void add_finding(struct verdict *v, bool fault, size_t piece, const char *format, ...)
@@ -517,6 +518,19 @@ static void judge_end(struct verdict *v)
                     "the program ends %.3f mm below the part's top: a retract is missing", below);
 }
 
+/* As long a way at rapid as its maker counted, or a retract or an approach was taken out.  More may
+ * be: some moves of the axes alone are not counted. */
+static void judge_way(struct verdict *v)
+{
+    double said = v->program.rapid, way = v->axes.rapid_length;
+    if (said - way > WAY)
+        add_remark(
+            v, true,
+            "its rapid moves are %.1f mm long, and %.1f by its head: a retract or an approach "
+            "is missing",
+            way, said);
+}
+
 /* A rapid move that stays beside the part from end to end, across the tool. */
 static bool goes_beside(const struct verdict *v, const struct kdtree *part, size_t piece)
 {
@@ -574,6 +588,7 @@ void verify_judge(struct verdict *v)
     judge_remarks(v);
     if (v->program.path)
         judge_path(v);
+    judge_way(v);
     if (v->map.points > 0) {
         judge_touches(v);
         judge_dark(v);

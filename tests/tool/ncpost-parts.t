@@ -195,4 +195,40 @@ ok "and none is written" test ! -e pipe-1
 run ncpost -c fanuc --split 400 -o part.nc tools.cl
 has "parts of an earlier run are named" "part-[0-9].nc was there before and is no part of this" err
 
+# A rapid move over two hills that is deleted, and the blocks numbered anew: the way at rapid is
+# shorter than the head says, which of parts is that of the whole.
+awk 'BEGIN { for (y = -8; y <= 8.001; y += 0.5) for (x = -20; x <= 20.001; x += 0.5) {
+	d = x < 0 ? x + 10 : x - 10
+	printf "%.5f %.5f %.5f\n", x, y, 20 - (d * d * d * d / 100 + y * y) / 12 } }' >hills.xyz
+cloud2mesh -q -t 2 -o hills.ply hills.xyz
+meshnorm -q -r 3 --scallop 0.2 --avoid -o hills.cl hills.ply
+for control in fanuc siemens heidenhain linuxcnc; do
+	machine=table-ac
+	[ $control = linuxcnc ] && machine=linuxcnc-xyzac
+	ncpost -q -c $control -m $machine -o hills.nc hills.cl
+	status 0 "$control: a program over two hills" ncverify -q -g hills.xyz hills.nc
+	for k in 1 2 3; do # before the K-th cut from a rapid move
+		awk -v k=$k -v h="$([ $control = heidenhain ] && echo 1)" '
+			{ line[NR] = $0; rapid = / G0 |FMAX/ ? 1 : / G[123] | F[0-9]/ ? 0 : rapid }
+			/ [XYZ][-+0-9.]/ && rapid { last = NR; lead = 1 }
+			/ [XYZ][-+0-9.]/ && !rapid { if (lead && ++n == k) drop = last; lead = 0 }
+			END { n = h ? 0 : 10; for (i = 1; i <= NR; i++) { $0 = line[i]
+				if (i == drop) continue
+				if (h ? /^[0-9]+ / : /^N[0-9]+/) {
+					sub(h ? "^[0-9]+" : "^N[0-9]+", (h ? "" : "N") n); n += h ? 1 : 10 }
+				print } }' hills.nc >bad.nc
+		status 3 "$control: without the last of approach $k" ncverify -q -g hills.xyz -o verdict bad.nc
+		has "... as its head says" '^fault .*its rapid moves are [0-9.]+ mm long, and [0-9.]+ by' verdict
+	done
+	ncverify -q --accept -g hills.xyz -o verdict bad.nc
+	hasnt "$control: unless its head is left aside" 'rapid moves are' verdict
+	ncpost -q -c $control -m $machine --from 15 -o from.nc hills.cl
+	has "$control: from a pass on, which is said" '(From pass 15 on|FROM PASS 15 ON)' from.nc
+	ncverify -q -g hills.xyz -o verdict from.nc
+	hasnt "... is not as long" 'rapid moves are' verdict
+	ncpost -q -c $control -m $machine --split 2000 -o half.nc hills.cl
+	ncverify -q -g hills.xyz -o verdict half-1.nc
+	hasnt "$control: nor is a part" 'rapid moves are' verdict
+done
+
 done_testing

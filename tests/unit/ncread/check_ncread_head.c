@@ -121,6 +121,24 @@ START_TEST(words)
 }
 END_TEST
 
+/* Of a program of ncpost alone, and whether it is that of all of it. */
+START_TEST(the_way)
+{
+    line("; Cut 879.3 mm, rapid 206.7 mm, 1.2 min");
+    line("; Part 1 of 3; figures below are those of the whole");
+    ck_assert(head.rapid == 0 && !head.of_whole);
+    line("(CLOUDMILL NCPOST FOR FANUC, TABLE-TABLE A/C)");
+    line("(CUT 879.3 MM, RAPID 206.7 MM, 1.2 MIN)");
+    ck_assert_double_eq(head.rapid, 206.7);
+    ck_assert(!head.of_whole);
+    line(_i == 0 ? "(PART 1 OF 3; FIGURES BELOW ARE THOSE OF THE WHOLE)"
+                 : "5 ; From pass 3 on; figures below are those of the whole");
+    ck_assert(head.of_whole);
+    line("; Cut 879.3 mm, turn 206.7 mm");
+    ck_assert_double_eq(head.rapid, 0);
+}
+END_TEST
+
 /* In more than one line, too; what is no region, or too long for one, is none. */
 START_TEST(the_region)
 {
@@ -230,6 +248,7 @@ int main(void)
     tcase_add_loop_test(tests, tool, 0, (int)(sizeof tools / sizeof *tools));
     tcase_add_test(tests, long_tool);
     tcase_add_test(tests, words);
+    tcase_add_loop_test(tests, the_way, 0, 2);
     tcase_add_test(tests, the_region);
     tcase_add_test(tests, what_is_not_said);
     tcase_add_test(tests, place);

@@ -332,6 +332,33 @@ static void unmet_more(struct verdict *v)
     v->program.unmet = 2;
 }
 
+/* A way at rapid of so much by the head, of which `found` is in the program. */
+static void way(struct verdict *v, double said, double found)
+{
+    v->program.rapid = said;
+    v->axes.rapid_length = found;
+}
+
+static void rapid_missing(struct verdict *v)
+{
+    way(v, 206.7, 200.7);
+}
+
+static void rapid_as_said(struct verdict *v)
+{
+    way(v, 206.7, 206.61);
+}
+
+static void rapid_more(struct verdict *v)
+{
+    way(v, 206.7, 220);
+}
+
+static void rapid_not_said(struct verdict *v)
+{
+    way(v, 0, 200.7);
+}
+
 static void nothing_cut(struct verdict *v)
 {
     v->cut.n = 0;
@@ -404,6 +431,12 @@ static const struct {
     {from_the_dark_above, false, NULL},
     {ends_below, true,
      "N30 (line 3): the program ends 10.000 mm below the part's top: a retract is missing"},
+    {rapid_missing, true,
+     "its rapid moves are 200.7 mm long, and 206.7 by its head: a retract or an approach is "
+     "missing"},
+    {rapid_as_said, false, NULL},
+    {rapid_more, false, NULL},
+    {rapid_not_said, false, NULL},
     {ends_below_elsewhere, false, NULL},
     {ends_above, false, NULL},
     {outliers_gouged, false,
