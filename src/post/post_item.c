@@ -90,13 +90,21 @@ static int plan_cut(struct nc_planner *planner, const struct path_item *item)
     return result;
 }
 
+/* The tool has been led out of the part, though not at rapid: it stands over the clearance plane
+ * that the path names. */
+static bool is_out(const struct nc_planner *planner)
+{
+    return !planner->state.touches &&
+           planner->state.pose.p.z >= planner->path->head.clearance - 1e-6; /* NAN: none is named */
+}
+
 int post_item_retract(struct nc_planner *planner)
 {
     size_t last = planner->plan->move.n;
     while (last && !nc_moves(&planner->plan->move.item[last - 1]))
         last--;
     if (!last || planner->plan->move.item[last - 1].kind == NC_RAPID ||
-        planner->plan->move.item[last - 1].kind == NC_HOLE)
+        planner->plan->move.item[last - 1].kind == NC_HOLE || is_out(planner))
         return 0;
     planner->plan->total.retract_made = true;
     planner->state.why = NC_WHY_RETRACT;

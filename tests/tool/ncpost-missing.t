@@ -91,7 +91,8 @@ hasnt "marks none" '^/' out
 # ---- several tools: the next one selected, an optional stop, work offsets by operation
 path LOADTL/1 SPINDL/900 | sed 's/^FINI//' >two.cl
 path LOADTL/2 SPINDL/800 | sed 1d >>two.cl
-status 0 "two tools" ncpost -c fanuc --set tool.next=yes --set tool.stop=yes --set offset.2=G55 two.cl
+status 0 "two tools" ncpost -c fanuc --set tool.next=yes --set tool.stop=yes \
+	--set offset.2=G55 two.cl
 has "the next tool is selected" '^N[0-9]+ T2$' out
 has "an optional stop" '^N[0-9]+ M1$' out
 has "the second tool's offset" '^N[0-9]+ G55$' out
@@ -100,5 +101,19 @@ status 0 "G54.1 P from the first" ncpost -c fanuc --set 'offset.1=G54.1 P3' two.
 has "is said in the head" 'G94 G54\.1 P3$' out
 status 0 "Siemens" ncpost -c siemens --set offset.2=G505 two.cl
 has "G505" '^N[0-9]+ G505$' out
+
+# ---- a path that is led out at feed, over its clearance plane, is out: along an axis that leads
+# down the tool would come back beside the part; a cut as high is none of that
+printf '%s\n' UNITS/MM MULTAX/ON CUTTER/10,5 LOADTL/1 SPINDL/900 '$$-> CLEAR/40' RAPID \
+	'GOTO/100,0,0,0.94,0,-0.3412' FEDRAT/MMPM,500 'GOTO/50,0,0,0.94,0,-0.3412' \
+	'GOTO/-80,20,0,0.94,0,-0.3412' 'GOTO/-80,20,40,0.94,0,-0.3412' FINI >led.cl
+status 0 "led out at feed" ncpost -c fanuc -m table-ac -o led.nc led.cl
+hasnt "no retract is added" 'added a retract' err
+awk '{ for (i = 1; i <= NF; i++) if ($i ~ /^Z/ && !/G28/) z = substr($i, 2) }
+	END { exit z + 0 != 40 }' led.nc
+result $? "the last height is that of the path"
+sed 's|^GOTO/-80,20,40|$$-> CONTCT/-85,20,40,1,0,0\n&|' led.cl >cut.cl
+status 0 "a cut as high" ncpost -c fanuc -m table-ac -o led.nc cut.cl
+has "is left by a retract" 'added a retract' err
 
 done_testing

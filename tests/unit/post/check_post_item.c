@@ -20,6 +20,7 @@ static struct pose begin(struct bench *b, int kind)
     struct vec3 tip = vec(30 * chance(), 30 * chance(), 5);
     bench_begin(b, kind, INTERPOLATE_ROTARY, tip, q);
     b->planner.state.begun = false;
+    b->path.head.clearance = NAN;
     return b->planner.state.pose;
 }
 
