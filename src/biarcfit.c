@@ -67,8 +67,11 @@ static void fit_and_check(void *context, const struct run *run, struct gouges *g
 static bool fit_link(const struct fit_request *request, const struct arcrun_options *options,
                      const struct run *points, struct fitted_run *run)
 {
-    const struct arcrun_link link = {
-        run->leave, run->arrive, {run->out[0], run->out[1]}, request->gouge};
+    const struct arcrun_link link = {run->leave,
+                                     run->arrive,
+                                     {run->out[0], run->out[1]},
+                                     request->in->head.scallop + options->tolerance,
+                                     request->gouge};
 
     run->swept = request->gouge->guard && !options->paper &&
                  arcrun_fit_link(points, &link, options, &run->fitted, run->result);

@@ -67,13 +67,15 @@ void arcrun_fit(const struct run *run, const struct arcrun_options *options,
 struct arcrun_link {
     struct vec3 leave, arrive; /* directions of the cuts before and after it; zero: not known */
     struct vec3 out[2];        /* of the part, where it begins and ends; zero: not known */
+    double left;               /* mm: what may be left on the part */
     const struct gouge_refit_options *gouge;
 };
 
 /*
  * Appends the run, a link that touches nothing, as few pieces that are clear of the guard with the
  * whole tool as they are printed, and need not follow it closer than that (arcfit/arc_link.h).
- * False: there are none, and `out` and the report are as they were.
+ * False: there are none, or the ball comes so near to the part amid the link that it takes off what
+ * must not be left, and has to follow it as in a cut; `out` and the report are as they were.
  */
 bool arcrun_fit_link(const struct run *run, const struct arcrun_link *link,
                      const struct arcrun_options *options, struct path *out,

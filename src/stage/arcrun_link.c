@@ -9,6 +9,8 @@
  * clear of a shell no clear one is on the other side of it. */
 static const double OFF = 0.4;
 
+static const double BESIDE = 0.25; /* of the radius: so near to its ends it touches what they cut */
+
 /* What is looked at with each try. */
 struct link_check {
     struct gouge_refit_options gouge;
@@ -40,12 +42,28 @@ static bool is_clear(void *context, const struct pieces *pieces)
     return clear;
 }
 
+/* Amid the link the ball leaves no more than may be left. */
+static bool cuts(const struct run *run, const struct arcrun_link *link)
+{
+    const struct run_point *p = run->item, *last = p + run->n - 1;
+    double touch = run->radius + link->left, beside = BESIDE * run->radius;
+
+    for (size_t i = 1; i + 1 < run->n; i++)
+        if (vec_distance(p[i].ball, p->ball) > beside &&
+            vec_distance(p[i].ball, last->ball) > beside &&
+            gouge_distance(link->gouge->guard, p[i].ball, touch) < touch)
+            return true;
+    return false;
+}
+
 bool arcrun_fit_link(const struct run *run, const struct arcrun_link *link,
                      const struct arcrun_options *options, struct path *out,
                      struct arcrun_report *report)
 {
     struct run dense = {.radius = run->radius};
 
+    if (cuts(run, link))
+        return false;
     run_densify(run, ARC_DENSE * options->tolerance, &dense);
     struct reference reference = reference_of(&dense, 0, dense.n, options->centre, false);
     struct link_check check = {.gouge = *link->gouge};
