@@ -156,7 +156,7 @@ static enum control_id choose_control(const struct settings *s, const struct mac
         die_usage("found no control, expected -c %s or another (machine %s names none)",
                   control_names(), machine->name);
     struct error error;
-    if (post_check(control, &s->post, &error) != 0)
+    if (post_check(control, machine, &s->post, &error) != 0)
         die_given(&error);
     return control;
 }

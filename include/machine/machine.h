@@ -90,6 +90,7 @@ struct machine {
     bool arcs_tcp;            /* arcs also while tool-centre-point control is on */
     bool arcs_space;          /* Fanuc: G02.4 for arcs in no principal plane */
     bool arcs, splines;       /* the control has them: 3-D and planar arcs, NURBS or polynomials */
+    bool vectors;             /* it has words for the tool axis as a vector, if its base has */
     double min[MACHINE_AXES]; /* travel, mm and degrees */
     double max[MACHINE_AXES];
     double rapid[MACHINE_AXES];        /* mm/min and degrees/min; X Y Z have one */

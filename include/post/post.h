@@ -104,8 +104,9 @@ struct post;
 /* 20000 blocks, 500k or 2M bytes. */
 int post_limit_read(const char *text, struct post_extract *extract, struct error *error);
 
-/* -1: the options ask for what the control does not know. */
-int post_check(enum control_id control, const struct post_options *options, struct error *error);
+/* -1: the options ask for what the control, or the one that is built on it, does not know. */
+int post_check(enum control_id control, const struct machine *machine,
+               const struct post_options *options, struct error *error);
 
 /*
  * Plans the program.  Path and machine are brought into the program's frame; they and the options'

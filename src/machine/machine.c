@@ -48,6 +48,7 @@ struct machine machine_default(void)
         .arcs = true,
         .arcs_tcp = true,
         .splines = true,
+        .vectors = true,
         .cycles = true,
         .min = {-2000, -2000, -2000, -120, -120, -99999},
         .max = {2000, 2000, 2000, 120, 120, 99999},
@@ -146,6 +147,7 @@ static struct keys machine_keys(struct machine *m)
     keys_add(&keys, "arcs.tcp", KEY_YES, &m->arcs_tcp);
     keys_add(&keys, "arcs.space", KEY_YES, &m->arcs_space);
     keys_add(&keys, "splines", KEY_YES, &m->splines);
+    keys_add(&keys, "vectors", KEY_YES, &m->vectors);
     keys_add(&keys, "cycles", KEY_YES, &m->cycles);
     keys_add(&keys, "cutcom", KEY_YES, &m->cutcom);
     add_bounded(&keys, "rapid", KEY_NUMBER, &m->rapid[MACHINE_X], 1, 1e7);

@@ -35,7 +35,8 @@ int post_limit_read(const char *text, struct post_extract *extract, struct error
     return 0;
 }
 
-int post_check(enum control_id control, const struct post_options *options, struct error *error)
+int post_check(enum control_id control, const struct machine *machine,
+               const struct post_options *options, struct error *error)
 {
     const struct dialect *dialect = dialect_of(control);
     const char *name = control_row(control)->name;
@@ -43,6 +44,9 @@ int post_check(enum control_id control, const struct post_options *options, stru
         return -1;
     if (options->axis == POST_AXIS_VECTORS && dialect->vectors_never)
         return error_set(error, "found --vectors, which %s does not know", name);
+    if (options->axis == POST_AXIS_VECTORS && !machine->vectors)
+        return error_set(error, "found --vectors, which %s does not know (vectors = no)",
+                         machine->text.title);
     if (options->plane && !dialect->plane)
         return error_set(error, "found --plane, which %s does not know", name);
     return 0;

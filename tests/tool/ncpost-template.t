@@ -160,6 +160,10 @@ hasnt "grbl: no line of more than 80 characters" '.{81}' part.nc
 ncpost -q -c hurco -o part.nc five.cl
 hasnt "hurco: no tool-centre-point control on five axes" 'G43\.[45]' part.nc
 status 2 "haas: tilts no plane" ncpost -q -c haas --plane three.cl
+for maker in haas fagor hurco okuma; do
+	status 2 "$maker: no axis as a vector" ncpost -q -c $maker --vectors five.cl
+done
+status 0 "mazak: an axis as a vector" ncpost -q -c mazak --vectors -o o.nc five.cl
 makers=$(find "$SRC/controls" -name '*.txt' | wc -l)
 ok "eight makers and the four built-in controls" test "$makers" -ge 12
 for file in "$SRC"/controls/*.txt; do

@@ -40,16 +40,22 @@ END_TEST
 START_TEST(what_a_control_knows)
 {
     struct post_options options = {.axis = POST_AXIS_VECTORS};
-    ck_assert_int_eq(post_check(CONTROL_siemens, &options, &error), 0);
-    ck_assert_int_eq(post_check(CONTROL_linuxcnc, &options, &error), -1);
+    struct machine own = {.vectors = true, .text.title = "Own"};
+    ck_assert_int_eq(post_check(CONTROL_siemens, &own, &options, &error), 0);
+    ck_assert_int_eq(post_check(CONTROL_linuxcnc, &own, &options, &error), -1);
     ck_assert_ptr_nonnull(strstr(error.text, "--vectors"));
+    own.vectors = false;
+    ck_assert_int_eq(post_check(CONTROL_fanuc, &own, &options, &error), -1);
+    ck_assert_ptr_nonnull(strstr(error.text, "Own"));
+    options.axis = POST_AXIS_ROTARY;
+    ck_assert_int_eq(post_check(CONTROL_fanuc, &own, &options, &error), 0);
     options = (struct post_options){.plane = true};
-    ck_assert_int_eq(post_check(CONTROL_heidenhain, &options, &error), 0);
-    ck_assert_int_eq(post_check(CONTROL_linuxcnc, &options, &error), -1);
+    ck_assert_int_eq(post_check(CONTROL_heidenhain, &own, &options, &error), 0);
+    ck_assert_int_eq(post_check(CONTROL_linuxcnc, &own, &options, &error), -1);
     options = (struct post_options){.name = "1234"};
-    ck_assert_int_eq(post_check(CONTROL_fanuc, &options, &error), 0);
+    ck_assert_int_eq(post_check(CONTROL_fanuc, &own, &options, &error), 0);
     options.name = "a name/with it";
-    ck_assert_int_eq(post_check(CONTROL_fanuc, &options, &error), -1);
+    ck_assert_int_eq(post_check(CONTROL_fanuc, &own, &options, &error), -1);
 }
 END_TEST
 

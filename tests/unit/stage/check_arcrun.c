@@ -214,6 +214,49 @@ START_TEST(a_lift_refits_what_it_moved)
 }
 END_TEST
 
+/* Over a flat part: a ball that leads from one cut to the next, `high` above it in the middle. */
+static struct run over_flat(double high)
+{
+    struct run run = {.radius = 2};
+    for (int i = 0; i <= 24; i++) {
+        double s = i / 24.0, up = high * (1 - pow(2 * s - 1, 8));
+        struct run_point p = {.given = true, .axis = vec(0, 0, 1)};
+        p.ball = vec(8 * s, 0, 2 + up);
+        p.tip = vec_along(p.ball, -2, p.axis);
+        *array_push(&run) = p;
+    }
+    return run;
+}
+
+/* What is so near to the part amid a link that it takes off more than may be left is a cut, and no
+ * link; what touches it only beside its ends is one. */
+START_TEST(a_link_that_cuts_is_none)
+{
+    const double high[] = {0, 0.02, 0.1, 1}, left = 0.03;
+    struct vec3s points = {0};
+    for (int i = -40; i <= 120; i++)
+        for (int k = -40; k <= 40; k++)
+            *array_push(&points) = vec(0.1 * i, 0.1 * k, 0);
+    struct gouge_check *guard = gouge_new(points, 1);
+    const struct gouge_refit_options gouge = {.guard = guard, .radius = 2, .tolerance = 0.01};
+    const struct arcrun_options options = {.tolerance = 0.01, .axis = 0.02, .guarded = true};
+    const struct arcrun_link link = {.left = left, .gouge = &gouge};
+
+    for (size_t k = 0; k < sizeof high / sizeof *high; k++) {
+        struct run run = over_flat(high[k]);
+        struct arcrun_report report = {0};
+        struct path out = {0};
+        bool fitted = arcrun_fit_link(&run, &link, &options, &out, &report);
+        ck_assert_msg(fitted == (high[k] > left), "%g mm over the part", high[k]);
+        ck_assert_uint_eq(out.item.n > 0, fitted);
+        ck_assert_uint_lt(out.item.n, run.n);
+        path_free(&out);
+        array_free(&run);
+    }
+    gouge_free(guard);
+}
+END_TEST
+
 int main(void)
 {
     TCase *t = tcase_create("arcrun");
@@ -223,6 +266,7 @@ int main(void)
     tcase_add_loop_test(t, a_corner_beside_an_end_is_kept, 0, 2);
     tcase_add_test(t, chords_keep_the_tolerance);
     tcase_add_test(t, a_lift_refits_what_it_moved);
+    tcase_add_test(t, a_link_that_cuts_is_none);
     Suite *s = suite_create("arcrun");
     suite_add_tcase(s, t);
     SRunner *r = srunner_create(s);
