@@ -79,6 +79,7 @@ feed.max = 300
 arcs = no
 arcs.space = yes
 splines = no
+vectors = no
 x.min = -300
 x.max = 300
 y.min = -300
