@@ -5,7 +5,7 @@
  * Scallop and the tolerances of all stages may be left, so that what is left depends on the stages
  * to come: by a larger limit fewer points are asked for, and more of them are within reach.  A path
  * is judged as it is, where it becomes a program at once, and as STAGES with as much tolerance each
- * may leave it.  Lengths in mm.
+ * may leave it; as it is, by twice the share, for most paths get a fitter.  Lengths in mm.
  */
 #ifndef CLOUDMILL_PATH_JUDGED_H
 #define CLOUDMILL_PATH_JUDGED_H
@@ -19,7 +19,7 @@ struct path_judged {
     size_t left;                 /* points that are, though within reach */
     size_t n;                    /* of those out of reach or kept off who judges takes for it ... */
     struct coverage_point worst; /* ... what is on one of them */
-    bool much;                   /* both together: more than path_options.left_share */
+    bool much; /* both together: more than path_options.left_share, or twice that */
 };
 
 /* By the limit that takes more for left.  `place`: all that is in the way, the points that are to
