@@ -40,4 +40,12 @@ size_t retrace_remove(struct lifted_strip *strip, const struct retrace_options *
  */
 size_t retrace_hooks(struct lifted_strip *strip, const struct retrace_options *options);
 
+/*
+ * Takes out the points at which nothing is touched and that are thrown up between two others: by
+ * more than the offset from both, and back at a sharp angle, as where one contact under an overhang
+ * is lifted over all of it.  Where the ball does not go straight past such a point no deeper than
+ * the tolerance, a part ends before it.  Returns how many.
+ */
+size_t retrace_spikes(struct lifted_strip *strip, const struct retrace_options *options);
+
 #endif

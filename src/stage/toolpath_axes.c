@@ -213,7 +213,7 @@ struct axis_planner *toolpath_new_planner(const struct toolpath *t)
     return axis_planner_new(&options);
 }
 
-/* Cuts off the loops of a strip where the ball does not fit. */
+/* Cuts off the loops of a strip where the ball does not fit, and single places thrown up. */
 static void remove_loops(const struct toolpath *t, struct toolpath_strip *strip)
 {
     const double gap = 0.1, longest = 10; /* radii */
@@ -227,6 +227,7 @@ static void remove_loops(const struct toolpath *t, struct toolpath_strip *strip)
     if (lift->between && lift->guard) {
         retrace_remove(&strip->lifted, &options);
         retrace_hooks(&strip->lifted, &options);
+        retrace_spikes(&strip->lifted, &options);
     }
 }
 

@@ -1,6 +1,8 @@
 /* retrace - see retrace.h. */
 #include "toolpath/retrace.h"
 
+#include <stdlib.h>
+
 #include "math/elementary.h"
 
 static const double BACK = 2; /* times as long as straight: a way that goes back on itself */
@@ -77,6 +79,42 @@ size_t retrace_hooks(struct lifted_strip *strip, const struct retrace_options *o
         from = end;
         strip->end.item[k] = kept;
     }
+    run->n = kept;
+    return n - kept;
+}
+
+/* The point `at`, at which nothing is touched, is thrown up between two others. */
+static bool is_spike(const struct run_point *before, const struct run_point *at,
+                     const struct run_point *after, const struct retrace_options *o)
+{
+    struct vec3 up = vec_sub(at->ball, before->ball), down = vec_sub(at->ball, after->ball);
+
+    return !run_point_touches(at) && vec_dot(up, down) > 0 &&
+           fmin(vec_length(up), vec_length(down)) > o->offset;
+}
+
+size_t retrace_spikes(struct lifted_strip *strip, const struct retrace_options *options)
+{
+    struct run *run = &strip->run;
+    struct sizes ends = {0};
+    size_t kept = 0, from = 0, n = run->n;
+
+    for (size_t k = 0; k < strip->end.n; k++) {
+        size_t end = strip->end.item[k], begin = kept;
+        for (size_t i = from; i < end; i++) {
+            const struct run_point *p = &run->item[i];
+            const struct run_point *before = &run->item[kept > begin ? kept - 1 : kept];
+            if (kept == begin || i + 1 == end || !is_spike(before, p, p + 1, options))
+                run->item[kept++] = *p;
+            else if (!gouge_clear_along(options->guard, before->ball, p[1].ball, options->offset,
+                                        options->tolerance))
+                *array_push(&ends) = begin = kept;
+        }
+        from = end;
+        *array_push(&ends) = kept;
+    }
+    array_free(&strip->end);
+    strip->end = ends;
     run->n = kept;
     return n - kept;
 }

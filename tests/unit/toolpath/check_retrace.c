@@ -193,6 +193,51 @@ static size_t hooks_of(struct lifted_strip strip, const struct gouge_check *guar
     return gone;
 }
 
+/* Points each 0.5 mm along x that touch nothing, the fourth and the sixth thrown up so far. */
+static struct lifted_strip with_spikes(double up)
+{
+    struct lifted_strip strip = {.run = {.radius = R}};
+
+    for (int i = 0; i <= 8; i++) {
+        *array_push(&strip.run) = lifted_point(0.5 * i, 0, i == 4 || i == 6 ? up : 0.1);
+        strip.run.item[i].normal = vec(0, 0, 0);
+    }
+    *array_push(&strip.end) = strip.run.n;
+    return strip;
+}
+
+/* One contact under an overhang is lifted over all of it: the way goes past it, or ends there. */
+START_TEST(spikes_go)
+{
+    struct vec3 below = vec(0, 0, -1), beside = vec(2, 0, 0.3 + R);
+    struct gouge_check *clear = gouge_from_points(&below, 1);
+    struct gouge_check *blocked = gouge_from_points(&beside, 1);
+    struct retrace_options past = options_of(clear), ends = options_of(blocked);
+    struct lifted_strip strip = with_spikes(2 * R), low = with_spikes(0.9 * R);
+
+    ck_assert_uint_eq(retrace_spikes(&strip, &past), 2);
+    ck_assert_uint_eq(strip.run.n, 7);
+    ck_assert_uint_eq(strip.end.n, 1);
+    ck_assert_uint_eq(strip.end.item[0], 7);
+    lifted_strip_free(&strip);
+    strip = with_spikes(2 * R);
+    ck_assert_uint_eq(retrace_spikes(&strip, &ends), 2);
+    ck_assert_uint_eq(strip.run.n, 7);
+    ck_assert_uint_eq(strip.end.item[0], 4);
+    ck_assert_uint_eq(strip.end.item[strip.end.n - 1], 7);
+    for (size_t i = 0; i < strip.run.n; i++)
+        ck_assert_double_lt(strip.run.item[i].ball.z, R + 1);
+    ck_assert_uint_eq(retrace_spikes(&low, &past), 0);
+    low.run.item[4].normal = vec(0, 0, 1); /* it cuts there */
+    low.run.item[4].ball.z += 2 * R;
+    ck_assert_uint_eq(retrace_spikes(&low, &past), 0);
+    lifted_strip_free(&strip);
+    lifted_strip_free(&low);
+    gouge_free(clear);
+    gouge_free(blocked);
+}
+END_TEST
+
 START_TEST(hooks_go)
 {
     struct vec3 below = vec(0, 0, -1), beside = vec(1.7, 0.2, 1 + R);
@@ -220,6 +265,7 @@ int main(void)
     tcase_add_test(tests, only_loops_that_touch_elsewhere_go);
     tcase_add_test(tests, parts_stay_apart);
     tcase_add_test(tests, hooks_go);
+    tcase_add_test(tests, spikes_go);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);
     int failed = srunner_ntests_failed(runner);
