@@ -2,15 +2,15 @@
 #include "verify_judge.h"
 
 #include <ctype.h>
-#include <stdarg.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 
 #include "math/elementary.h"
 #include "base/array.h"
-#include "math/kdtree.h"
 #include "ncread/ncread.h"
+#include "verify_finding.h"
+#include "verify_rapid.h"
 
 /* Steps of a piece, for its tool axis; parts of a curve that count as blocks. */
 enum { TURN_STEPS = 4, CURVE_PARTS = 4 };
@@ -24,43 +24,10 @@ enum { TURN_STEPS = 4, CURVE_PARTS = 4 };
 #define PATH_CONTACT 10 /* times slower or faster than the contact point the tip may go */
 #define JUMP 5.0        /* degrees: less is no jump of the tool axis */
 #define STILL 0.5       /* degrees of rotary axes, or mm of a second point, that need no look */
-#define BESIDE 0.2      /* of the ball's radius: no rapid move stays so near to the part ... */
-#define ALONG 0.7       /* ... that leads up or down the tool by less of its length */
 #define ROLLS 1.5       /* times as fast as the ball rolls over an edge */
 #define THICKER 0.01    /* of the ball's radius: so much thicker than it, a tool is a holder */
 #define RIM 0.25        /* times the root of the points of a region: one in 16 at its border */
-#define WAY 0.1         /* mm that a way is shorter than the head says: it has one decimal there */
 #define BORDER 1.5      /* times what may be left: so much at few points of a region that is cut */
-
-static void add_finding(struct verdict *v, bool fault, size_t piece, const char *format, ...)
-    __attribute__((format(printf, 4, 5)));
-
-static void add_finding(struct verdict *v, bool fault, size_t piece, const char *format, ...)
-{
-    struct finding *finding = array_push(&v->finding);
-    char place[60], what[FINDING_TEXT - 64];
-    va_list arguments;
-    ncread_place(&v->program.motion->piece.item[piece], place, sizeof place);
-    va_start(arguments, format);
-    vsnprintf(what, sizeof what, format, arguments);
-    va_end(arguments);
-    finding->fault = fault;
-    snprintf(finding->text, sizeof finding->text, "%s: %s", place, what);
-}
-
-/* About the program as a whole. */
-static void add_remark(struct verdict *v, bool fault, const char *format, ...)
-    __attribute__((format(printf, 3, 4)));
-
-static void add_remark(struct verdict *v, bool fault, const char *format, ...)
-{
-    struct finding *finding = array_push(&v->finding);
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(finding->text, sizeof finding->text, format, arguments);
-    va_end(arguments);
-    finding->fault = fault;
-}
 
 static void sum_pieces(struct verdict *v)
 {
@@ -147,7 +114,7 @@ static void judge_left(struct verdict *v)
     bool far = !whole && r->over > border;
     double limit = whole ? v->limit : far && n <= most ? border : v->options.left;
     struct more_than text = more_than(whole ? left->worst : r->over, limit);
-    add_finding(v, far || n > most, piece_at(v, at),
+    finding_add(v, far || n > most, piece_at(v, at),
                 "%s mm of material is left at %.3f %.3f %.3f, at most %s (%zu points%s; %zu points "
                 "may be)",
                 text.more, p.x, p.y, p.z, text.limit, n, what, most);
@@ -159,14 +126,14 @@ static void judge_surface(struct verdict *v)
     struct vec3 p = v->program.part->item[r->gouge_at];
     if (r->gouge > v->options.tolerance + v->noise) {
         struct more_than text = more_than(r->gouge, v->options.tolerance);
-        add_finding(v, true, piece_at(v, r->gouge_at),
+        finding_add(v, true, piece_at(v, r->gouge_at),
                     "the ball is %s mm deep in the part at %.3f %.3f %.3f, tolerance %s", text.more,
                     p.x, p.y, p.z, text.limit);
     }
     judge_left(v);
     p = v->program.part->item[v->rapid.point];
     if (v->rapid.depth > 0)
-        add_finding(v, true, v->rapid.piece,
+        finding_add(v, true, v->rapid.piece,
                     "a rapid move goes %.3f mm deep through the part at %.3f %.3f %.3f",
                     v->rapid.depth, p.x, p.y, p.z);
 }
@@ -175,10 +142,11 @@ static void judge_outliers(struct verdict *v)
 {
     const struct verdict_outliers *o = &v->outliers;
     if (o->gouged > 0)
-        add_remark(v, false,
-                   "the ball is up to %.3f mm deep in %zu of %zu points taken for outliers, as at "
-                   "%.3f %.3f %.3f; they are not judged",
-                   o->depth, o->gouged, o->points, o->at.x, o->at.y, o->at.z);
+        finding_remark(
+            v, false,
+            "the ball is up to %.3f mm deep in %zu of %zu points taken for outliers, as at "
+            "%.3f %.3f %.3f; they are not judged",
+            o->depth, o->gouged, o->points, o->at.x, o->at.y, o->at.z);
 }
 
 /* The ball that the program's head says. */
@@ -186,8 +154,8 @@ static void judge_ball(struct verdict *v)
 {
     double said = v->program.ball;
     if (said > 0 && fabs(said - v->options.radius) > ROUNDED)
-        add_remark(v, true, "the program's head says a ball of radius %g, it is judged with %g",
-                   said, v->options.radius);
+        finding_remark(v, true, "the program's head says a ball of radius %g, it is judged with %g",
+                       said, v->options.radius);
 }
 
 /* Letters and digits alone, of any case, as far as the shorter one goes: controls print few others,
@@ -211,8 +179,8 @@ static void judge_machine(struct verdict *v)
 {
     const char *said = v->program.made_for;
     if (said && *said && !same_name(said, v->program.machine))
-        add_remark(v, false, "the program's head says the machine %s, it is judged on %s (-m)",
-                   said, v->program.machine);
+        finding_remark(v, false, "the program's head says the machine %s, it is judged on %s (-m)",
+                       said, v->program.machine);
 }
 
 /* Shaft (what is no thicker than the ball) or holder in the part, or in the stock. */
@@ -221,7 +189,7 @@ static void judge_holder(struct verdict *v, const struct holder_collision *found
     if (!(found->depth > 0))
         return;
     bool fast = v->program.motion->piece.item[found->piece].rapid;
-    add_finding(v, true, found->piece,
+    finding_add(v, true, found->piece,
                 "the %s goes %.3f mm deep into the %s at %.3f %.3f %.3f%s, %.1f mm up the tool "
                 "(blocks: %zu)",
                 found->width > v->options.radius * (1 + THICKER) ? "holder" : "shaft", found->depth,
@@ -235,7 +203,7 @@ static void judge_under(struct verdict *v)
     if (!(u->depth > 0))
         return;
     bool fast = v->program.motion->piece.item[u->piece].rapid;
-    add_finding(v, true, u->piece,
+    finding_add(v, true, u->piece,
                 "the %s goes %.3f mm deep under the scan at %.3f %.3f %.3f%s (blocks: %zu)",
                 u->height == 0                                 ? "ball"
                 : u->width > v->options.radius * (1 + THICKER) ? "holder"
@@ -247,7 +215,7 @@ static void judge_stock(struct verdict *v)
 {
     const struct stock_simulate *run = &v->stock;
     if (run->rapid > 0)
-        add_finding(v, true, run->rapid_piece,
+        finding_add(v, true, run->rapid_piece,
                     "a rapid move goes %.3f mm deep into the stock at %.3f %.3f %.3f (blocks: %zu)",
                     run->rapid, run->rapid_at.x, run->rapid_at.y, run->rapid_at.z, run->rapids);
 }
@@ -327,7 +295,7 @@ static void judge_jumps(struct verdict *v)
         last = piece;
     }
     if (jumps.count > 0)
-        add_finding(v, true, jumps.worst,
+        finding_add(v, true, jumps.worst,
                     "the tool axis swings out by %.3f degrees and back on the part (blocks: %zu)",
                     DEGREES(jumps.most), jumps.count);
 }
@@ -342,7 +310,7 @@ static void judge_excursions(struct verdict *v)
     struct excursion out = excursion_find(v->program.motion, &v->cut, v->program.part->item,
                                           v->program.part->n, &options);
     if (out.count > 0)
-        add_finding(
+        finding_add(
             v, true, out.piece,
             "the ball leaves the part amid a cut, %.3f mm off it at %.3f %.3f %.3f (times: %zu)",
             out.height, out.at.x, out.at.y, out.at.z, out.count);
@@ -353,14 +321,14 @@ static void judge_axes(struct verdict *v)
     static const char letter[] = "XYZABC";
     const struct axis_use *use = &v->axes;
     if (use->beyond)
-        add_finding(v, true, use->travel.piece,
+        finding_add(v, true, use->travel.piece,
                     "axis %c at %.3f is beyond its travel (blocks: %zu)", letter[use->travel.axis],
                     use->travel.value, use->beyond);
     if (use->unreachable)
-        add_finding(v, true, use->unreachable_at,
+        finding_add(v, true, use->unreachable_at,
                     "a tool axis that the machine's axes cannot reach");
     if (use->fast)
-        add_finding(
+        finding_add(
             v, v->options.limits.strict || v->program.motion->piece.item[use->speed.piece].inverse,
             use->speed.piece,
             "axis %c would have to move at %.2f of its largest speed "
@@ -377,27 +345,8 @@ static void judge_remarks(struct verdict *v)
         struct nc_piece at = {.line = remark->line, .block = remark->block};
         char place[60];
         ncread_place(&at, place, sizeof place);
-        add_remark(v, true, "%s: %s", place, remark->text);
+        finding_remark(v, true, "%s: %s", place, remark->text);
     }
-}
-
-/* The ball's centre at s of a piece. */
-static struct vec3 ball_at(const struct verdict *v, size_t piece, double s)
-{
-    const struct nc_motion *motion = v->program.motion;
-    struct nc_motion_pose pose = nc_motion_at(motion, &motion->piece.item[piece], s);
-    double up = motion->track == NC_MOTION_TIP ? v->options.radius : 0;
-    return vec_along(pose.p, up, pose.a);
-}
-
-/* How far the ball is off the part there. */
-static double off_part(const struct verdict *v, const struct kdtree *part, size_t piece, double s)
-{
-    struct vec3 centre = ball_at(v, piece, s);
-    size_t index;
-    double distance2;
-    kdtree_nearest(part, centre, 1, &index, &distance2);
-    return sqrt(distance2) - v->options.radius;
 }
 
 static size_t first_cut(const struct nc_motion *motion)
@@ -415,23 +364,23 @@ static void judge_tool(struct verdict *v, size_t cut)
     const double even = 0.01;
     bool known = path->speed > 0 && motion->turns != 0;
     if (path->coolant && !motion->coolant)
-        add_finding(v, true, cut, "the path has coolant on, the program cuts without");
+        finding_add(v, true, cut, "the path has coolant on, the program cuts without");
     if (known && path->turns != motion->turns)
-        add_finding(v, true, cut, "the path turns the spindle %s, the program the other way",
+        finding_add(v, true, cut, "the path turns the spindle %s, the program the other way",
                     path->turns > 0 ? "clockwise" : "anticlockwise");
     if (known && motion->speed == 0)
-        add_finding(v, true, cut, "the path's spindle turns at %g, the program says no speed",
+        finding_add(v, true, cut, "the path's spindle turns at %g, the program says no speed",
                     path->speed);
     else if (known && fabs(motion->speed - path->speed) > fmax(1, even * path->speed))
-        add_finding(v, true, cut, "the path's spindle turns at %g, the program's at %g",
+        finding_add(v, true, cut, "the path's spindle turns at %g, the program's at %g",
                     path->speed, motion->speed);
     if (path->tool > 0 && motion->tool == 0)
-        add_finding(v, false, cut, "the path is for tool %d, the program calls none", path->tool);
+        finding_add(v, false, cut, "the path is for tool %d, the program calls none", path->tool);
     if (path->tool > 0 && motion->tool > 0 && path->tool != motion->tool)
-        add_finding(v, true, cut, "the path is for tool %d, the program takes tool %d", path->tool,
+        finding_add(v, true, cut, "the path is for tool %d, the program takes tool %d", path->tool,
                     motion->tool);
     if (path->offset > 0 && motion->offset > 0 && path->offset != motion->offset)
-        add_finding(v, true, cut, "the path is for the length H%d, the program switches on H%d",
+        finding_add(v, true, cut, "the path is for the length H%d, the program switches on H%d",
                     path->offset, motion->offset);
 }
 
@@ -447,138 +396,33 @@ static void judge_path(struct verdict *v)
                                                  PATH_SLOW * more,  &v->options.limits};
     struct path_compare found = path_compare_run(v->program.motion, path, &options);
     if (found.off.count > 0)
-        add_finding(v, true, found.off.piece, "the tip is %.4f mm off the path at %.3f %.3f %.3f",
+        finding_add(v, true, found.off.piece, "the tip is %.4f mm off the path at %.3f %.3f %.3f",
                     found.off.value, found.off.at.x, found.off.at.y, found.off.at.z);
     if (found.turned.count > 0)
-        add_finding(v, true, found.turned.piece,
+        finding_add(v, true, found.turned.piece,
                     "the tool axis is %.3f degrees off the path's at %.3f %.3f %.3f",
                     DEGREES(found.turned.value), found.turned.at.x, found.turned.at.y,
                     found.turned.at.z);
     if (found.missed.count > 0)
-        add_finding(v, true, found.missed.near,
+        finding_add(v, true, found.missed.near,
                     "the program leaves out line %zu of the path, %.3f mm off it at %.3f %.3f %.3f",
                     path->piece.item[found.missed.piece].line, found.missed.value,
                     found.missed.at.x, found.missed.at.y, found.missed.at.z);
     if (found.fast.count > 0)
-        add_finding(v, true, found.fast.piece, "the feed is %.4g times the path's",
+        finding_add(v, true, found.fast.piece, "the feed is %.4g times the path's",
                     found.fast.value);
     if (found.slow.count > 0)
-        add_finding(v, true, found.slow.piece, "the feed is 1/%.4g of the path's",
+        finding_add(v, true, found.slow.piece, "the feed is 1/%.4g of the path's",
                     found.slow.value);
     judge_tool(v, first_cut(v->program.motion));
-}
-
-/* The height of the part's highest point, mm. */
-static double part_top(const struct verdict *v)
-{
-    double top = -HUGE_VAL;
-    for (size_t i = 0; i < v->program.part->n; i++)
-        top = fmax(top, v->program.part->item[i].z);
-    return top;
-}
-
-/* How far the lowest point of the ball is below the part's top at a piece's end; 0: above. */
-static double below_top(const struct verdict *v, double top, size_t piece)
-{
-    double low = ball_at(v, piece, 1).z - v->options.radius;
-    return low < top - v->options.tolerance ? top - low : 0;
-}
-
-/* Rapid moves from a place that is not known to below the top of the part: the ball may come
- * through all of it.  Of programs that others wrote it is only told, for they may rest on more. */
-static void judge_dark(struct verdict *v)
-{
-    const struct nc_motion *motion = v->program.motion;
-    double top = part_top(v);
-    for (size_t i = 0; i < motion->piece.n; i++) {
-        const struct nc_piece *piece = &motion->piece.item[i];
-        if (!piece->dark || !piece->rapid)
-            continue;
-        double below = below_top(v, top, i);
-        if (below == 0)
-            continue;
-        add_finding(v, v->program.post >= 0, i,
-                    "a rapid move comes from a place that is not known to %.3f mm below the part's "
-                    "top: an approach is missing",
-                    below);
-        return;
-    }
-}
-
-/* What a scan guarded ends over all of it, however the tool stands, before it goes to a place of
- * the machine, of which nothing is known here. */
-static void judge_end(struct verdict *v)
-{
-    size_t n = v->program.motion->piece.n;
-    if (!v->program.guarded || n == 0 || v->cut.n == 0)
-        return;
-    double below = below_top(v, part_top(v), n - 1);
-    if (below > 0)
-        add_finding(v, true, n - 1,
-                    "the program ends %.3f mm below the part's top: a retract is missing", below);
-}
-
-/* As long a way at rapid as its maker counted, or a retract or an approach was taken out.  More may
- * be: some moves of the axes alone are not counted. */
-static void judge_way(struct verdict *v)
-{
-    double said = v->program.rapid, way = v->axes.rapid_length;
-    if (said - way > WAY)
-        add_remark(
-            v, true,
-            "its rapid moves are %.1f mm long, and %.1f by its head: a retract or an approach "
-            "is missing",
-            way, said);
-}
-
-/* A rapid move that stays beside the part from end to end, across the tool. */
-static bool goes_beside(const struct verdict *v, const struct kdtree *part, size_t piece)
-{
-    const struct nc_motion *motion = v->program.motion;
-    const struct nc_piece *p = &motion->piece.item[piece];
-    struct nc_motion_pose a = nc_motion_at(motion, p, 0), b = nc_motion_at(motion, p, 1);
-    double near = fmax(v->map.touch, BESIDE * v->options.radius);
-    struct vec3 way = vec_sub(b.p, a.p);
-    return vec_length(way) > ROUNDED && fabs(vec_dot(way, a.a)) < ALONG * vec_length(way) &&
-           off_part(v, part, piece, 0) <= near && off_part(v, part, piece, 1) <= near;
-}
-
-/*
- * Rapid moves that reach the part or go along it: where the ball was not on it already and leaves
- * it.  The last move has to leave the part, too.
- */
-static void judge_touches(struct verdict *v)
-{
-    const struct nc_motion *motion = v->program.motion;
-    struct kdtree *part = kdtree_new(v->program.part->item, v->program.part->n);
-    size_t n = motion->piece.n, touches = 0, first = 0, besides = 0, beside = 0;
-    double on = v->map.touch;
-    for (size_t i = 0; i < n; i++) {
-        if (!motion->piece.item[i].rapid)
-            continue;
-        bool still = vec_distance(motion->piece.item[i].p[0], motion->piece.item[i].p[1]) == 0;
-        bool begins = i > 0 && off_part(v, part, i, 0) <= on;
-        if (off_part(v, part, i, 1) <= on && !(still && begins))
-            first = touches++ == 0 ? i : first;
-        else if (i > 0 && goes_beside(v, part, i))
-            beside = besides++ == 0 ? i : beside;
-    }
-    if (touches > 0)
-        add_finding(v, true, first, "a rapid move ends on the part (blocks: %zu)", touches);
-    if (besides > 0)
-        add_finding(v, true, beside, "a rapid move goes along beside the part (blocks: %zu)",
-                    besides);
-    if (n > 0 && v->cut.n > 0 && off_part(v, part, n - 1, 1) <= on)
-        add_finding(v, true, n - 1, "the program ends on the part: no retract follows");
-    kdtree_free(part);
 }
 
 /* What its makers knew of and this judge may not: as where a scan has no point on an edge. */
 static void judge_unmet(struct verdict *v)
 {
     if (v->program.unmet > 0)
-        add_remark(v, true, "its head says UNMET: %.205s%s", v->program.unmet_first,
-                   v->program.unmet > 1 ? ", and more" : "");
+        finding_remark(v, true, "its head says UNMET: %.205s%s", v->program.unmet_first,
+                       v->program.unmet > 1 ? ", and more" : "");
 }
 
 void verify_judge(struct verdict *v)
@@ -588,13 +432,9 @@ void verify_judge(struct verdict *v)
     judge_remarks(v);
     if (v->program.path)
         judge_path(v);
-    judge_way(v);
-    if (v->map.points > 0) {
-        judge_touches(v);
-        judge_dark(v);
-        judge_end(v);
+    verify_rapid(v);
+    if (v->map.points > 0)
         judge_surface(v);
-    }
     judge_outliers(v);
     judge_ball(v);
     judge_machine(v);
@@ -606,8 +446,8 @@ void verify_judge(struct verdict *v)
     judge_jumps(v);
     judge_excursions(v);
     if (v->cut.n == 0 && v->program.motion->piece.n > 0)
-        add_finding(v, v->options.left < HUGE_VAL, 0,
+        finding_add(v, v->options.left < HUGE_VAL, 0,
                     "nothing is cut, all moves are rapid"); /* a part of many */
     else if (!comes_near(v) && v->program.motion->piece.n > 0)
-        add_finding(v, true, 0, "the ball comes near no point of the part");
+        finding_add(v, true, 0, "the ball comes near no point of the part");
 }

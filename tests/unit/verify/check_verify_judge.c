@@ -577,6 +577,41 @@ START_TEST(rapids_at_the_part)
 }
 END_TEST
 
+/* The point is a wall beside the ball whose tip is at 1 0 -4.  The cut ends at 1 0 `left`, the tool
+ * leaves up to `up`, turns there, and comes down `aside` of that way at rapid. */
+static const struct {
+    double left, up, aside, lean;
+    bool said;
+} returns[] = {{-6, 30, 0, 0, false},   {-6, 30, 0.005, 0, false},
+               {-6, 30, 0.02, 0, true}, {-4.5, 30, 0, 0, true}, /* too near to where it goes on */
+               {-6, -5, 0, 0, true}, /* it did not leave by that way: higher up aside */
+               {-6, 30, 0, 0.002, true}};
+
+START_TEST(rapids_that_come_back)
+{
+    double up = returns[_i].up, lean = returns[_i].lean;
+    struct vec3 z = vec(0, 0, 1), axis = vec(sin(lean), 0, cos(lean));
+    struct trial t;
+    trial_begin(&t);
+    t.v.map.touch = 0.1;
+    move_to(&t.motion, vec(1, 0, returns[_i].left), z, false);
+    move_to(&t.motion, vec(1, 0, up), z, true);
+    if (up < 0)
+        move_to(&t.motion, vec(-3, 0, 30), z, true);
+    move_to(&t.motion, vec(1 - returns[_i].aside, 0, 30), axis, true);
+    size_t last = t.motion.piece.n;
+    move_to(&t.motion, vec(1 - returns[_i].aside, 0, -4), axis, true);
+    move_to(&t.motion, vec(1, 0, returns[_i].left), z, false);
+    move_to(&t.motion, vec(1, 0, 30), z, true);
+    verify_judge(&t.v);
+    char text[100];
+    snprintf(text, sizeof text, "N%zu (line %zu): a rapid move ends on the part (blocks: 1)",
+             10 * (last + 1), last + 1);
+    check_said(&t.v, returns[_i].said ? text : NULL, returns[_i].said);
+    trial_free(&t);
+}
+END_TEST
+
 START_TEST(an_end_on_the_part)
 {
     struct trial t;
@@ -772,6 +807,7 @@ int main(void)
     tcase_add_test(tests, remarks_of_the_reader);
     tcase_add_test(tests, pieces_summed);
     tcase_add_loop_test(tests, rapids_at_the_part, 0, COUNT(rapids));
+    tcase_add_loop_test(tests, rapids_that_come_back, 0, COUNT(returns));
     tcase_add_test(tests, an_end_on_the_part);
     tcase_add_loop_test(tests, turns_of_the_axis, 0, COUNT(turns));
     tcase_add_loop_test(tests, against_the_path, 0, COUNT(paths));

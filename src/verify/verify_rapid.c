@@ -1,0 +1,180 @@
+/* verify_rapid - see verify_rapid.h. */
+#include "verify_rapid.h"
+
+#include "math/elementary.h"
+#include "math/kdtree.h"
+#include "verify_finding.h"
+#include "verify_judge.h"
+
+#define BESIDE 0.2       /* of the ball's radius: no rapid move stays so near to the part ... */
+#define ALONG 0.7        /* ... that leads up or down the tool by less of its length */
+#define WAY 0.1          /* mm that a way is shorter than the head says: it has one decimal there */
+#define LAST_BIT 1.0     /* mm: nearer to the part no rapid move comes back */
+#define SAME_WAY 0.01    /* mm, and ... */
+#define SAME_AXIS 0.0005 /* ... radians: by printed digits still the way on which the tool left */
+
+/* The ball's centre at s of a piece. */
+static struct vec3 ball_at(const struct verdict *v, size_t piece, double s)
+{
+    const struct nc_motion *motion = v->program.motion;
+    struct nc_motion_pose pose = nc_motion_at(motion, &motion->piece.item[piece], s);
+    double up = motion->track == NC_MOTION_TIP ? v->options.radius : 0;
+    return vec_along(pose.p, up, pose.a);
+}
+
+/* How far the ball is off the part there. */
+static double off_part(const struct verdict *v, const struct kdtree *part, size_t piece, double s)
+{
+    struct vec3 centre = ball_at(v, piece, s);
+    size_t index;
+    double distance2;
+    kdtree_nearest(part, centre, 1, &index, &distance2);
+    return sqrt(distance2) - v->options.radius;
+}
+
+/* The height of the part's highest point, mm. */
+static double part_top(const struct verdict *v)
+{
+    double top = -HUGE_VAL;
+    for (size_t i = 0; i < v->program.part->n; i++)
+        top = fmax(top, v->program.part->item[i].z);
+    return top;
+}
+
+/* How far the lowest point of the ball is below the part's top at a piece's end; 0: above. */
+static double below_top(const struct verdict *v, double top, size_t piece)
+{
+    double low = ball_at(v, piece, 1).z - v->options.radius;
+    return low < top - v->options.tolerance ? top - low : 0;
+}
+
+/* Rapid moves from a place that is not known to below the top of the part: the ball may come
+ * through all of it.  Of programs that others wrote it is only told, for they may rest on more. */
+static void judge_dark(struct verdict *v)
+{
+    const struct nc_motion *motion = v->program.motion;
+    double top = part_top(v);
+    for (size_t i = 0; i < motion->piece.n; i++) {
+        const struct nc_piece *piece = &motion->piece.item[i];
+        if (!piece->dark || !piece->rapid)
+            continue;
+        double below = below_top(v, top, i);
+        if (below == 0)
+            continue;
+        finding_add(v, v->program.post >= 0, i,
+                    "a rapid move comes from a place that is not known to %.3f mm below the part's "
+                    "top: an approach is missing",
+                    below);
+        return;
+    }
+}
+
+/* What a scan guarded ends over all of it, however the tool stands, before it goes to a place of
+ * the machine, of which nothing is known here. */
+static void judge_end(struct verdict *v)
+{
+    size_t n = v->program.motion->piece.n;
+    if (!v->program.guarded || n == 0 || v->cut.n == 0)
+        return;
+    double below = below_top(v, part_top(v), n - 1);
+    if (below > 0)
+        finding_add(v, true, n - 1,
+                    "the program ends %.3f mm below the part's top: a retract is missing", below);
+}
+
+/* As long a way at rapid as its maker counted, or a retract or an approach was taken out.  More may
+ * be: some moves of the axes alone are not counted. */
+static void judge_way(struct verdict *v)
+{
+    double said = v->program.rapid, way = v->axes.rapid_length;
+    if (said - way > WAY)
+        finding_remark(
+            v, true,
+            "its rapid moves are %.1f mm long, and %.1f by its head: a retract or an approach "
+            "is missing",
+            way, said);
+}
+
+/* How far a place is up the tool from where the tool left the part, mm; below 0: it is not on that
+ * way, or the axis is another. */
+static double up_the_way(struct nc_motion_pose left, struct nc_motion_pose at)
+{
+    struct vec3 off = vec_sub(at.p, left.p);
+    bool same =
+        vec_distance(at.a, left.a) <= SAME_AXIS && vec_length(vec_reject(off, left.a)) <= SAME_WAY;
+    return same ? vec_dot(off, left.a) : -1;
+}
+
+/*
+ * A rapid move down the tool to where it has just come up, the rotary axes having been turned
+ * above: the last of the rapid moves the first of which left the part there.  That way is known to
+ * be free, be there a wall beside it, but for its last bit.
+ */
+static bool comes_back(const struct verdict *v, size_t last)
+{
+    const struct nc_motion *motion = v->program.motion;
+    const struct nc_piece *piece = motion->piece.item;
+    size_t first = last;
+    while (first > 0 && piece[first - 1].rapid)
+        first--;
+    if (first == 0 || first == last)
+        return false;
+    struct nc_motion_pose left = nc_motion_at(motion, &piece[first], 0);
+    double up = up_the_way(left, nc_motion_at(motion, &piece[first], 1));
+    double down = up_the_way(left, nc_motion_at(motion, &piece[last], 0));
+    double end = up_the_way(left, nc_motion_at(motion, &piece[last], 1));
+    return end >= LAST_BIT && up >= end && down >= end;
+}
+
+/* A rapid move that stays beside the part from end to end, across the tool. */
+static bool goes_beside(const struct verdict *v, const struct kdtree *part, size_t piece)
+{
+    const struct nc_motion *motion = v->program.motion;
+    const struct nc_piece *p = &motion->piece.item[piece];
+    struct nc_motion_pose a = nc_motion_at(motion, p, 0), b = nc_motion_at(motion, p, 1);
+    double near = fmax(v->map.touch, BESIDE * v->options.radius);
+    struct vec3 way = vec_sub(b.p, a.p);
+    return vec_length(way) > ROUNDED && fabs(vec_dot(way, a.a)) < ALONG * vec_length(way) &&
+           off_part(v, part, piece, 0) <= near && off_part(v, part, piece, 1) <= near;
+}
+
+/*
+ * Rapid moves that reach the part or go along it: where the ball was not on it already and leaves
+ * it, nor comes back by the way on which it has just left.  The last move has to leave the part,
+ * too.
+ */
+static void judge_touches(struct verdict *v)
+{
+    const struct nc_motion *motion = v->program.motion;
+    struct kdtree *part = kdtree_new(v->program.part->item, v->program.part->n);
+    size_t n = motion->piece.n, touches = 0, first = 0, besides = 0, beside = 0;
+    double on = v->map.touch;
+    for (size_t i = 0; i < n; i++) {
+        if (!motion->piece.item[i].rapid)
+            continue;
+        bool still = vec_distance(motion->piece.item[i].p[0], motion->piece.item[i].p[1]) == 0;
+        bool begins = i > 0 && off_part(v, part, i, 0) <= on;
+        if (off_part(v, part, i, 1) <= on && !(still && begins) && !comes_back(v, i))
+            first = touches++ == 0 ? i : first;
+        else if (i > 0 && goes_beside(v, part, i))
+            beside = besides++ == 0 ? i : beside;
+    }
+    if (touches > 0)
+        finding_add(v, true, first, "a rapid move ends on the part (blocks: %zu)", touches);
+    if (besides > 0)
+        finding_add(v, true, beside, "a rapid move goes along beside the part (blocks: %zu)",
+                    besides);
+    if (n > 0 && v->cut.n > 0 && off_part(v, part, n - 1, 1) <= on)
+        finding_add(v, true, n - 1, "the program ends on the part: no retract follows");
+    kdtree_free(part);
+}
+
+void verify_rapid(struct verdict *v)
+{
+    judge_way(v);
+    if (v->map.points == 0)
+        return;
+    judge_touches(v);
+    judge_dark(v);
+    judge_end(v);
+}
