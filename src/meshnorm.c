@@ -334,7 +334,7 @@ int main(int argc, char **argv)
     int status = toolpath_conclude(&t);
     if (unmets_status(&path_options.unguarded) != EXIT_DONE)
         status = EXIT_UNMET;
-    if (path_coverage_conclude(&coverage, &path.head.unmet) != EXIT_DONE)
+    if (path_coverage_conclude(&coverage, &path.head) != EXIT_DONE)
         status = EXIT_UNMET;
     path_options_end(&mesh, "meshnorm", &t);
 

@@ -279,6 +279,7 @@ int main(int argc, char **argv)
         post_selftest(&path, &machine);
     else
         read_path(&s, cli.file[0], &path);
+    unmets_add_all(&path.head.unmet, &path.head.unfitted); /* no fitter came between */
 
     const struct gouge_refit_options tool = made_moves_tool(&path); /* of lengths in mm still */
     struct error error;

@@ -228,7 +228,7 @@ void path_coverage_measure(struct path_coverage *c, const struct toolpath *t)
 }
 
 /* What who judges a program by the points takes for left: what is beside them is in the way. */
-static struct path_judged judged_left(const struct path_coverage *c)
+static struct path_verdicts judged_left(const struct path_coverage *c)
 {
     size_t n;
     const struct coverage_point *point = coverage_points(c->coverage, &n);
@@ -240,9 +240,9 @@ static struct path_judged judged_left(const struct path_coverage *c)
         *array_push(&place) = c->beside.item[i];
     if (c->part)
         add_mesh(c->part, c->spacing, c->options.threads, &place);
-    struct path_judged judged = path_judged(c, &place);
+    struct path_verdicts verdicts = path_judged(c, &place);
     array_free(&place);
-    return judged;
+    return verdicts;
 }
 
 static void say_out(const struct coverage_report *r)
@@ -296,24 +296,40 @@ static void say_judged(const struct path_coverage *c, const struct path_judged *
                   worst->height, worst->p.x, worst->p.y, worst->p.z);
 }
 
-int path_coverage_conclude(const struct path_coverage *c, struct unmets *unmet)
+/* What a path leaves that no fitter follows, where that is more than may be. */
+static void say_as_is(const struct path_coverage *c, const struct path_judged *judged,
+                      struct unmets *unfitted)
+{
+    size_t points = coverage_report(c->coverage).points, left = judged->left + judged->n;
+
+    unmet_say(unfitted,
+              "without a fitter, whose tolerance makes up for it, %zu of %zu points (%.2f %%, at "
+              "most %g) are left to who judges by the points: more than %.3f mm",
+              left, points, 100 * (double)left / (double)points, path_options.left_share,
+              judged->limit);
+}
+
+int path_coverage_conclude(const struct path_coverage *c, struct path_head *head)
 {
     if (!c->coverage)
         return EXIT_DONE;
     struct coverage_report r = coverage_report(c->coverage);
-    struct path_judged judged = {0};
+    struct path_verdicts verdicts = {.worse = {.much = false}};
     if (c->scallop > 0)
-        judged = judged_left(c);
+        verdicts = judged_left(c);
+    struct path_judged judged = verdicts.worse;
     bool unmet_left = judged.much;
     if (c->scallop > 0 && c->part) /* who judges it leaves no share */
         unmet_left = judged.n > 0 || (r.left.n > 0 && r.left.highest > c->allowed + c->tolerance);
 
-    unmet = unmet_left ? unmet : NULL;
+    struct unmets *unmet = unmet_left ? &head->unmet : NULL;
     say_out(&r);
     say_kept(&r, unmet);
     say_left(&r, c->options.limit, unmet);
     if (unmet_left)
         say_judged(c, &judged, unmet);
+    else if (verdicts.as_is.much)
+        say_as_is(c, &verdicts.as_is, &head->unfitted);
     if (r.left.n == 0)
         note("all of %zu points within reach are cut to %.3f mm; %zu rest passes in %zu rounds",
              r.points, c->options.limit, c->strips, c->rounds);

@@ -78,7 +78,7 @@ static void judge(const struct path_coverage *c, const struct vec3s *place, doub
 
 /* None that was out of reach by the larger limit is asked for again, and nothing where even all
  * others were no more than may be. */
-struct path_judged path_judged(const struct path_coverage *c, const struct vec3s *place)
+struct path_verdicts path_judged(const struct path_coverage *c, const struct vec3s *place)
 {
     double limit = c->allowed + ROUNDED;
     struct path_judged last = {.limit = c->allowed + STAGES * c->tolerance,
@@ -92,11 +92,13 @@ struct path_judged path_judged(const struct path_coverage *c, const struct vec3s
     judge(c, place, height, &last);
     last.much = is_much(c, &last, 1);
     straight.n = last.n + ask(c, straight.limit, last.limit, height);
-    straight.much = is_much(c, &straight, FITTED);
-    if (straight.much) {
+    if (is_much(c, &straight, 1))
         judge(c, place, height, &straight);
-        straight.much = is_much(c, &straight, FITTED);
-    }
     free(height);
-    return straight.much && share(&straight) > share(&last) ? straight : last;
+    straight.much = is_much(c, &straight, FITTED);
+    struct path_verdicts verdicts = {
+        .worse = straight.much && share(&straight) > share(&last) ? straight : last,
+        .as_is = straight};
+    verdicts.as_is.much = !verdicts.worse.much && is_much(c, &straight, 1);
+    return verdicts;
 }

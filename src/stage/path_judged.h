@@ -4,8 +4,8 @@
  *
  * Scallop and the tolerances of all stages may be left, so that what is left depends on the stages
  * to come: by a larger limit fewer points are asked for, and more of them are within reach.  A path
- * is judged as it is, where it becomes a program at once, and as STAGES with as much tolerance each
- * may leave it; as it is, by twice the share, for most paths get a fitter.  Lengths in mm.
+ * is judged as STAGES with as much tolerance each may leave it, and as it is, where it becomes a
+ * program at once; as it is by twice the share, for most paths get a fitter.  Lengths in mm.
  */
 #ifndef CLOUDMILL_PATH_JUDGED_H
 #define CLOUDMILL_PATH_JUDGED_H
@@ -22,8 +22,13 @@ struct path_judged {
     bool much; /* both together: more than path_options.left_share, or twice that */
 };
 
-/* By the limit that takes more for left.  `place`: all that is in the way, the points that are to
- * be cut before the others. */
-struct path_judged path_judged(const struct path_coverage *c, const struct vec3s *place);
+struct path_verdicts {
+    struct path_judged worse; /* by the limit that takes more for left */
+    struct path_judged as_is; /* .much: by more than the share, and no more than twice that: what a
+                                 fitter's tolerance makes up for; its `worst` is not filled */
+};
+
+/* `place`: all that is in the way, the points that are to be cut before the others. */
+struct path_verdicts path_judged(const struct path_coverage *c, const struct vec3s *place);
 
 #endif

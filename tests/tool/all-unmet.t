@@ -42,9 +42,12 @@ has "and the path of it" '^\$\$-> UNMET/cloud2mesh,trough.xyz: the mesh is off b
 
 # A half ball and a holder that keeps the tool off its foot: who judges the path as it is finds more
 # left than after stages that widen what may be, and none comes here.
-awk 'BEGIN { for (i = 0; i <= 49; i++) for (k = 0; k <= 49; k++) {
-	x = 12.9 * (i / 24.5 - 1); y = 12.9 * (k / 24.5 - 1); z = 12.9 * 12.9 - x * x - y * y
-	if (z > 0.16) printf "%.4f %.4f %.4f\n", x, y, sqrt(z) } }' >half.xyz
+half() { # RADIUS
+	awk -v r="$1" 'BEGIN { for (i = 0; i <= 49; i++) for (k = 0; k <= 49; k++) {
+		x = r * (i / 24.5 - 1); y = r * (k / 24.5 - 1); z = r * r - x * x - y * y
+		if (z > 0.16) printf "%.4f %.4f %.4f\n", x, y, sqrt(z) } }'
+}
+half 12.9 >half.xyz
 cloud2mesh -q -o half.ply half.xyz
 status 3 "what stays for a program made at once is no success" \
 	meshnorm -r 2 --holder 5:60 -m table-a --avoid -g half.xyz -o half.cl half.ply
@@ -52,6 +55,27 @@ has "and told" 'takes [0-9]+ of these for left' err
 ok "its program" ncpost --accept -q -c siemens -m table-a -o half.mpf half.cl
 status 3 "is refused by itself" ncverify -q --accept -g half.xyz -o verdict half.mpf
 has "for what is left" '^fault .* mm of material is left' verdict
+
+# A little more than may be, which a fitter's tolerance makes up for: only what no fitter follows is
+# no success.
+half 12.7 >half.xyz
+cloud2mesh -q -o half.ply half.xyz
+status 0 "what a fitter makes up for is a success" \
+	meshnorm -r 2 --holder 5:60 -m table-a --avoid -g half.xyz -o half.cl half.ply
+has "and told" 'without a fitter, .* [0-9]+ of [0-9]+ points .* are left' err
+has "the path says it before its end" '^\$\$-> UNFITTED/meshnorm,without a fitter' half.cl
+ok "FINI is the last line still" test "$(tail -n 1 half.cl)" = FINI
+status 3 "ncpost takes it for unmet" ncpost -c siemens -m table-a -o half.mpf half.cl
+has "and says so" 'unmet, meshnorm: without a fitter' err
+status 3 "ncverify refuses it, even without its head" \
+	ncverify -q --accept -g half.xyz -o verdict half.mpf
+has "for what is left" '^fault .* mm of material is left' verdict
+for fitter in biarcfit bsplfit; do
+	status 0 "$fitter" $fitter -q -e 0.01 -o fitted.cl half.cl
+	hasnt "does not pass it on" UNFITTED fitted.cl
+	status 0 "$fitter: ncpost" ncpost -q -c siemens -m table-a -o half.mpf fitted.cl
+	status 0 "$fitter: ncverify accepts" ncverify -q -g half.xyz -o verdict half.mpf
+done
 
 # Hostile text in the place of a stage's.
 sed 's/^\$\$-> UNMET.*/$$-> UNMET\/nothing/' trough.cl >bad.cl

@@ -150,6 +150,8 @@ struct path_head {
     bool regions;             /* a second one was said of it: none is known then */
     struct scan_sources scan; /* $$-> SCAN/, PLACE/: that it is guarded by */
     struct unmets unmet;      /* $$-> UNMET/: what the stages so far could not keep */
+    struct unmets unfitted;   /* $$-> UNFITTED/: what a fitter's tolerance makes up for, and ncpost
+                                 takes for unmet: no fitter passes it on */
 };
 
 struct path {

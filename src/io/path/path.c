@@ -31,6 +31,7 @@ void path_free(struct path *path)
     region_polygons_free(&path->head.region.polygons);
     scan_sources_free(&path->head.scan);
     unmets_free(&path->head.unmet);
+    unmets_free(&path->head.unfitted);
     array_free(&path->item);
     array_free(&path->contact);
     array_free(&path->arc);
@@ -50,6 +51,7 @@ void path_head_copy(struct path_head *to, const struct path_head *from)
     to->region.polygons = region_polygons_copy(&from->region.polygons);
     to->scan = scan_sources_copy(&from->scan);
     memset(&to->unmet, 0, sizeof to->unmet);
+    memset(&to->unfitted, 0, sizeof to->unfitted);
     unmets_add_all(&to->unmet, &from->unmet);
     for (size_t i = 0; i < from->ledger.n; i++)
         *array_push(&to->ledger) = (struct ledger_entry){copy_text(from->ledger.item[i].stage),

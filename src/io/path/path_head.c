@@ -131,18 +131,28 @@ static int read_ledger(struct path_parse *p)
     return 0;
 }
 
-/* UNMET/stage, text: as it was written, to the end of the line. */
-static int read_unmet(struct path_parse *p)
+/* Stage, text: as it was written, to the end of the line. */
+static int read_said(struct path_parse *p, const char *word, struct unmets *said)
 {
     const char *name = strchr(p->apt.raw, '/');
     size_t n = name ? strcspn(++name, ",") : 0;
     if (n == 0 || name[n] != ',')
-        return error_at(AT(p), "found `%.60s`, expected UNMET/stage, what it could not keep",
-                        p->apt.raw);
+        return error_at(AT(p), "found `%.60s`, expected %s/stage, what it could not keep",
+                        p->apt.raw, word);
     char *stage = mem_string(name, n);
-    unmets_add(&p->path->head.unmet, stage, name + n + 1);
+    unmets_add(said, stage, name + n + 1);
     free(stage);
     return 0;
+}
+
+static int read_unmet(struct path_parse *p)
+{
+    return read_said(p, "UNMET", &p->path->head.unmet);
+}
+
+static int read_unfitted(struct path_parse *p)
+{
+    return read_said(p, "UNFITTED", &p->path->head.unfitted);
 }
 
 static int read_chord(struct path_parse *p)
@@ -374,8 +384,8 @@ static const struct path_row comments[] = {
     {"LEDGER", read_ledger},       {"CHORD", read_chord},        {"CLEAR", read_clear},
     {"CLOUDMILL", read_own},       {"CUTTER", path_read_cutter}, {"SCALLOP", read_scallop},
     {"TOOL", read_body},           {"SCAN", read_scan},          {"PLACE", read_place},
-    {"UNMET", read_unmet},         {"RUNS", read_runs},          {"NOISE", read_noise},
-    {"REGION", read_region},
+    {"UNMET", read_unmet},         {"UNFITTED", read_unfitted},  {"RUNS", read_runs},
+    {"NOISE", read_noise},         {"REGION", read_region},
 };
 
 const struct path_row *path_row_of_word(const struct path_row *rows, size_t n, const char *word)

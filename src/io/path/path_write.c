@@ -327,23 +327,25 @@ void path_write_items(struct out *out, const struct path *path)
 }
 
 /* A $ at the end of a line would continue it: it becomes a `?` anywhere. */
-static void write_unmet(struct out *out, const struct unmet *unmet)
+static void write_said(struct out *out, const char *word, const struct unmets *said)
 {
-    out_printf(out, "$$-> UNMET/%s,", unmet->stage);
-    for (const char *p = unmet->text; *p; p++)
-        out_bytes(out, *p == '$' ? "?" : p, 1);
-    out_text(out, "\n");
+    for (size_t i = 0; i < said->n; i++) {
+        out_printf(out, "$$-> %s/%s,", word, said->item[i].stage);
+        for (const char *p = said->item[i].text; *p; p++)
+            out_bytes(out, *p == '$' ? "?" : p, 1);
+        out_text(out, "\n");
+    }
 }
 
 void path_write_unmet(struct out *out, const struct unmets *unmet)
 {
-    for (size_t i = 0; i < unmet->n; i++)
-        write_unmet(out, &unmet->item[i]);
+    write_said(out, "UNMET", unmet);
 }
 
 void path_write_end(struct out *out, const struct path_head *head)
 {
     path_write_unmet(out, &head->unmet);
+    write_said(out, "UNFITTED", &head->unfitted);
     out_text(out, "FINI\n");
 }
 

@@ -105,10 +105,10 @@ static size_t left_by_truth(double from, double to, double step, double limit)
     return n;
 }
 
-static int concluded(const struct path_coverage *c, struct unmets *unmet, const char **text)
+static int concluded(const struct path_coverage *c, struct path_head *head, const char **text)
 {
     said_begin();
-    int status = path_coverage_conclude(c, unmet);
+    int status = path_coverage_conclude(c, head);
     *text = said_end();
     return status;
 }
@@ -133,22 +133,22 @@ START_TEST(what_rows_leave)
     ck_assert_uint_eq(r.left.n, left);
     ck_assert_uint_eq(r.out.n + r.kept.n, 0);
     ck_assert_double_eq_tol(r.left.highest, sqrt(R * R + 1.25 * 1.25) - R, 0.01);
-    struct unmets unmet = {0};
+    struct path_head head = {.tool = 0};
     const char *text;
-    ck_assert_int_eq(concluded(&c, &unmet, &text), EXIT_UNMET);
+    ck_assert_int_eq(concluded(&c, &head, &text), EXIT_UNMET);
     ck_assert_ptr_nonnull(strstr(text, "left though within reach"));
-    ck_assert_uint_eq(unmet.n, 1);
-    unmets_free(&unmet);
+    ck_assert_uint_eq(head.unmet.n, 1);
+    unmets_free(&head.unmet);
     /* as much may be left: told, and no fault */
     path_options.left_share = 100.0 * (double)left / (double)scan.n + 0.01;
-    ck_assert_int_eq(concluded(&c, &unmet, &text), EXIT_DONE);
+    ck_assert_int_eq(concluded(&c, &head, &text), EXIT_DONE);
     ck_assert_ptr_nonnull(strstr(text, "left though within reach"));
-    ck_assert_uint_eq(unmet.n, 0);
+    ck_assert_uint_eq(head.unmet.n, 0);
     path_options.left_share -= 0.02;
-    ck_assert_int_eq(concluded(&c, &unmet, &text), EXIT_UNMET);
-    unmets_free(&unmet);
+    ck_assert_int_eq(concluded(&c, &head, &text), EXIT_UNMET);
+    unmets_free(&head.unmet);
     c.scallop = 0; /* nothing was promised */
-    ck_assert_int_eq(concluded(&c, &unmet, &text), EXIT_DONE);
+    ck_assert_int_eq(concluded(&c, &head, &text), EXIT_DONE);
     path_coverage_free(&c);
 }
 END_TEST
@@ -167,9 +167,9 @@ START_TEST(rest_passes_cut_it)
     path_coverage_measure(&c, &t);
     struct coverage_report r = coverage_report(c.coverage);
     ck_assert_uint_eq(r.left.n, 0);
-    struct unmets unmet = {0};
+    struct path_head head = {.tool = 0};
     const char *text;
-    ck_assert_int_eq(concluded(&c, &unmet, &text), EXIT_DONE);
+    ck_assert_int_eq(concluded(&c, &head, &text), EXIT_DONE);
     ck_assert_str_eq(text, "");
     for (size_t i = 0; i < path.item.n; i++) /* all of it on the floor, or above */
         if (path.item.item[i].kind == PATH_POINT)
@@ -213,8 +213,10 @@ START_TEST(out_of_reach)
     for (size_t i = 0; i < scan.n; i++)
         between += fabs(scan.item[i].x) < 1.4;
     ck_assert_uint_ge(r.out.n, between);
+    struct path_head head = {.tool = 0};
     const char *text;
-    concluded(&c, NULL, &text);
+    concluded(&c, &head, &text);
+    unmets_free(&head.unmet);
     char want[60];
     snprintf(want, sizeof want, "out of reach of ball and tool: %zu of %zu points", r.out.n,
              scan.n);
@@ -226,7 +228,7 @@ END_TEST
 /* A ridge that the guard assumes and the scan does not have keeps the ball off the floor beside it:
  * who judges by the scan takes that for left, and so it is no success.  Nor is it where that is
  * more than scallop and tolerance, and less than stages to come may leave: none need come.  But up
- * to twice as much as may be is left to a fitter. */
+ * to twice as much as may be is left to a fitter, which the path's head says. */
 START_TEST(kept_off_is_left)
 {
     const double ridge[] = {0, 1, 0.045, 0.045}, share = path_options.left_share;
@@ -249,13 +251,16 @@ START_TEST(kept_off_is_left)
     toolpath_end(&t);
     path_coverage_measure(&c, &t);
     struct coverage_report r = coverage_report(c.coverage);
-    struct unmets unmet = {0};
+    struct path_head head = {.tool = 0};
     const char *text;
     if (_i == 2)
         path_options.left_share = share / 2;
-    ck_assert_int_eq(concluded(&c, &unmet, &text), much ? EXIT_UNMET : EXIT_DONE);
+    ck_assert_int_eq(concluded(&c, &head, &text), much ? EXIT_UNMET : EXIT_DONE);
     path_options.left_share = share;
-    ck_assert_ptr_eq(strstr(text, "who judges") ? text : NULL, much ? text : NULL);
+    ck_assert_ptr_eq(strstr(text, "alone takes") ? text : NULL, much ? text : NULL);
+    ck_assert_uint_eq(head.unmet.n > 0, much);
+    ck_assert_uint_eq(head.unfitted.n, _i == 3);
+    ck_assert_ptr_eq(strstr(text, "without a fitter") ? text : NULL, _i == 3 ? text : NULL);
     if (_i == 1) { /* a ball of 4 beside a ridge 1 high is 2.65 off it */
         double side = sqrt(2 * R * 1 - 1);
         ck_assert_double_ge((double)(r.kept.n + r.left.n), 0.8 * 2 * side / 20 * (double)scan.n);
@@ -268,7 +273,8 @@ START_TEST(kept_off_is_left)
         ck_assert_double_gt(r.kept.highest, 0.06 + 0.001);
         ck_assert_double_lt(r.kept.highest, 0.06 + 2 * 0.01);
     }
-    unmets_free(&unmet);
+    unmets_free(&head.unmet);
+    unmets_free(&head.unfitted);
     path_coverage_free(&c);
 }
 END_TEST
