@@ -354,7 +354,7 @@ int main(int argc, char **argv)
     const char *name = name_of(&cli);
     if (may_stream(&cli, &settings) && stream_mesh(&cli, &settings))
         return 0;
-    if (cloud_prepare_read(cli.file, cli.files, &points, &scan, &left_out, &error) < 0)
+    if (cloud_prepare_read(cli.file, cli.files, cli.threads, &points, &scan, &left_out, &error) < 0)
         die_error(&error);
     struct vec3s raw = {0};
     for (size_t i = 0; settings.clean_file && i < points.n; i++)

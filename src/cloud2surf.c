@@ -183,7 +183,8 @@ int main(int argc, char **argv)
     size_t left_out;
 
     const char *name = cli.file[0];
-    if (cloud_prepare_read(cli.file, cli.files, &points, &scan, &left_out, &error) < 0 ||
+    if (cloud_prepare_read(cli.file, cli.files, cli.threads, &points, &scan, &left_out, &error) <
+            0 ||
         cloud_prepare_place(&points, unit_name[s.unit], s.matrix, s.origin, &origin, &error) < 0)
         die_error(&error);
     struct box box = box_around(points.item, points.n);

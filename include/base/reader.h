@@ -22,6 +22,7 @@ struct reader {
     size_t size;      /* of a regular file from where reading begins, bytes; 0: not known */
     size_t got;       /* bytes read so far */
     bool ended;       /* the line had a line end: false only for the last one */
+    size_t at_once;   /* bytes asked of the system at once, at least; 0: as many as is usual */
     char *buf;        /* from here on private to reader.c */
     size_t cap, from, to;
     size_t whole; /* end of the last LF in the buffer */

@@ -17,8 +17,8 @@
 /* Reads all files as one cloud, in their own units, and says what was skipped.  Returns 0, in
  * *scan what the files are, and in *left_out how many rows were no points; -1: an error with its
  * place. */
-int cloud_prepare_read(char **file, int files, struct vec3s *points, struct scan_sources *scan,
-                       size_t *left_out, struct error *error);
+int cloud_prepare_read(char **file, int files, int threads, struct vec3s *points,
+                       struct scan_sources *scan, size_t *left_out, struct error *error);
 
 /* Says what was skipped of a file. */
 void say_skipped(const char *file, const struct cloud_count *count);

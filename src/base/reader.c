@@ -66,7 +66,8 @@ void reader_close(struct reader *r)
  */
 static int fill_once(struct reader *r, struct error *error)
 {
-    r->buf = mem_grow(r->buf, &r->cap, r->to + CHUNK + BEHIND, 1);
+    size_t chunk = r->at_once > CHUNK ? r->at_once : CHUNK;
+    r->buf = mem_grow(r->buf, &r->cap, r->to + chunk + BEHIND, 1);
     r->buf = mem_grow(r->buf, &r->cap, r->cap, 1); /* all the room that there is */
     ssize_t n;
     do

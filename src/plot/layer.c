@@ -412,7 +412,7 @@ static int read_cloud(const char *file, const struct layer_options *options, str
                       struct error *error)
 {
     struct cloud_count count;
-    if (cloud_read(file, &layer->point, &count, error) < 0)
+    if (cloud_read(file, 1, &layer->point, &count, error) < 0)
         return -1;
     for (size_t i = 0; i < layer->point.n; i++)
         layer->point.item[i] = vec_scale(options->unit, layer->point.item[i]);

@@ -43,14 +43,14 @@ void say_skipped(const char *file, const struct cloud_count *c)
             c->not_measured == 1 ? "" : "s");
 }
 
-int cloud_prepare_read(char **file, int files, struct vec3s *points, struct scan_sources *scan,
-                       size_t *left_out, struct error *error)
+int cloud_prepare_read(char **file, int files, int threads, struct vec3s *points,
+                       struct scan_sources *scan, size_t *left_out, struct error *error)
 {
     *left_out = 0;
     for (int i = 0; i < files; i++) {
         struct cloud_count count = {0};
         size_t from = points->n;
-        if (cloud_read(file[i], points, &count, error) < 0)
+        if (cloud_read(file[i], threads, points, &count, error) < 0)
             return -1;
         say_skipped(file[i], &count);
         scan_sources_add(scan, file[i], points->item + from, points->n - from);

@@ -27,7 +27,7 @@ static int read_file(const char *name, struct vec3s *points, struct error *error
     struct cloud_count count = {0};
     size_t from = points->n;
 
-    if (cloud_read(name, points, &count, error) != 0)
+    if (cloud_read(name, 1, points, &count, error) != 0)
         return -1;
     if (points->n == from)
         return error_at(error, name, 0, "found no points");

@@ -120,7 +120,7 @@ int verify_part_read(const char *file, double unit, double radius, struct vec3s 
         if (solid || surfaces)
             return error_set(error, "%s: no faces in it", file);
     }
-    return cloud_read(file, points, &count, error);
+    return cloud_read(file, 1, points, &count, error);
 }
 
 /* ---- the stock */

@@ -23,7 +23,7 @@ static void read_cloud(const char *file)
     struct vec3s points = {0};
     struct cloud_count count = {0};
     struct error error;
-    cloud_read(file, &points, &count, &error);
+    cloud_read(file, 1, &points, &count, &error);
     array_free(&points);
 }
 

@@ -20,7 +20,7 @@ void clouds_clear(void)
 int clouds_bytes(const char *text, size_t n)
 {
     clouds.points.n = 0;
-    return cloud_read(scratch_bytes(text, n), &clouds.points, &clouds.count, &clouds.error);
+    return cloud_read(scratch_bytes(text, n), 1, &clouds.points, &clouds.count, &clouds.error);
 }
 
 int clouds_text(const char *text)

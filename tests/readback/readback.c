@@ -133,7 +133,7 @@ static bool gouges(const struct nc_motion *motion, double radius, const struct o
         held = roll(motion, &(struct surface){exact_distance, NULL}, radius, o);
     if (!o->scan)
         return held;
-    if (cloud_read(o->scan, &points, &count, &error) < 0)
+    if (cloud_read(o->scan, 1, &points, &count, &error) < 0)
         die_error(&error);
     struct kdtree *tree = kdtree_new(points.item, points.n);
     held = roll(motion, &(struct surface){scan_distance, tree}, radius, o) && held;

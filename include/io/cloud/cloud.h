@@ -41,9 +41,10 @@ struct cloud_count {
  *   - PTS, PTX (its 4 x 4 matrix applied), ASCII PCD, OBJ (its v lines)
  *   - PLY, ASCII or binary (its vertices)
  * A row that is no row in the middle of the data is an error with its line; so are binary and
- * compressed files, UTF-16, a last row cut short, and a count that is not met.
+ * compressed files, UTF-16, a last row cut short, and a count that is not met.  `threads` as in
+ * parallel.h: rows of a large text are parsed by so many; what comes of it is the same.
  */
-int cloud_read(const char *file, struct vec3s *points, struct cloud_count *count,
+int cloud_read(const char *file, int threads, struct vec3s *points, struct cloud_count *count,
                struct error *error);
 
 /* The same, with the points handed to `take` block by block, in their order, as they are read: text

@@ -310,10 +310,10 @@ static int read_file(const char *file, struct cloud_source *s, struct error *err
     return status;
 }
 
-int cloud_read(const char *file, struct vec3s *points, struct cloud_count *count,
+int cloud_read(const char *file, int threads, struct vec3s *points, struct cloud_count *count,
                struct error *error)
 {
-    struct cloud_source source = {.points = points, .count = count};
+    struct cloud_source source = {.points = points, .count = count, .threads = threads};
     return read_file(file, &source, error);
 }
 
@@ -324,6 +324,7 @@ int cloud_read_blocks(const char *file,
     struct vec3s points = {0}, taken = {0};
     struct cloud_source source = {.points = &points,
                                   .count = count,
+                                  .threads = 1,
                                   .take = take,
                                   .context = context,
                                   .aside = aside_begin(threads),

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/num.h"
+#include "base/parallel.h"
 #include "math/elementary.h"
 
 /* How the columns are written. */
@@ -145,6 +146,69 @@ static inline const char *halves_of(const char *p, const char *end, struct manne
     return p;
 }
 
+/* Text in parts of whole lines, each with room of its own for the points that it may have. */
+struct parts {
+    struct manner how;
+    size_t n;
+    struct part {
+        const char *from, *end, *after;
+        struct vec3 *point;
+        size_t rows;
+    } part[CLOUD_PLAIN_PARTS];
+};
+
+static size_t most_rows(const char *text, const char *end)
+{
+    return (size_t)(end - text) / SHORTEST_ROW;
+}
+
+static const char *after_line(const char *p, const char *end)
+{
+    const char *feed = memchr(p, '\n', (size_t)(end - p));
+    return feed ? feed + 1 : end;
+}
+
+static void cut_into_parts(const char *text, const char *end, struct vec3 *point,
+                           struct parts *parts)
+{
+    size_t n = (size_t)(end - text), wanted = n / CLOUD_PLAIN_PART;
+    const char *from = text, *to;
+    wanted = wanted < CLOUD_PLAIN_PARTS ? wanted : CLOUD_PLAIN_PARTS;
+    for (size_t k = 1; from < end; k++, from = to) {
+        to = k < wanted ? after_line(text + n / wanted * k, end) : end;
+        if (to <= from) { /* in a line that is longer than a part */
+            to = from;
+            continue;
+        }
+        /* a place more for each: the last of its rows may prove to be none */
+        struct vec3 *room = point + most_rows(text, from) + parts->n;
+        parts->part[parts->n++] = (struct part){from, to, from, room, 0};
+    }
+}
+
+static void read_parts(void *context, size_t from, size_t to)
+{
+    struct parts *parts = context;
+    for (size_t k = from; k < to; k++) {
+        struct part *p = &parts->part[k];
+        p->after =
+            halves_of(p->from, p->end, parts->how, p->point, most_rows(p->from, p->end), &p->rows);
+    }
+}
+
+/* The same as halves_of by several threads: parts up to the first with a row that is not plain. */
+static const char *parts_of(struct parts *parts, int threads, struct vec3 *point, size_t *rows)
+{
+    const struct part *p = parts->part;
+    parallel_for(threads, parts->n, read_parts, parts);
+    *rows = p->rows;
+    for (; p->after == p->end && p + 1 < parts->part + parts->n; p++) {
+        memmove(point + *rows, p[1].point, p[1].rows * sizeof *point);
+        *rows += p[1].rows;
+    }
+    return p->after;
+}
+
 /* How many decimals the first three numbers with a point have in the row at *p, which goes to the
  * next one, a byte for each. */
 static unsigned decimals_of_row(const char **p)
@@ -173,22 +237,27 @@ bool cloud_plain_even(const char *text, const char *end)
     return others <= OTHERS;
 }
 
-size_t cloud_plain_rows(const struct cloud_options *style, bool even, const char *text,
+size_t cloud_plain_rows(const struct cloud_options *style, bool even, int threads, const char *text,
                         const char *end, size_t most, struct vec3s *points, size_t *rows)
 {
     const size_t *column = style->column;
     *rows = 0;
     if (style->point == ',' || column[0] != 0 || column[1] != 1 || column[2] != 2)
         return 0;
-    size_t fit = (size_t)(end - text) / SHORTEST_ROW;
+    size_t fit = most_rows(text, end);
+    bool several = threads != 1 && most >= fit && end - text >= 2 * CLOUD_PLAIN_PART;
     if (most > fit)
         most = fit;
     if (most == 0)
         return 0;
-    array_reserve(points, points->n + most + 1); /* the last may prove to be no whole row */
+    /* the last may prove to be no whole row */
+    array_reserve(points, points->n + most + (several ? CLOUD_PLAIN_PARTS : 1));
     struct vec3 *point = points->item + points->n;
-    const struct manner how = {style->delimiter, even};
-    const char *after = halves_of(text, end, how, point, most, rows);
+    struct parts parts = {.how = {style->delimiter, even}};
+    if (several)
+        cut_into_parts(text, end, point, &parts);
+    const char *after = several ? parts_of(&parts, threads, point, rows)
+                                : halves_of(text, end, parts.how, point, most, rows);
     points->n += *rows;
     return (size_t)(after - text);
 }

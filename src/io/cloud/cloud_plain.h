@@ -13,13 +13,17 @@
  * before `end` is a LF.  Then num_even reads them faster. */
 bool cloud_plain_even(const char *text, const char *end);
 
+/* So much text is read by several threads. */
+enum { CLOUD_PLAIN_PART = 1 << 17 /* bytes for one of them */, CLOUD_PLAIN_PARTS = 16 };
+
 /*
  * Reads whole lines from [text, end), where the last byte is a LF, as long as they are three
  * numbers of this style in the first three columns, and any columns after them.  Appends up
  * to `most` points; *rows says how many.  Returns how many bytes they took; the line after them,
- * if there is one, is for cloud_row_read.
+ * if there is one, is for cloud_row_read.  `threads` as in parallel.h: they change nothing but the
+ * time.
  */
-size_t cloud_plain_rows(const struct cloud_options *style, bool even, const char *text,
+size_t cloud_plain_rows(const struct cloud_options *style, bool even, int threads, const char *text,
                         const char *end, size_t most, struct vec3s *points, size_t *rows);
 
 #endif

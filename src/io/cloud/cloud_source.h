@@ -14,6 +14,7 @@ struct cloud_source {
     struct reader *reader;
     struct vec3s *points;
     struct cloud_count *count;
+    int threads; /* that parse rows, as in parallel.h */
     void (*take)(void *context, const struct vec3 *point, size_t n); /* NULL: `points` keeps all */
     void *context;
     struct aside *aside; /* takes them while others are read, NULL: `take` is */

@@ -212,6 +212,7 @@ struct text {
     size_t promised;    /* how many its count says, 0: there was no count */
     size_t promised_at; /* line of the count */
     size_t columns;     /* fewest of a row that was read one by one */
+    bool smooth;        /* what was read ahead last was all plain: more of it is worth threads */
 };
 
 /* The first column as a whole number without decimal point, or -1. */
@@ -421,8 +422,9 @@ static void read_plain_rows(struct text *t)
         t->even = cloud_plain_even(ahead, ahead + n);
         t->looked = true;
     }
-    size_t taken =
-        cloud_plain_rows(&t->style, t->even, ahead, ahead + n, most, t->source->points, &rows);
+    size_t taken = cloud_plain_rows(&t->style, t->even, t->smooth ? t->source->threads : 1, ahead,
+                                    ahead + n, most, t->source->points, &rows);
+    t->smooth = taken == n && n > 0;
     if (!t->style.point && memchr(ahead, '.', taken))
         t->style.point = '.';
     reader_take(t->source->reader, taken, rows);
@@ -447,10 +449,14 @@ static int at_end(const struct text *t, struct error *error)
 
 int cloud_text_read(struct cloud_source *source, struct error *error)
 {
+    enum { AT_ONCE = 1 << 20 };
     struct text t = {.source = source};
     char *line;
     size_t n;
     int got;
+    /* for any number of threads, so that the rows that are read one by one are the same */
+    if (!source->take && source->reader->size > AT_ONCE)
+        source->reader->at_once = AT_ONCE;
     while ((got = cloud_line(source, &line, &n, error)) > 0) {
         if (next_line(&t, line, n, error) < 0) {
             got = -1;

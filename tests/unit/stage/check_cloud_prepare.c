@@ -68,7 +68,7 @@ START_TEST(reading)
     struct scan_sources scan = {0};
     size_t left_out;
     said_begin();
-    int status = cloud_prepare_read(file, 2, &points, &scan, &left_out, &error);
+    int status = cloud_prepare_read(file, 2, 2, &points, &scan, &left_out, &error);
     said_end();
     ck_assert_int_eq(status, 0);
     ck_assert_uint_eq(points.n, 6);
@@ -83,7 +83,7 @@ START_TEST(reading)
     char missing[] = "/nowhere/at/all";
     file[1] = missing;
     said_begin();
-    status = cloud_prepare_read(file, 2, &points, &scan, &left_out, &error);
+    status = cloud_prepare_read(file, 2, 2, &points, &scan, &left_out, &error);
     said_end();
     ck_assert_int_eq(status, -1);
     ck_assert_ptr_nonnull(strstr(error.text, missing));
@@ -237,11 +237,11 @@ START_TEST(files)
     fclose(f);
     ck_assert_str_eq(head, "# 3 outliers of a?b.xyz\n");
     struct cloud_count count;
-    ck_assert_int_eq(cloud_read(name, &again, &count, &error), 0);
+    ck_assert_int_eq(cloud_read(name, 1, &again, &count, &error), 0);
     ck_assert_uint_eq(again.n, raw.n - STRAYS);
     ck_assert_uint_eq(kept.n, again.n);
     ck_assert_int_eq(memcmp(again.item, kept.item, kept.n * sizeof *kept.item), 0);
-    ck_assert_int_eq(cloud_read(other, &again, &count, &error), 0);
+    ck_assert_int_eq(cloud_read(other, 1, &again, &count, &error), 0);
     ck_assert_uint_eq(again.n, raw.n);
     ck_assert_uint_eq(scan_source_hash(again.item, again.n), scan_source_hash(raw.item, raw.n));
     for (size_t i = 0; i < again.n; i++)

@@ -47,9 +47,9 @@ START_TEST(refused_by_name)
     snprintf(iges, sizeof iges, "%-72sS      1\n%-72sG      1\n", "made", "1H,,1H;");
     clouds_refused(iges, "IGES");
     ck_assert_int_eq(
-        cloud_read("/nonexistent/cloud.xyz", &clouds.points, &clouds.count, &clouds.error), -1);
+        cloud_read("/nonexistent/cloud.xyz", 1, &clouds.points, &clouds.count, &clouds.error), -1);
     ck_assert_ptr_nonnull(strstr(clouds.error.text, "No such file"));
-    ck_assert_int_eq(cloud_read("/tmp", &clouds.points, &clouds.count, &clouds.error), -1);
+    ck_assert_int_eq(cloud_read("/tmp", 1, &clouds.points, &clouds.count, &clouds.error), -1);
     ck_assert_ptr_nonnull(strstr(clouds.error.text, "directory"));
 }
 END_TEST
@@ -337,7 +337,7 @@ START_TEST(appends)
 {
     ck_assert_int_eq(clouds_text("1 2 3\n"), 0);
     ck_assert_int_eq(
-        cloud_read(scratch_text("4 5 6\n7 8 9\n"), &clouds.points, &clouds.count, &clouds.error),
+        cloud_read(scratch_text("4 5 6\n7 8 9\n"), 1, &clouds.points, &clouds.count, &clouds.error),
         0);
     ck_assert_uint_eq(clouds.points.n, 3);
     ck_assert_uint_eq(clouds.count.points, 2);

@@ -53,7 +53,7 @@ static void same_both_ways(const struct cloud_options *style, const char *text, 
 
     for (int even = 0; even < 2; even++)
         taken[even] =
-            cloud_plain_rows(style, even == 1, text, text + n, most, &points[even], &rows[even]);
+            cloud_plain_rows(style, even == 1, 1, text, text + n, most, &points[even], &rows[even]);
     ck_assert_uint_eq(taken[0], taken[1]);
     ck_assert_uint_eq(rows[0], rows[1]);
     ck_assert_uint_le(rows[0], most);
