@@ -234,7 +234,7 @@ static bool say_unmet(const struct settings *s, const struct unmets *unmet)
 {
     for (size_t i = 0; i < unmet->n; i++)
         if (strcmp(unmet->item[i].stage, "ncpost") != 0) /* its own is said */
-            say("unmet, %s: %s", unmet->item[i].stage, unmet->item[i].text);
+            (s->accept ? say : warn)("unmet, %s: %s", unmet->item[i].stage, unmet->item[i].text);
     if (unmet->n > 0 && !s->accept)
         say("a stage could not keep what was asked of it; the program is written, and its "
             "head says so (--accept ends with 0)");

@@ -18,13 +18,17 @@ struct unmets {
     struct unmet *item;
 };
 
-/* Says the line with say() and keeps it under the name of this tool; NULL: it is accepted, and only
- * said. */
+/* Says the line with warn(), under -q, too, since it is why the tool ends with EXIT_UNMET, and keeps
+ * it under the name of this tool; NULL: it is accepted, and only said with say(). */
 void unmet_say(struct unmets *unmets, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-/* The same with warn(): said under -q, too. */
+/* The same, with warn() where it is accepted, too. */
 void unmet_warn(struct unmets *unmets, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+/* The same, with say(): what a later stage may make up for, so that this one succeeds. */
+void unmet_later(struct unmets *unmets, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
 /* Adds what another stage could not keep; bytes below a blank become `?`. */

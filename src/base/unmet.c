@@ -50,7 +50,7 @@ void unmet_say(struct unmets *unmets, const char *format, ...)
     va_list args;
 
     va_start(args, format);
-    tell(unmets, say, format, args);
+    tell(unmets, unmets ? warn : say, format, args);
     va_end(args);
 }
 
@@ -60,6 +60,15 @@ void unmet_warn(struct unmets *unmets, const char *format, ...)
 
     va_start(args, format);
     tell(unmets, warn, format, args);
+    va_end(args);
+}
+
+void unmet_later(struct unmets *unmets, const char *format, ...)
+{
+    va_list args;
+
+    va_start(args, format);
+    tell(unmets, say, format, args);
     va_end(args);
 }
 

@@ -122,6 +122,11 @@ static void write_path(const char *file, struct path *path, struct path_part par
  * that has their statements (write_path). */
 static int status_of(const struct path *path, struct path_part part, const struct unmets *unmet)
 {
+    const struct unmets *all = &path->head.unmet;
+
+    if (path_part_last(part) && all->n > unmet->n)
+        warn("unmet before, %s: %s%s", all->item[0].stage, all->item[0].text,
+             all->n > unmet->n + 1 ? "; and more" : "");
     return unmets_status(path_part_last(part) ? &path->head.unmet : unmet);
 }
 

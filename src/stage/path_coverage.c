@@ -302,11 +302,11 @@ static void say_as_is(const struct path_coverage *c, const struct path_judged *j
 {
     size_t points = coverage_report(c->coverage).points, left = judged->left + judged->n;
 
-    unmet_say(unfitted,
-              "without a fitter, whose tolerance makes up for it, %zu of %zu points (%.2f %%, at "
-              "most %g) are left to who judges by the points: more than %.3f mm",
-              left, points, 100 * (double)left / (double)points, path_options.left_share,
-              judged->limit);
+    unmet_later(unfitted,
+                "without a fitter, whose tolerance makes up for it, %zu of %zu points (%.2f %%, at "
+                "most %g) are left to who judges by the points: more than %.3f mm",
+                left, points, 100 * (double)left / (double)points, path_options.left_share,
+                judged->limit);
 }
 
 int path_coverage_conclude(const struct path_coverage *c, struct path_head *head)
