@@ -18,7 +18,7 @@ struct unmets {
     struct unmet *item;
 };
 
-/* Says the line with warn(), under -q, too, since it is why the tool ends with EXIT_UNMET, and keeps
+/* Says the line with warn(), under -q, too, for it is why the tool ends with EXIT_UNMET, and keeps
  * it under the name of this tool; NULL: it is accepted, and only said with say(). */
 void unmet_say(struct unmets *unmets, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
