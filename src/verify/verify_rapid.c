@@ -82,12 +82,15 @@ static void judge_end(struct verdict *v)
                     "the program ends %.3f mm below the part's top: a retract is missing", below);
 }
 
-/* As long a way at rapid as its maker counted, or a retract or an approach was taken out.  More may
- * be: some moves of the axes alone are not counted. */
+/* As long a way at rapid as its maker counted, or a retract or an approach was taken out, but for
+ * the ends of moves, which are rounded.  More may be: some moves of the axes alone are not
+ * counted. */
 static void judge_way(struct verdict *v)
 {
-    double said = v->program.rapid, way = v->axes.rapid_length;
-    if (said - way > WAY)
+    double said = v->program.rapid, way = v->axes.rapid_length, off = WAY;
+    for (size_t i = 0; i < v->program.motion->piece.n; i++)
+        off += v->program.motion->piece.item[i].rapid ? ROUNDED : 0;
+    if (said - way > off)
         finding_remark(
             v, true,
             "its rapid moves are %.1f mm long, and %.1f by its head: a retract or an approach "

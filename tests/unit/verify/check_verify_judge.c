@@ -349,6 +349,20 @@ static void rapid_as_said(struct verdict *v)
     way(v, 206.7, 206.61);
 }
 
+/* Two moves are rounded by no more than this: the head says a tenth. */
+static void rapid_short(struct verdict *v)
+{
+    way(v, 206.7, 206.595);
+}
+
+/* Hundreds are, in sum: of 1,256 moves of a program it was 0.2 mm. */
+static void rapid_of_many(struct verdict *v)
+{
+    for (int i = 0; i < 400; i++)
+        move_to((struct nc_motion *)v->program.motion, vec(20, 0, 30 + i % 2), vec(0, 0, 1), true);
+    way(v, 206.7, 206.25);
+}
+
 static void rapid_more(struct verdict *v)
 {
     way(v, 206.7, 220);
@@ -435,6 +449,10 @@ static const struct {
      "its rapid moves are 200.7 mm long, and 206.7 by its head: a retract or an approach is "
      "missing"},
     {rapid_as_said, false, NULL},
+    {rapid_short, true,
+     "its rapid moves are 206.6 mm long, and 206.7 by its head: a retract or an approach is "
+     "missing"},
+    {rapid_of_many, false, NULL},
     {rapid_more, false, NULL},
     {rapid_not_said, false, NULL},
     {ends_below_elsewhere, false, NULL},
