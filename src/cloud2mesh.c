@@ -398,7 +398,7 @@ int main(int argc, char **argv)
             settings.meshing.error);
     int status = unmets_status(&mesh.origin.unmet);
     struct out *out = out_open(cli.output);
-    ply_write(out, &mesh);
+    ply_write(out, &mesh, cli.threads);
     out_close(out);
     mesh_free(&mesh);
     array_free(&points);

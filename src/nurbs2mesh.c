@@ -397,7 +397,7 @@ static void write_mesh(const struct cli *cli, const struct patches *patches,
     note("%zu surfaces in; %zu vertices, %zu facets", patch_mesh->sheets, mesh.vertex.n,
          mesh.face.n);
     struct out *out = out_open(cli->output);
-    ply_write(out, &mesh);
+    ply_write(out, &mesh, cli->threads);
     out_close(out);
     mesh_free(&mesh);
 }

@@ -4,7 +4,7 @@
  * A file is written under a temporary name beside its place and renamed by out_close.  A process
  * that ends before that (die, a signal) leaves an older file unchanged and no temporary file.
  * Anything but a regular file (a FIFO, /dev/null) is written directly.  A failure to write ends the
- * process with exit status 1.  One output at a time.
+ * process with exit status 1.  One output at a time, beside those in memory.
  */
 #ifndef CLOUDMILL_OUT_H
 #define CLOUDMILL_OUT_H
@@ -38,6 +38,13 @@ void out_num(struct out *o, double x, int digits);
 /* x with the fewest digits that read back as the same number. */
 void out_exact(struct out *o, double x);
 void out_int(struct out *o, long long i);
+
+/* Output that is kept in memory, for a part of what out_join then writes elsewhere in its order: it
+ * may be filled by another thread.  out_close frees it. */
+struct out *out_memory(void);
+
+/* Writes what the other has in memory, which is then empty. */
+void out_join(struct out *o, struct out *memory);
 
 /* Writes what is left, checks it and gives the file its name. */
 void out_close(struct out *o);

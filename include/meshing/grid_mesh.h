@@ -26,10 +26,11 @@ bool grid_mesh_facet(const struct vec3 p[3], const struct holes *holes,
  * first those that point up, then those that point down, counter-clockwise in the grid.  A
  * triangle with a node that has no point is no facet.  With `holes` (else NULL) facets over a
  * hole are left out, those that lie face down seen from above (where the grid is too fine for the
- * points; the others around cover the place), and vertices without a facet.
+ * points; the others around cover the place), and vertices without a facet.  `threads` as in
+ * parallel.h.
  */
 struct grid_mesh_count grid_mesh_make(const struct grid *grid, const size_t *chosen,
                                       const struct vec3 *point, const struct holes *holes,
-                                      struct mesh *mesh);
+                                      int threads, struct mesh *mesh);
 
 #endif

@@ -31,8 +31,10 @@ enum reach {
 #define NO_POINT ((size_t)-1)
 
 /* The index of the point for each node, NO_POINT where there is none: chosen[row * columns +
- * column].  Free with free(). */
-size_t *reposition(const struct grid *grid, const struct vec3 *point, size_t n, enum reach reach);
+ * column].  Free with free().  `threads` as in parallel.h: they share points that are sorted by
+ * rows, as those of a point grid are. */
+size_t *reposition(const struct grid *grid, const struct vec3 *point, size_t n, enum reach reach,
+                   int threads);
 
 /*
  * The same of points that come in blocks, in the same order each time: all of them to

@@ -19,6 +19,11 @@ struct out {
     int fd;
     const char *name; /* for messages */
     char *target;     /* the name it gets when complete; NULL: written directly */
+    bool in_memory;   /* there, in place of a file: */
+    struct {
+        size_t n, cap;
+        char *item;
+    } kept;
     size_t n;
     char buf[BUFFER];
 };
@@ -193,6 +198,12 @@ struct out *out_open(const char *file)
 
 static void put_bytes(struct out *o, const char *p, size_t n)
 {
+    if (o->in_memory) {
+        array_reserve(&o->kept, o->kept.n + n);
+        memcpy(o->kept.item + o->kept.n, p, n);
+        o->kept.n += n;
+        return;
+    }
     while (n) {
         ssize_t done = write(o->fd, p, n);
         if (done < 0 && errno == EINTR)
@@ -220,6 +231,20 @@ void out_bytes(struct out *o, const void *p, size_t n)
     }
     memcpy(o->buf + o->n, p, n);
     o->n += n;
+}
+
+struct out *out_memory(void)
+{
+    struct out *o = mem_alloc(1, sizeof *o);
+    o->in_memory = true;
+    return o;
+}
+
+void out_join(struct out *o, struct out *memory)
+{
+    out_bytes(o, memory->kept.item, memory->kept.n);
+    out_bytes(o, memory->buf, memory->n);
+    memory->kept.n = memory->n = 0;
 }
 
 char *out_room(struct out *o, size_t n)
@@ -293,6 +318,11 @@ void out_int(struct out *o, long long i)
 
 void out_close(struct out *o)
 {
+    if (o->in_memory) {
+        array_free(&o->kept);
+        free(o);
+        return;
+    }
     flush(o);
     if (o->target && fsync(o->fd) < 0)
         die("%s: cannot write: %s", o->name, strerror(errno));

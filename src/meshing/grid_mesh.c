@@ -3,6 +3,8 @@
 
 #include <stdlib.h>
 
+#include "base/array.h"
+#include "base/parallel.h"
 #include "meshing/reposition.h"
 
 bool grid_mesh_facet(const struct vec3 p[3], const struct holes *holes,
@@ -27,34 +29,92 @@ bool grid_mesh_facet(const struct vec3 p[3], const struct holes *holes,
     return true;
 }
 
-/* Adds a facet of three nodes when it is one; the corners are node numbers for now. */
-static void add_facet(const size_t *chosen, const struct vec3 *point, const struct holes *holes,
-                      const size_t node[3], struct mesh *mesh, struct grid_mesh_count *count)
+enum { POINTS_UP = 1, POINTS_DOWN = 2 };
+
+/* Facets by rows of nodes, none of which needs another. */
+struct facets {
+    const struct grid *grid;
+    const size_t *chosen;
+    const struct vec3 *point;
+    const struct holes *holes;
+    unsigned char *mark; /* which facets there are to the right of each node */
+    struct row_facets {
+        struct grid_mesh_count count;
+        size_t first, n; /* its place in the mesh */
+    } * row;
+    struct face *face;
+};
+
+/* The nodes of the facet that points up or down to the right of node i of a row. */
+static struct face face_at(const struct facets *f, size_t row, size_t i, int mark)
+{
+    int columns = f->grid->columns, low = (int)row * columns + (int)i, high = low + columns;
+
+    return mark == POINTS_UP ? (struct face){{low, low + 1, high}}
+                             : (struct face){{low + 1, high + 1, high}};
+}
+
+static bool is_facet(const struct facets *f, struct face face, struct grid_mesh_count *count)
 {
     struct vec3 p[3];
     for (int i = 0; i < 3; i++) {
-        if (chosen[node[i]] == NO_POINT)
-            return;
-        p[i] = point[chosen[node[i]]];
+        if (f->chosen[face.v[i]] == NO_POINT)
+            return false;
+        p[i] = f->point[f->chosen[face.v[i]]];
     }
-    if (grid_mesh_facet(p, holes, count))
-        *array_push(&mesh->face) = (struct face){{(int)node[0], (int)node[1], (int)node[2]}};
+    return grid_mesh_facet(p, f->holes, count);
 }
 
-static void add_row(const struct grid *grid, const size_t *chosen, const struct vec3 *point,
-                    const struct holes *holes, size_t row, struct mesh *mesh,
-                    struct grid_mesh_count *count)
+static void find_facets(void *context, size_t from, size_t to)
 {
-    size_t columns = (size_t)grid->columns;
-    size_t low = row * columns, high = low + columns;
-    for (size_t i = 0; i + 1 < columns; i++) {
-        size_t up[3] = {low + i, low + i + 1, high + i};
-        add_facet(chosen, point, holes, up, mesh, count);
+    const struct facets *f = context;
+    size_t columns = (size_t)f->grid->columns;
+
+    for (size_t row = from; row < to; row++)
+        for (int mark = POINTS_UP; mark <= POINTS_DOWN; mark++)
+            for (size_t i = 0; i + 1 < columns; i++)
+                if (is_facet(f, face_at(f, row, i, mark), &f->row[row].count)) {
+                    f->mark[row * columns + i] |= (unsigned char)mark;
+                    f->row[row].n++;
+                }
+}
+
+static void put_facets(void *context, size_t from, size_t to)
+{
+    const struct facets *f = context;
+    size_t columns = (size_t)f->grid->columns;
+
+    for (size_t row = from; row < to; row++) {
+        struct face *next = f->face + f->row[row].first;
+        for (int mark = POINTS_UP; mark <= POINTS_DOWN; mark++)
+            for (size_t i = 0; i + 1 < columns; i++)
+                if (f->mark[row * columns + i] & mark)
+                    *next++ = face_at(f, row, i, mark);
     }
-    for (size_t i = 0; i + 1 < columns; i++) {
-        size_t down[3] = {low + i + 1, high + i + 1, high + i};
-        add_facet(chosen, point, holes, down, mesh, count);
+}
+
+/* The facets, whose corners are numbers of nodes for now. */
+static struct grid_mesh_count add_facets(struct facets *f, int threads, struct mesh *mesh)
+{
+    size_t rows = f->grid->rows > 0 ? (size_t)f->grid->rows - 1 : 0;
+    struct grid_mesh_count count = {0, 0, 0, 0};
+
+    f->mark = mem_alloc(grid_nodes(f->grid), sizeof *f->mark);
+    f->row = mem_alloc(rows, sizeof *f->row);
+    parallel_for(threads, rows, find_facets, f);
+    for (size_t row = 0; row < rows; row++) {
+        count.bridges += f->row[row].count.bridges;
+        count.folded += f->row[row].count.folded;
+        count.no_area += f->row[row].count.no_area;
+        f->row[row].first = mesh->face.n;
+        mesh->face.n += f->row[row].n;
     }
+    array_reserve(&mesh->face, mesh->face.n);
+    f->face = mesh->face.item;
+    parallel_for(threads, rows, put_facets, f);
+    free(f->row);
+    free(f->mark);
+    return count;
 }
 
 /* The vertices, and their numbers in place of the nodes' in the facets. */
@@ -93,11 +153,10 @@ static void number_vertices(const struct grid *grid, const size_t *chosen, const
 
 struct grid_mesh_count grid_mesh_make(const struct grid *grid, const size_t *chosen,
                                       const struct vec3 *point, const struct holes *holes,
-                                      struct mesh *mesh)
+                                      int threads, struct mesh *mesh)
 {
-    struct grid_mesh_count count = {0, 0, 0, 0};
-    for (size_t row = 0; row + 1 < (size_t)grid->rows; row++)
-        add_row(grid, chosen, point, holes, row, mesh, &count);
+    struct facets facets = {.grid = grid, .chosen = chosen, .point = point, .holes = holes};
+    struct grid_mesh_count count = add_facets(&facets, threads, mesh);
     number_vertices(grid, chosen, point, holes == NULL, mesh, &count);
     return count;
 }

@@ -3,6 +3,7 @@
 
 #include <stdlib.h>
 
+#include "base/parallel.h"
 #include "math/pair.h"
 
 static const double STEPS = 1e9;
@@ -185,9 +186,10 @@ void reposition_free(struct reposition *r)
 
 enum { SOME = 256 };
 
-/* Points that each compete for their nearest node, at most SOME: first the nodes of all of them,
- * then what these have, which is anywhere in memory, looked up at once; most points are farther. */
-static void compete_some(struct reposition *r, const struct vec3 *point, size_t n)
+/* Points from number `index` on that each compete for their nearest node, at most SOME: first the
+ * nodes of all of them, then what these have, which is anywhere in memory, looked up at once; most
+ * points are farther. */
+static void compete_some(struct reposition *r, const struct vec3 *point, size_t index, size_t n)
 {
     struct {
         int column, row;
@@ -204,9 +206,14 @@ static void compete_some(struct reposition *r, const struct vec3 *point, size_t 
         taken[i] = r->choice[nearest[i].at].nearness;
     for (size_t i = 0; i < n; i++)
         if (nearness_of(nearest[i].distance2) <= taken[i])
-            compete_for_node(r, point[i], r->n + i, nearest[i].column, nearest[i].row,
+            compete_for_node(r, point[i], index + i, nearest[i].column, nearest[i].row,
                              nearest[i].distance2);
-    r->n += n;
+}
+
+static void compete_all(struct reposition *r, const struct vec3 *point, size_t index, size_t n)
+{
+    for (size_t i = 0; i < n; i += SOME)
+        compete_some(r, point + i, index + i, n - i < SOME ? n - i : SOME);
 }
 
 void reposition_add(struct reposition *r, const struct vec3 *point, size_t n)
@@ -214,8 +221,77 @@ void reposition_add(struct reposition *r, const struct vec3 *point, size_t n)
     static const double inside = 1 - 1e-9;
     for (size_t i = 0; i < n && r->reach == REACH_CIRCLE; i++)
         compete_circle(r, point[i], r->n++, inside, NULL);
-    for (size_t i = 0; i < n && r->reach != REACH_CIRCLE; i += SOME)
-        compete_some(r, point + i, n - i < SOME ? n - i : SOME);
+    if (r->reach == REACH_CIRCLE)
+        return;
+    compete_all(r, point, r->n, n);
+    r->n += n;
+}
+
+/* Parts of the points, each with the rows of nodes that it may compete for. */
+enum { PARTS = 32, LEAST_OF_PART = 2048 };
+
+struct parts {
+    struct reposition *r;
+    const struct vec3 *point;
+    size_t n;
+    int low[PARTS], high[PARTS];
+    size_t first; /* the even parts, or the odd ones */
+};
+
+static size_t part_begins(const struct parts *p, size_t part)
+{
+    return p->n / PARTS * part + (part < p->n % PARTS ? part : p->n % PARTS);
+}
+
+static void find_rows(void *context, size_t from, size_t to)
+{
+    struct parts *p = context;
+    for (size_t part = from; part < to; part++) {
+        int low = p->r->grid.rows, high = 0;
+        for (size_t i = part_begins(p, part); i < part_begins(p, part + 1); i++) {
+            int row = place_of(&p->r->grid, p->point[i]).row;
+            low = row < low ? row : low;
+            high = row + 1 > high ? row + 1 : high;
+        }
+        p->low[part] = low;
+        p->high[part] = high;
+    }
+}
+
+static void compete_parts(void *context, size_t from, size_t to)
+{
+    const struct parts *p = context;
+    for (size_t k = from; k < to; k++) {
+        size_t begin = part_begins(p, p->first + 2 * k), end = part_begins(p, p->first + 2 * k + 1);
+        compete_all(p->r, p->point + begin, begin, end - begin);
+    }
+}
+
+/* Are the rows of each part over those of the part before the last? */
+static bool are_apart(const struct parts *p)
+{
+    for (size_t part = 2; part < PARTS; part++)
+        if (p->low[part] <= p->high[part - 2])
+            return false;
+    return true;
+}
+
+/* All points at once.  Which of two comes first for a node does not depend on their order, so that
+ * every other part of them may be looked at at a time where these have no row in common. */
+static void add_all(struct reposition *r, const struct vec3 *point, size_t n, int threads)
+{
+    struct parts parts = {.r = r, .point = point, .n = n};
+    bool many = threads != 1 && r->reach == REACH_NEAREST && n >= (size_t)PARTS * LEAST_OF_PART;
+
+    if (many)
+        parallel_for(threads, PARTS, find_rows, &parts);
+    if (!many || !are_apart(&parts)) {
+        reposition_add(r, point, n);
+        return;
+    }
+    for (; parts.first < 2; parts.first++)
+        parallel_for(threads, PARTS / 2, compete_parts, &parts);
+    r->n += n;
 }
 
 /* The nodes around one, where they are kept; how many there are, and how many have a point. */
@@ -323,7 +399,8 @@ void reposition_settle(struct reposition *r)
         }
 }
 
-size_t *reposition(const struct grid *grid, const struct vec3 *point, size_t n, enum reach reach)
+size_t *reposition(const struct grid *grid, const struct vec3 *point, size_t n, enum reach reach,
+                   int threads)
 {
     size_t nodes = grid_nodes(grid), *chosen = mem_alloc(nodes, sizeof *chosen);
     struct reposition r = {0};
@@ -332,7 +409,7 @@ size_t *reposition(const struct grid *grid, const struct vec3 *point, size_t n, 
         chosen[i] = NO_POINT;
     if (reposition_begin(grid, n, reach, &r, &error) < 0)
         return chosen;
-    reposition_add(&r, point, n);
+    add_all(&r, point, n, threads);
     if (reposition_empty(&r)) {
         reposition_fill(&r, point, n);
         reposition_settle(&r);

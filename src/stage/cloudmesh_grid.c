@@ -33,14 +33,14 @@ double cloudmesh_spacing(const struct cloudmesh_options *options, const struct v
 /* A point for each node; one on a wall only where there is no other. */
 static size_t *choose_points(const struct cloudmesh_options *options,
                              const struct cloud_parts *parts, const struct grid *grid,
-                             const struct vec3s *points)
+                             const struct vec3s *points, int threads)
 {
     enum reach reach = options->paper ? REACH_CIRCLE : REACH_NEAREST;
     size_t walls = points->n - parts->flat, nodes = grid_nodes(grid);
-    size_t *chosen = reposition(grid, points->item, parts->flat, reach);
+    size_t *chosen = reposition(grid, points->item, parts->flat, reach, threads);
     if (walls == 0)
         return chosen;
-    size_t *on_wall = reposition(grid, points->item + parts->flat, walls, reach);
+    size_t *on_wall = reposition(grid, points->item + parts->flat, walls, reach, threads);
     for (size_t i = 0; i < nodes; i++)
         if (chosen[i] == NO_POINT && on_wall[i] != NO_POINT)
             chosen[i] = parts->flat + on_wall[i];
@@ -50,8 +50,8 @@ static size_t *choose_points(const struct cloudmesh_options *options,
 
 /* The grid's mesh of the points, without normals.  -1: as cloudmesh_make. */
 int cloudmesh_place_nodes(const struct cloudmesh_options *options, const struct cloud_parts *parts,
-                          const struct vec3s *points, struct mesh *mesh, struct cloudmesh *result,
-                          struct error *error)
+                          const struct vec3s *points, int threads, struct mesh *mesh,
+                          struct cloudmesh *result, struct error *error)
 {
     const struct vec3 *point = points->item;
     struct holes holes = {0};
@@ -64,8 +64,9 @@ int cloudmesh_place_nodes(const struct cloudmesh_options *options, const struct 
         (!whole &&
          holes_find(point, points->n, gap, options->paper ? gap / 2 : rim, &holes, error) < 0))
         return -1;
-    size_t *chosen = choose_points(options, parts, &result->grid, points);
-    result->count = grid_mesh_make(&result->grid, chosen, point, whole ? NULL : &holes, mesh);
+    size_t *chosen = choose_points(options, parts, &result->grid, points, threads);
+    result->count =
+        grid_mesh_make(&result->grid, chosen, point, whole ? NULL : &holes, threads, mesh);
     free(chosen);
     holes_free(&holes);
     if (mesh->face.n == 0 && !options->subdivide)
@@ -261,7 +262,7 @@ static int mesh_of_nodes(const struct cloudmesh_options *options, const struct c
                          struct vec3s *points, double noise, int threads, struct mesh *mesh,
                          struct cloudmesh *result, struct error *error)
 {
-    if (cloudmesh_place_nodes(options, parts, points, mesh, result, error) < 0)
+    if (cloudmesh_place_nodes(options, parts, points, threads, mesh, result, error) < 0)
         return -1;
     if (mesh->face.n == 0)
         return 0;
@@ -298,14 +299,14 @@ static bool walls_serve(const struct cloudmesh_options *options, const struct cl
     struct error error;
     bool serve = false;
 
-    if (cloudmesh_place_nodes(options, parts, points, &walled, &result, &error) == 0) {
+    if (cloudmesh_place_nodes(options, parts, points, threads, &walled, &result, &error) == 0) {
         mesh_normals_facet(&walled);
         walls = feature_mesh_try_walls(&walled, &scan, options->effort, threads);
     }
     if (!options->silent)
         effort_say(EFFORT_WALLS, options->effort, walls.edges);
     if (walls.found > 0 &&
-        cloudmesh_place_nodes(options, &all, points, &plain, &result, &error) == 0)
+        cloudmesh_place_nodes(options, &all, points, threads, &plain, &result, &error) == 0)
         serve = off_points(&walled, points, some, threads) <
                 about * off_points(&plain, points, some, threads);
     mesh_free(&walled);

@@ -33,8 +33,8 @@ int cloudmesh_smooth_points(const struct cloudmesh_options *options, struct vec3
 
 /* The grid's mesh of the points, without normals.  -1: as cloudmesh_make. */
 int cloudmesh_place_nodes(const struct cloudmesh_options *options, const struct cloud_parts *parts,
-                          const struct vec3s *points, struct mesh *mesh, struct cloudmesh *result,
-                          struct error *error);
+                          const struct vec3s *points, int threads, struct mesh *mesh,
+                          struct cloudmesh *result, struct error *error);
 
 /* Creases and walls put into a mesh that has normals; these to the side that is seen.  `sorted`:
  * the points on no wall, with their mean spacing; NULL: they get sorted. */

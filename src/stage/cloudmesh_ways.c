@@ -59,7 +59,7 @@ static struct grid_mesh_count mesh_of_net(const struct lin_grid *net, const stru
         node[i] = lin_grid_node(net, i % net->columns, i / net->columns);
         chosen[i] = isnan(net->z[i]) ? NO_POINT : i;
     }
-    struct grid_mesh_count count = grid_mesh_make(&grid, chosen, node, holes, mesh);
+    struct grid_mesh_count count = grid_mesh_make(&grid, chosen, node, holes, 1, mesh);
     free(node);
     free(chosen);
     return count;

@@ -41,7 +41,7 @@ int cloudmesh_smooth_points(const struct cloudmesh_options *options, struct vec3
     bool all = effort_covers(EFFORT_SURFACE, options->effort, points->n);
     effort_say(EFFORT_SURFACE, options->effort, points->n);
     if (!all)
-        status = cloudmesh_place_nodes(&fine, &parts, points, &mesh, &result, error);
+        status = cloudmesh_place_nodes(&fine, &parts, points, threads, &mesh, &result, error);
     for (size_t i = 0; all && i < points->n; i++)
         *array_push(&mesh.vertex) = points->item[i];
     if (status == 0)

@@ -28,8 +28,9 @@ int ply_read_points(struct reader *r, struct vec3s *points, struct error *error)
 /* True if the head of this file says rows of faces; what cannot be read has none. */
 bool ply_has_faces(const char *file);
 
-/* Writes the mesh stream: ASCII PLY, doubles with 6 decimals, normals and kmax with 9. */
-void ply_write(struct out *out, const struct mesh *mesh);
+/* Writes the mesh stream: ASCII PLY, doubles with 6 decimals, normals and kmax with 9.  `threads`
+ * as in parallel.h: numbers become text in several; the bytes are the same. */
+void ply_write(struct out *out, const struct mesh *mesh, int threads);
 
 /* The same of a mesh that is nowhere whole: its head, then so many vertices, then so many faces. */
 struct ply_shape {

@@ -123,8 +123,23 @@ static inline const char *rows_of(const char *p, const char *end, struct manner 
     return p;
 }
 
-/* The same, of much text by halves: the rows of the second come to stand behind as many as the
- * first may have, until it is known how many it has. */
+static size_t count_lines(const char *p, const char *end)
+{
+    enum { AT_ONCE = 128 }; /* so that a byte holds how many */
+    size_t lines = 0;
+    for (; end - p >= AT_ONCE; p += AT_ONCE) {
+        unsigned char some = 0;
+        for (int i = 0; i < AT_ONCE; i++)
+            some = (unsigned char)(some + (p[i] == '\n'));
+        lines += some;
+    }
+    for (; p < end; p++)
+        lines += *p == '\n';
+    return lines;
+}
+
+/* The same, of much text by halves: the rows of the second stand behind as many as the first has
+ * lines, and if one of these is no plain row they are as if they had not been read. */
 static inline const char *halves_of(const char *p, const char *end, struct manner how,
                                     struct vec3 *point, size_t most, size_t *rows)
 {
@@ -133,7 +148,7 @@ static inline const char *halves_of(const char *p, const char *end, struct manne
         return rows_of(p, end, how, point, most, rows);
     const char *half = p + (end - p) / 2, *feed = memchr(half, '\n', (size_t)(end - half));
     const char *middle = feed ? feed + 1 : end;
-    struct vec3 *second = point + (middle - p) / SHORTEST_ROW;
+    struct vec3 *second = point + count_lines(p, middle);
     const char *at[2] = {p, middle};
     size_t both = rows_in_turn(at, middle, end, how, point, second), left, right;
     p = rows_of(at[0], middle, how, point + both, most, &left);
@@ -141,19 +156,18 @@ static inline const char *halves_of(const char *p, const char *end, struct manne
     if (p != middle)
         return p;
     p = rows_of(at[1], end, how, second + both, most, &right);
-    memmove(point + *rows, second, (both + right) * sizeof *point);
     *rows += both + right;
     return p;
 }
 
-/* Text in parts of whole lines, each with room of its own for the points that it may have. */
+/* Text in parts of whole lines, each with a place for the points that it has if all are plain. */
 struct parts {
     struct manner how;
-    size_t n;
+    struct vec3 *point;
+    size_t lines, n;
     struct part {
         const char *from, *end, *after;
-        struct vec3 *point;
-        size_t rows;
+        size_t first, rows;
     } part[CLOUD_PLAIN_PARTS];
 };
 
@@ -168,8 +182,7 @@ static const char *after_line(const char *p, const char *end)
     return feed ? feed + 1 : end;
 }
 
-static void cut_into_parts(const char *text, const char *end, struct vec3 *point,
-                           struct parts *parts)
+static void cut_into_parts(const char *text, const char *end, struct parts *parts)
 {
     size_t n = (size_t)(end - text), wanted = n / CLOUD_PLAIN_PART;
     const char *from = text, *to;
@@ -180,9 +193,8 @@ static void cut_into_parts(const char *text, const char *end, struct vec3 *point
             to = from;
             continue;
         }
-        /* a place more for each: the last of its rows may prove to be none */
-        struct vec3 *room = point + most_rows(text, from) + parts->n;
-        parts->part[parts->n++] = (struct part){from, to, from, room, 0};
+        parts->part[parts->n++] = (struct part){from, to, from, parts->lines, 0};
+        parts->lines += count_lines(from, to);
     }
 }
 
@@ -191,21 +203,19 @@ static void read_parts(void *context, size_t from, size_t to)
     struct parts *parts = context;
     for (size_t k = from; k < to; k++) {
         struct part *p = &parts->part[k];
-        p->after =
-            halves_of(p->from, p->end, parts->how, p->point, most_rows(p->from, p->end), &p->rows);
+        p->after = halves_of(p->from, p->end, parts->how, parts->point + p->first,
+                             most_rows(p->from, p->end), &p->rows);
     }
 }
 
 /* The same as halves_of by several threads: parts up to the first with a row that is not plain. */
-static const char *parts_of(struct parts *parts, int threads, struct vec3 *point, size_t *rows)
+static const char *parts_of(struct parts *parts, int threads, size_t *rows)
 {
     const struct part *p = parts->part;
     parallel_for(threads, parts->n, read_parts, parts);
     *rows = p->rows;
-    for (; p->after == p->end && p + 1 < parts->part + parts->n; p++) {
-        memmove(point + *rows, p[1].point, p[1].rows * sizeof *point);
-        *rows += p[1].rows;
-    }
+    while (p->after == p->end && p + 1 < parts->part + parts->n)
+        *rows += (++p)->rows;
     return p->after;
 }
 
@@ -245,19 +255,20 @@ size_t cloud_plain_rows(const struct cloud_options *style, bool even, int thread
     if (style->point == ',' || column[0] != 0 || column[1] != 1 || column[2] != 2)
         return 0;
     size_t fit = most_rows(text, end);
-    bool several = threads != 1 && most >= fit && end - text >= 2 * CLOUD_PLAIN_PART;
+    bool several = most >= fit && end - text >= 2 * CLOUD_PLAIN_PART;
+    struct parts parts = {.how = {style->delimiter, even}};
     if (most > fit)
         most = fit;
     if (most == 0)
         return 0;
-    /* the last may prove to be no whole row */
-    array_reserve(points, points->n + most + (several ? CLOUD_PLAIN_PARTS : 1));
-    struct vec3 *point = points->item + points->n;
-    struct parts parts = {.how = {style->delimiter, even}};
-    if (several)
-        cut_into_parts(text, end, point, &parts);
-    const char *after = several ? parts_of(&parts, threads, point, rows)
-                                : halves_of(text, end, parts.how, point, most, rows);
+    if (several) {
+        cut_into_parts(text, end, &parts);
+        most = parts.lines;
+    }
+    array_reserve(points, points->n + most + 1); /* the last may prove to be no whole row */
+    parts.point = points->item + points->n;
+    const char *after = several ? parts_of(&parts, threads, rows)
+                                : halves_of(text, end, parts.how, parts.point, most, rows);
     points->n += *rows;
     return (size_t)(after - text);
 }

@@ -13,7 +13,7 @@
  * before `end` is a LF.  Then num_even reads them faster. */
 bool cloud_plain_even(const char *text, const char *end);
 
-/* So much text is read by several threads. */
+/* Text of two parts and more is read by several threads, all of it, whatever they find. */
 enum { CLOUD_PLAIN_PART = 1 << 17 /* bytes for one of them */, CLOUD_PLAIN_PARTS = 16 };
 
 /*

@@ -212,7 +212,7 @@ struct text {
     size_t promised;    /* how many its count says, 0: there was no count */
     size_t promised_at; /* line of the count */
     size_t columns;     /* fewest of a row that was read one by one */
-    bool smooth;        /* what was read ahead last was all plain: more of it is worth threads */
+    bool smooth;        /* what was looked at ahead last was all plain: more may be looked at */
 };
 
 /* The first column as a whole number without decimal point, or -1. */
@@ -422,8 +422,12 @@ static void read_plain_rows(struct text *t)
         t->even = cloud_plain_even(ahead, ahead + n);
         t->looked = true;
     }
-    size_t taken = cloud_plain_rows(&t->style, t->even, t->smooth ? t->source->threads : 1, ahead,
-                                    ahead + n, most, t->source->points, &rows);
+    if (!t->smooth && n > CLOUD_PLAIN_PART) { /* less of it would be read for nothing */
+        const char *feed = memchr(ahead + CLOUD_PLAIN_PART, '\n', n - CLOUD_PLAIN_PART);
+        n = (size_t)(feed - ahead) + 1;
+    }
+    size_t taken = cloud_plain_rows(&t->style, t->even, t->source->threads, ahead, ahead + n, most,
+                                    t->source->points, &rows);
     t->smooth = taken == n && n > 0;
     if (!t->style.point && memchr(ahead, '.', taken))
         t->style.point = '.';

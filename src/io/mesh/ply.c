@@ -7,6 +7,7 @@
 
 #include "math/elementary.h"
 #include "base/array.h"
+#include "base/parallel.h"
 #include "ply_origin.h"
 #include "ply_source.h"
 
@@ -427,31 +428,89 @@ void ply_face_write(struct out *out, const int corner[3], int surface,
     out_bytes(out, "\n", 1);
 }
 
-void ply_write(struct out *out, const struct mesh *mesh)
-{
-    size_t n = mesh->vertex.n;
-    const struct ply_shape shape = {.vertices = n,
-                                    .faces = mesh->face.n,
-                                    .normals = n && mesh->normal.n == n,
-                                    .kmax = n && mesh->kmax.n == n,
-                                    .rows = n && mesh->row.n == n && mesh->col.n == n,
-                                    .surfaces = mesh->origin.surface.n > 1 &&
-                                                mesh->surface.n == mesh->face.n};
+/* What is written of a mesh: its vertices, then its facets, a row each. */
+struct ply_rows {
+    const struct mesh *mesh;
+    struct ply_shape shape;
+};
 
-    ply_head_write(out, &mesh->origin, &shape);
-    for (size_t i = 0; i < n; i++) {
-        struct ply_vertex v = {.at = mesh->vertex.item[i]};
-        if (shape.normals)
-            v.normal = mesh->normal.item[i];
-        if (shape.rows) {
-            v.row = mesh->row.item[i];
-            v.column = mesh->col.item[i];
-        }
-        if (shape.kmax)
-            v.kmax = mesh->kmax.item[i];
-        ply_vertex_write(out, &v, &shape);
+static struct ply_vertex vertex_of(const struct ply_rows *rows, size_t i)
+{
+    const struct mesh *mesh = rows->mesh;
+    struct ply_vertex v = {.at = mesh->vertex.item[i]};
+    if (rows->shape.normals)
+        v.normal = mesh->normal.item[i];
+    if (rows->shape.rows) {
+        v.row = mesh->row.item[i];
+        v.column = mesh->col.item[i];
     }
-    for (size_t i = 0; i < mesh->face.n; i++)
-        ply_face_write(out, mesh->face.item[i].v, shape.surfaces ? mesh->surface.item[i] : 0,
-                       &shape);
+    if (rows->shape.kmax)
+        v.kmax = mesh->kmax.item[i];
+    return v;
+}
+
+static void write_rows(struct out *out, const struct ply_rows *rows, size_t from, size_t to)
+{
+    const struct mesh *mesh = rows->mesh;
+    size_t n = rows->shape.vertices;
+    for (; from < to && from < n; from++) {
+        struct ply_vertex v = vertex_of(rows, from);
+        ply_vertex_write(out, &v, &rows->shape);
+    }
+    for (; from < to; from++)
+        ply_face_write(out, mesh->face.item[from - n].v,
+                       rows->shape.surfaces ? mesh->surface.item[from - n] : 0, &rows->shape);
+}
+
+enum { PART = 2048 /* rows */, PARTS = 8 };
+
+/* Parts of the rows, each put into memory for itself. */
+struct ply_parts {
+    const struct ply_rows *rows;
+    size_t from, to;
+    struct out *memory[PARTS];
+};
+
+static void write_parts(void *context, size_t from, size_t to)
+{
+    const struct ply_parts *p = context;
+    for (size_t k = from; k < to; k++) {
+        size_t first = p->from + k * PART, end = first + PART;
+        write_rows(p->memory[k], p->rows, first, end < p->to ? end : p->to);
+    }
+}
+
+static void write_by_threads(struct out *out, const struct ply_rows *rows, size_t n, int threads)
+{
+    struct ply_parts parts = {.rows = rows};
+    for (int k = 0; k < PARTS; k++)
+        parts.memory[k] = out_memory();
+    for (; parts.from < n; parts.from = parts.to) {
+        size_t left = n - parts.from;
+        parts.to = left < PART * PARTS ? n : parts.from + PART * PARTS;
+        parallel_for(threads, (parts.to - parts.from + PART - 1) / PART, write_parts, &parts);
+        for (int k = 0; k < PARTS; k++)
+            out_join(out, parts.memory[k]);
+    }
+    for (int k = 0; k < PARTS; k++)
+        out_close(parts.memory[k]);
+}
+
+void ply_write(struct out *out, const struct mesh *mesh, int threads)
+{
+    size_t n = mesh->vertex.n, rows_n = n + mesh->face.n;
+    const struct ply_rows rows = {
+        mesh,
+        {.vertices = n,
+         .faces = mesh->face.n,
+         .normals = n && mesh->normal.n == n,
+         .kmax = n && mesh->kmax.n == n,
+         .rows = n && mesh->row.n == n && mesh->col.n == n,
+         .surfaces = mesh->origin.surface.n > 1 && mesh->surface.n == mesh->face.n}};
+
+    ply_head_write(out, &mesh->origin, &rows.shape);
+    if (threads == 1 || rows_n <= PART)
+        write_rows(out, &rows, 0, rows_n);
+    else
+        write_by_threads(out, &rows, rows_n, threads);
 }

@@ -182,6 +182,44 @@ START_TEST(numbers_read_back)
 }
 END_TEST
 
+/* What is put into memory, less and more than a buffer holds, comes where it is joined. */
+START_TEST(joined_from_memory)
+{
+    enum { ROWS = 30000 };
+    struct out *out = out_open(scratch_name()), *memory[2] = {out_memory(), out_memory()};
+    out_text(out, "before ");
+    for (int round = 0; round < 2; round++) {
+        for (int i = 0; i < (round ? 3 : ROWS); i++) {
+            out_int(memory[1], 2 * i + 1);
+            out_text(memory[1], " ");
+            out_num(memory[0], 2 * i, 6);
+            memcpy(out_room(memory[0], 1), " ", 1);
+            out_take(memory[0], 1);
+        }
+        out_join(out, memory[0]);
+        out_text(out, "| ");
+        out_join(out, memory[1]);
+        out_join(out, memory[1]); /* empty */
+        out_text(out, "| ");
+    }
+    out_close(memory[0]);
+    out_close(memory[1]);
+    out_close(out);
+    size_t n;
+    char *text = written(&n), *p = text;
+    ck_assert_int_eq(strncmp(p, "before ", 7), 0);
+    p += 7;
+    for (int part = 0; part < 4; part++) {
+        for (long i = 0; i < (part < 2 ? ROWS : 3); i++)
+            ck_assert(strtod(p, &p) == (double)(2 * i + part % 2));
+        ck_assert_int_eq(strncmp(p, " | ", 3), 0);
+        p += 2;
+    }
+    ck_assert_str_eq(p, " ");
+    free(text);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("out");
@@ -195,6 +233,7 @@ int main(void)
     tcase_add_test(tests, in_place_of_standard_input);
     tcase_add_test(tests, all_bytes_in_order);
     tcase_add_test(tests, numbers_read_back);
+    tcase_add_test(tests, joined_from_memory);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);
     int failed = srunner_ntests_failed(runner);

@@ -21,8 +21,8 @@ static struct mesh mesh_of(struct vec3s *p, double t, size_t *flat)
     struct plan_extent f = plan_extent_of(p->item, p->n, 20);
     *flat = wall_points_part(p->item, p->n, t / 3, 1);
     ck_assert_int_eq(grid_make(&f, p->n, t, &grid, &error), 0);
-    size_t *chosen = reposition(&grid, p->item, *flat, REACH_NEAREST);
-    grid_mesh_make(&grid, chosen, p->item, NULL, &m);
+    size_t *chosen = reposition(&grid, p->item, *flat, REACH_NEAREST, 1);
+    grid_mesh_make(&grid, chosen, p->item, NULL, 1, &m);
     ck_assert_int_eq(point_grid_make(p->item, *flat, t / 3, 1, &point_grid, &error), 0);
     scan_normals_quadric(&m, &point_grid, &how);
     point_grid_free(&point_grid);

@@ -123,8 +123,8 @@ START_TEST(as_the_mesh_that_is_kept)
     struct mesh mesh = {.origin.ledger = NAN};
     ck_assert_int_eq(grid_make(&f, n, spacing[_i], &grid, &error), 0);
     ck_assert_int_eq(holes_find(point, n, 4, 1, &holes, &error), 0);
-    size_t *chosen = reposition(&grid, point, n, REACH_NEAREST);
-    struct grid_mesh_count count = grid_mesh_make(&grid, chosen, point, &holes, &mesh);
+    size_t *chosen = reposition(&grid, point, n, REACH_NEAREST, 1);
+    struct grid_mesh_count count = grid_mesh_make(&grid, chosen, point, &holes, 1, &mesh);
     mesh_normals_facet(&mesh);
 
     ck_assert_int_eq(reposition_begin(&grid, n, REACH_NEAREST, &r, &error), 0);

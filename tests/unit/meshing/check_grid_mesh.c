@@ -1,9 +1,12 @@
 /* grid_mesh: a cloud that stands on its nodes gives the paper's rows of triangles. */
 #include <check.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "meshing/grid_mesh.h"
 #include "meshing/reposition.h"
+#include "math/elementary.h"
+#include "seed.h"
 
 static struct vec3s cloud;
 static struct mesh mesh;
@@ -31,8 +34,8 @@ static void free_all(void)
 
 static struct grid_mesh_count make_mesh(const struct holes *holes)
 {
-    size_t *chosen = reposition(&grid, cloud.item, cloud.n, REACH_NEAREST);
-    struct grid_mesh_count count = grid_mesh_make(&grid, chosen, cloud.item, holes, &mesh);
+    size_t *chosen = reposition(&grid, cloud.item, cloud.n, REACH_NEAREST, 1);
+    struct grid_mesh_count count = grid_mesh_make(&grid, chosen, cloud.item, holes, 1, &mesh);
     free(chosen);
     return count;
 }
@@ -107,13 +110,53 @@ START_TEST(point_of_two_nodes)
     struct plan_extent f = plan_extent_of(few, 5, 0);
     struct error error;
     ck_assert_int_eq(grid_make(&f, 5, 1.3, &grid, &error), 0);
-    size_t *chosen = reposition(&grid, few, 5, REACH_CIRCLE);
-    struct grid_mesh_count count = grid_mesh_make(&grid, chosen, few, NULL, &mesh);
+    size_t *chosen = reposition(&grid, few, 5, REACH_CIRCLE, 1);
+    struct grid_mesh_count count = grid_mesh_make(&grid, chosen, few, NULL, 1, &mesh);
     free(chosen);
     ck_assert_uint_gt(mesh.vertex.n, 5);
     ck_assert_uint_gt(count.no_area, 0);
     for (size_t i = 0; i < mesh.face.n; i++)
         ck_assert_double_gt(vec_length(mesh_face_cross(&mesh, i)), 0.01);
+}
+END_TEST
+
+/* Rows of nodes are looked at by several threads: the facets, their order and the counts are those
+ * of one. */
+START_TEST(threads)
+{
+    struct error error;
+    struct holes holes;
+    uint64_t state = 1;
+    array_free(&cloud);
+    for (int i = 0; i < 9000; i++) {
+        double at[3];
+        for (int k = 0; k < 3; k++) {
+            state = state * 6364136223846793005u + seed_step();
+            at[k] = (double)(state >> 40) / (1 << 24);
+        }
+        if (hypot(at[0] - 0.5, at[1] - 0.5) > 0.2) /* a hole */
+            *array_push(&cloud) = vec(100 * at[0], 60 * at[1], 3 * at[2]);
+    }
+    struct plan_extent f = plan_extent_of(cloud.item, cloud.n, 0);
+    ck_assert_int_eq(grid_make(&f, cloud.n, 1.3, &grid, &error), 0);
+    ck_assert_int_eq(holes_find(cloud.item, cloud.n, 2, 0.8, &holes, &error), 0);
+    struct grid_mesh_count one = make_mesh(&holes);
+    ck_assert_uint_gt(one.bridges, 0);
+    ck_assert_uint_gt(one.folded, 0);
+    ck_assert_uint_gt(mesh.face.n, 3000);
+    size_t *chosen = reposition(&grid, cloud.item, cloud.n, REACH_NEAREST, 1);
+    for (int n = 2; n < 6; n++) {
+        struct mesh other = {0};
+        struct grid_mesh_count count = grid_mesh_make(&grid, chosen, cloud.item, &holes, n, &other);
+        ck_assert_int_eq(memcmp(&count, &one, sizeof one), 0);
+        ck_assert_uint_eq(other.face.n, mesh.face.n);
+        ck_assert_int_eq(
+            memcmp(other.face.item, mesh.face.item, mesh.face.n * sizeof *mesh.face.item), 0);
+        ck_assert_uint_eq(other.vertex.n, mesh.vertex.n);
+        mesh_free(&other);
+    }
+    free(chosen);
+    holes_free(&holes);
 }
 END_TEST
 
@@ -127,6 +170,7 @@ int main(void)
     tcase_add_test(tests, node_without_a_point);
     tcase_add_test(tests, hole);
     tcase_add_test(tests, point_of_two_nodes);
+    tcase_add_test(tests, threads);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);
     int failed = srunner_ntests_failed(runner);

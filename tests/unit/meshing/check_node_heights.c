@@ -59,8 +59,8 @@ static struct case_of run_case(double (*z)(double x, double y), double direction
 
     ck_assert_int_eq(point_grid_make(c.points.item, c.points.n, 0.5, 1, &c.scan, &error), 0);
     ck_assert_int_eq(grid_make(&extent, c.points.n, 2, &c.grid, &error), 0);
-    size_t *chosen = reposition(&c.grid, c.points.item, c.points.n, REACH_NEAREST);
-    grid_mesh_make(&c.grid, chosen, c.points.item, NULL, &c.mesh);
+    size_t *chosen = reposition(&c.grid, c.points.item, c.points.n, REACH_NEAREST, 1);
+    grid_mesh_make(&c.grid, chosen, c.points.item, NULL, 1, &c.mesh);
     free(chosen);
     c.moved = node_heights(&c.mesh, &c.grid, &c.scan, &options, NULL);
     return c;

@@ -2,6 +2,7 @@
 #include <check.h>
 #include <stdint.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "meshing/reposition.h"
 #include "seed.h"
@@ -25,7 +26,7 @@ static struct grid grid_about_origin(void)
 static size_t chosen_at_origin(const struct vec3 *point, size_t n)
 {
     struct grid g = grid_about_origin();
-    size_t *chosen = reposition(&g, point, n, REACH_NEAREST);
+    size_t *chosen = reposition(&g, point, n, REACH_NEAREST, 1);
     size_t c = chosen[5 * 12 + 5];
     free(chosen);
     return c;
@@ -140,8 +141,8 @@ START_TEST(same_as_node_by_node)
         ck_assert_int_eq(grid_make(&f, N, 1 + 5 * uniform(), &g, &error), 0);
         for (int i = 0; i < N; i++)
             owner[i] = nearest_node(&g, point[i]);
-        size_t *nearest = reposition(&g, point, N, REACH_NEAREST);
-        size_t *circle = reposition(&g, point, N, REACH_CIRCLE);
+        size_t *nearest = reposition(&g, point, N, REACH_NEAREST, 1);
+        size_t *circle = reposition(&g, point, N, REACH_CIRCLE, 1);
         for (int row = 0; row < g.rows; row++)
             for (int column = 0; column < g.columns; column++) {
                 int node = row * g.columns + column;
@@ -172,7 +173,7 @@ START_TEST(empty_node_takes_a_spare_point)
         size_t far = n, spare = n + 1;
         point[n++] = vec(-2.6, 0, 0); /* nearest to the node on the left, which has its own */
         point[n++] = vec(-2.5, 0, 0);
-        size_t *chosen = reposition(&g, point, n, REACH_NEAREST);
+        size_t *chosen = reposition(&g, point, n, REACH_NEAREST, 1);
         ck_assert_uint_eq(chosen[5 * 12 + 5], emptied < 3 ? spare : NO_POINT);
         for (size_t i = 0; i < grid_nodes(&g); i++)
             ck_assert_uint_ne(chosen[i], far);
@@ -200,7 +201,7 @@ START_TEST(order_does_not_matter)
             shuffled[j] = t;
         }
         enum reach reach = round % 2 ? REACH_CIRCLE : REACH_NEAREST;
-        size_t *a = reposition(&g, point, N, reach), *b = reposition(&g, shuffled, N, reach);
+        size_t *a = reposition(&g, point, N, reach, 1), *b = reposition(&g, shuffled, N, reach, 1);
         for (size_t i = 0; i < grid_nodes(&g); i++) {
             ck_assert_int_eq(a[i] == NO_POINT, b[i] == NO_POINT);
             if (a[i] != NO_POINT)
@@ -208,6 +209,39 @@ START_TEST(order_does_not_matter)
         }
         free(a);
         free(b);
+    }
+}
+END_TEST
+
+static int by_y(const void *a, const void *b)
+{
+    const struct vec3 *p = a, *q = b;
+    return (p->y > q->y) - (p->y < q->y);
+}
+
+/* Several threads share points that are sorted by rows, coarsely or well, and do not where they are
+ * not: each node takes what it takes of one; equally near points are about many nodes. */
+START_TEST(threads)
+{
+    enum { MANY = 90000 };
+    static struct vec3 many[MANY];
+    static const double directions[] = {0, 0, 0.4};
+    struct error error;
+    for (int sorted = 0; sorted < 3; sorted++) {
+        for (int i = 0; i < MANY; i++)
+            many[i] = vec(floor(300 * uniform()), floor(300 * uniform()), i % 3);
+        if (sorted)
+            qsort(many, MANY, sizeof *many, by_y);
+        struct plan_extent f = plan_extent_of(many, MANY, directions[sorted]);
+        struct grid g;
+        ck_assert_int_eq(grid_make(&f, MANY, 2, &g, &error), 0);
+        size_t *one = reposition(&g, many, MANY, REACH_NEAREST, 1);
+        for (int n = 2; n < 5; n++) {
+            size_t *other = reposition(&g, many, MANY, REACH_NEAREST, n);
+            ck_assert_int_eq(memcmp(one, other, grid_nodes(&g) * sizeof *one), 0);
+            free(other);
+        }
+        free(one);
     }
 }
 END_TEST
@@ -226,6 +260,7 @@ int main(void)
     tcase_add_test(tests, same_as_node_by_node);
     tcase_add_test(tests, empty_node_takes_a_spare_point);
     tcase_add_test(tests, order_does_not_matter);
+    tcase_add_test(tests, threads);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);
     int failed = srunner_ntests_failed(runner);

@@ -209,8 +209,8 @@ static void mesh_panel(void)
     struct error error;
     struct grid g;
     ck_assert_int_eq(grid_make(&f, scan.n, 4, &g, &error), 0);
-    size_t *chosen = reposition(&g, scan.item, scan.n, REACH_NEAREST);
-    grid_mesh_make(&g, chosen, scan.item, NULL, &mesh);
+    size_t *chosen = reposition(&g, scan.item, scan.n, REACH_NEAREST, 1);
+    grid_mesh_make(&g, chosen, scan.item, NULL, 1, &mesh);
     free(chosen);
 }
 

@@ -23,8 +23,8 @@ static void make_scan(double (*height)(double, double), enum noisy_pattern patte
     struct plan_extent f = plan_extent_of(scan.item, scan.n, 0);
     ck_assert_int_eq(point_grid_make(scan.item, scan.n, 0.48, 1, &point_grid, &error), 0);
     ck_assert_int_eq(grid_make(&f, scan.n, t, &g, &error), 0);
-    size_t *chosen = reposition(&g, scan.item, scan.n, REACH_NEAREST);
-    grid_mesh_make(&g, chosen, scan.item, NULL, &mesh);
+    size_t *chosen = reposition(&g, scan.item, scan.n, REACH_NEAREST, 1);
+    grid_mesh_make(&g, chosen, scan.item, NULL, 1, &mesh);
     free(chosen);
 }
 

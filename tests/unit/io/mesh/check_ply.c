@@ -57,7 +57,7 @@ static struct mesh small_mesh(void)
 static void write_mesh(const struct mesh *m)
 {
     struct out *out = out_open(scratch_name());
-    ply_write(out, m);
+    ply_write(out, m, 1);
     out_close(out);
 }
 
@@ -321,6 +321,37 @@ static void clear(void)
     mesh_free(&mesh);
 }
 
+/* A mesh of many parts, written by several threads, gives the bytes of one. */
+START_TEST(threads)
+{
+    enum { SIDE = 100 };
+    static const int by[] = {1, 2, 3, 0};
+    for (int i = 0; i < SIDE * SIDE; i++) {
+        *array_push(&mesh.vertex) = vec(i / 7.0, i % 11 / 3.0, -i * 1e-3);
+        *array_push(&mesh.normal) = vec(0, 0.6, 0.8);
+        *array_push(&mesh.row) = i / SIDE;
+        *array_push(&mesh.col) = i % SIDE;
+        *array_push(&mesh.kmax) = 1.0 / (i + 1);
+        if (i >= SIDE)
+            *array_push(&mesh.face) = (struct face){{i - SIDE, i - 1, i}};
+    }
+    char *text[4];
+    size_t n[4];
+    for (int k = 0; k < 4; k++) {
+        struct out *out = out_open(scratch_name());
+        ply_write(out, &mesh, by[k]);
+        out_close(out);
+        text[k] = scratch_read(&n[k]);
+        ck_assert_uint_eq(n[k], n[0]);
+        ck_assert_int_eq(memcmp(text[k], text[0], n[0]), 0);
+    }
+    ck_assert_uint_gt(n[0], 60 * SIDE * SIDE);
+    ck_assert_str_eq(text[0] + n[0] - strlen("3 9899 9998 9999\n"), "3 9899 9998 9999\n");
+    for (int k = 0; k < 4; k++)
+        free(text[k]);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("ply");
@@ -341,6 +372,7 @@ int main(void)
     tcase_add_test(tests, numbers_are_checked);
     tcase_add_test(tests, head_is_checked);
     tcase_add_test(tests, points_alone);
+    tcase_add_test(tests, threads);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);
     int failed = srunner_ntests_failed(runner);
