@@ -118,15 +118,18 @@ static void write_path(const char *file, struct path *path, struct path_part par
     out_close(o);
 }
 
+/* What the stages before could not keep, for whoever sees this tool alone: the first of it. */
+static void say_before(const struct unmets *unmet)
+{
+    if (unmet->n > 0)
+        warn("unmet before, %s: %s%s", unmet->item[0].stage, unmet->item[0].text,
+             unmet->n > 1 ? "; and more" : "");
+}
+
 /* Whoever sees this tool's status alone is told of the stages before, too; in parts, by the one
  * that has their statements (write_path). */
 static int status_of(const struct path *path, struct path_part part, const struct unmets *unmet)
 {
-    const struct unmets *all = &path->head.unmet;
-
-    if (path_part_last(part) && all->n > unmet->n)
-        warn("unmet before, %s: %s%s", all->item[0].stage, all->item[0].text,
-             all->n > unmet->n + 1 ? "; and more" : "");
     return unmets_status(path_part_last(part) ? &path->head.unmet : unmet);
 }
 
@@ -224,6 +227,8 @@ int fitter_run(const struct fitter *fitter, const struct cli *cli, struct error 
     if (lift > 0)
         note("points lifted by at most %.4f mm where motions went too deep between them", lift);
     path_check_conclude(&check, &unmet);
+    if (path_part_last(options->part))
+        say_before(&out.head.unmet);
     write_path(cli->output, &out, options->part, &unmet);
     int status = status_of(&out, options->part, &unmet);
     unmets_free(&unmet);

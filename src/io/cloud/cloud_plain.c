@@ -123,6 +123,12 @@ static inline const char *rows_of(const char *p, const char *end, struct manner 
     return p;
 }
 
+static const char *after_line(const char *p, const char *end)
+{
+    const char *feed = memchr(p, '\n', (size_t)(end - p));
+    return feed ? feed + 1 : end;
+}
+
 static size_t count_lines(const char *p, const char *end)
 {
     enum { AT_ONCE = 128 }; /* so that a byte holds how many */
@@ -146,8 +152,7 @@ static inline const char *halves_of(const char *p, const char *end, struct manne
     enum { MANY = 4096 }; /* bytes that are worth it */
     if (end - p < MANY || (size_t)(end - p) / SHORTEST_ROW > most)
         return rows_of(p, end, how, point, most, rows);
-    const char *half = p + (end - p) / 2, *feed = memchr(half, '\n', (size_t)(end - half));
-    const char *middle = feed ? feed + 1 : end;
+    const char *middle = after_line(p + (end - p) / 2, end);
     struct vec3 *second = point + count_lines(p, middle);
     const char *at[2] = {p, middle};
     size_t both = rows_in_turn(at, middle, end, how, point, second), left, right;
@@ -174,12 +179,6 @@ struct parts {
 static size_t most_rows(const char *text, const char *end)
 {
     return (size_t)(end - text) / SHORTEST_ROW;
-}
-
-static const char *after_line(const char *p, const char *end)
-{
-    const char *feed = memchr(p, '\n', (size_t)(end - p));
-    return feed ? feed + 1 : end;
 }
 
 static void cut_into_parts(const char *text, const char *end, struct parts *parts)
