@@ -40,31 +40,51 @@ static double way_of(const struct axis_place *a, const struct axis_place *b)
     return fmax(vec_distance(a->tip, b->tip), TURN_WAY * turn);
 }
 
-/* Length of a piece, from a few places on it. */
-static double piece_way(struct timing *t, size_t piece, double *tip)
+/* What F counts from one place to the next, mm: the tip's way, that of all axes, or degrees. */
+static double said_way(const struct timing *t, bool tip, const struct axis_place *a,
+                       const struct axis_place *b)
+{
+    double way = 0, degree = nc_motion_degree(t->motion);
+    if (tip)
+        return vec_distance(a->tip, b->tip);
+    for (int k = t->options->limits->combined ? 0 : 3; k < NC_AXES; k++)
+        way = hypot(way, (k < 3 ? 1 : degree) * (b->axis[k] - a->axis[k]));
+    return way;
+}
+
+/* Lengths of a piece, from a few places on it, mm. */
+struct ways {
+    double way;  /* that it is followed by */
+    double tip;  /* of the tip */
+    double said; /* that F counts */
+};
+
+static struct ways ways_of_piece(const struct timing *t, size_t piece)
 {
     enum { LOOKS = 8 };
     struct axis_follow follow = t->follow;
-    struct axis_place a = axis_limits_place(&follow, piece, 0);
-    double way = 0;
-    *tip = 0;
-    for (int i = 1; i <= LOOKS; i++) {
-        struct axis_place b = axis_limits_place(&follow, piece, (double)i / LOOKS);
-        way += way_of(&a, &b);
-        *tip += vec_distance(a.tip, b.tip);
-        a = b;
+    struct axis_place place[LOOKS + 1];
+    struct ways ways = {0};
+    for (int i = 0; i <= LOOKS; i++)
+        place[i] = axis_limits_place(&follow, piece, (double)i / LOOKS);
+    for (int i = 0; i < LOOKS; i++) {
+        ways.way += way_of(&place[i], &place[i + 1]);
+        ways.tip += vec_distance(place[i].tip, place[i + 1].tip);
     }
-    return way;
+    bool tip = !t->options->limits->combined && ways.tip > TIP_STANDS;
+    for (int i = 0; i < LOOKS; i++)
+        ways.said += said_way(t, tip, &place[i], &place[i + 1]);
+    return ways;
 }
 
 /* Even steps along a piece at feed; what is left of the one before goes on in it.  The length. */
 static double add_piece(struct timing *t, size_t piece, double *carry)
 {
     const struct nc_piece *p = &t->motion->piece.item[piece];
-    double tip, way = piece_way(t, piece, &tip);
-    double feed = (p->inverse ? p->feed * way : p->feed) / 60;
-    if (!p->inverse) /* F is the tip's; where that stands it counts degrees */
-        feed *= tip > TIP_STANDS ? way / tip : TURN_WAY;
+    struct ways ways = ways_of_piece(t, piece);
+    double way = ways.way, feed = p->feed * way / 60;
+    if (!p->inverse)
+        feed = ways.said > 0 ? feed / ways.said : 0;
     for (double at = t->step - *carry; at <= way; at += t->step) {
         struct axis_place place = axis_limits_place(&t->follow, piece, way > 0 ? at / way : 1);
         struct step *step = array_push(&t->steps);
@@ -76,7 +96,7 @@ static double add_piece(struct timing *t, size_t piece, double *carry)
     axis_limits_place(&t->follow, piece, 1);
     *carry = fmod(*carry + way, t->step);
     if (feed > 0)
-        t->time->programmed += tip / feed / 60;
+        t->time->programmed += ways.tip / feed / 60;
     return way;
 }
 

@@ -160,6 +160,27 @@ status 3 "one that does not" ncverify -g dome.xyz -r 6 --partial --ball-only -m 
 has "is refused" '^fault +N[0-9]+ .*axis . would have to move at [0-9.]+ of its largest speed' out
 status 0 "the good program needs no slowing" ncverify -g dome.xyz -r 6 --partial --ball-only -m table-ac --set slows=no -c fanuc line.fanuc
 
+# the tip turns about the ball's centre, which stands: F counts degrees there in inches, too
+{
+	printf 'UNITS/MM\nMULTAX/ON\nCUTTER/12,6,0,6\nLOADTL/1\nSPINDL/8000,CLW\n$$-> CLOUDMILL/1\n$$-> TRACK/CENTER\n'
+	printf 'RAPID\nGOTO/0,0,50,0,0,1\nFEDRAT/MMPM,400\nGOTO/0,0,26.1,0,0,1\nFEDRAT/MMPM,800\nGOTO/5,0,25.85,0,0,1\n'
+	awk 'BEGIN { for (i = 1; i <= 6; i++) printf "GOTO/5,0,25.85,%.9f,0,%.9f\n", sin(i / 20), cos(i / 20) }'
+	printf 'GOTO/8,0,25.45,%s\nRAPID\nGOTO/24,0,74,%s\nFINI\n' 0.295520207,0,0.955336489 0.295520207,0,0.955336489
+} >stands.cl
+for control in fanuc siemens heidenhain linuxcnc haas okuma mazak fagor hurco heidenhain-530; do
+	machine=table-ac
+	[ $control = linuxcnc ] && machine=linuxcnc-xyzac
+	for unit in "" --inch; do
+		# shellcheck disable=SC2086
+		ncpost -q -c $control -m $machine $unit stands.cl -o stands.nc
+		judge stands.nc stands.cl
+		sed -n "s/^fault/$control $unit: &/p" out
+		sed -n 's/^least time *\([0-9.]*\) min.*/\1/p' out >>stood
+	done
+done >stands
+empty "a turn about the ball's centre has the path's feed, in mm and inches" stands
+empty "and its time" "$(sort -u stood | awk '$1 < 0.09 || $1 > 0.1 { print }' >odd; echo odd)"
+
 # a pass left out
 awk '/\(PASS 3\)/ { skip = 1 } /\(PASS 4\)/ { skip = 0 } !skip' line.fanuc >bad.fanuc
 control=fanuc

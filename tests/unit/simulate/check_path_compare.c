@@ -164,6 +164,31 @@ START_TEST(a_curve_without_tool_centre_point)
 }
 END_TEST
 
+/* The tip turns about the ball's centre, which stands: F counts degrees, in inches, too. */
+START_TEST(a_turn_about_the_centre)
+{
+    struct nc_motion path = row(0, false), program = row(0, false);
+    for (int i = 0; i < 2; i++) {
+        struct nc_motion *m = i ? &program : &path;
+        m->track = NC_MOTION_CENTRE;
+        struct nc_piece *turn = &m->piece.item[5];
+        turn->q[1] = m->piece.item[6].q[0] = vec_unit(vec(0.5, 0, 1));
+        for (size_t k = 5; k < m->piece.n; k++)
+            m->piece.item[k].p[0].x = k == 5 ? 10 : 2 * (double)k - 2,
+            m->piece.item[k].p[1].x = k == 5 ? 10 : 2 * (double)k;
+    }
+    program.piece.item[5].feed *= 25.4;
+    struct path_compare found = path_compare_run(&program, &path, &options);
+    ck_assert_uint_eq(found.off.count + found.missed.count, 0);
+    ck_assert_uint_eq(found.fast.count + found.slow.count, 0);
+    program.piece.item[6].feed *= 25.4; /* which moves */
+    found = path_compare_run(&program, &path, &options);
+    ck_assert_double_eq_tol(found.fast.value, 25.4, 1e-9);
+    nc_motion_free(&path);
+    nc_motion_free(&program);
+}
+END_TEST
+
 /* A row of polynomials in one F, along x and then along y; the X axis is slow. */
 static struct nc_motion corner(double feed)
 {
@@ -235,6 +260,7 @@ int main(void)
     tcase_add_test(tcase, a_curve_without_tool_centre_point);
     tcase_add_test(tcase, what_is_off_is_told);
     tcase_add_test(tcase, polynomials_of_one_feed);
+    tcase_add_test(tcase, a_turn_about_the_centre);
     tcase_add_test(tcase, an_axis_that_the_path_has_within_the_tolerance_of_the_tip);
     tcase_add_test(tcase, an_axis_that_turns_unevenly_with_the_tip);
     suite_add_tcase(suite, tcase);
