@@ -13,7 +13,8 @@
  * keeps a ball out that comes from outside, and who asks whether a tool can get to a place under
  * the roof finds no way.  Inside of the rim points hang down where roof beside a point is far below
  * it, as far as the lowest of that: a point that stands alone is no more to a ball beside it than a
- * point.  They stand in material, so they take no place from a tool that is above.
+ * point.  At the bottom is a floor: a tool that passes below the rim would come up within, with its
+ * end in the material.  All stand in material, so they take no place from a tool that is above.
  */
 #ifndef CLOUDMILL_ROOF_H
 #define CLOUDMILL_ROOF_H
@@ -32,7 +33,8 @@ size_t roof_find(const struct point_grid *point_grid, double reach, int threads,
                  unsigned char *roof);
 
 /* Appends points below the rim of what is marked, down to `bottom`, about `gap` mm apart, and below
- * others of it, down to the lowest of it about them, where that is lower by more than `gap`. */
+ * others of it, down to the lowest of it about them, where that is lower by more than `gap`; and at
+ * the bottom, wherever roof is above it, no nearer than `gap` and two spacings to one another. */
 void roof_curtain(const struct point_grid *point_grid, const unsigned char *roof, double gap,
                   double bottom, int threads, struct vec3s *to);
 

@@ -159,6 +159,27 @@ static void hang(const struct roof_work *w, struct hook *hook, size_t n, double 
     }
 }
 
+/* A floor inside of the rim, which keeps out what passes below that and comes up within: in each
+ * square of `pitch` one point at the bottom, under one of the roof. */
+static void floor_under(const struct roof_work *w, double pitch, struct vec3s *to)
+{
+    const struct point_grid *g = w->grid;
+    struct hook *hook = mem_alloc(g->n + 1, sizeof *hook);
+    size_t n = 0;
+
+    for (size_t i = 0; i < g->n; i++)
+        if (w->all[i] && g->point[i].z > w->bottom && w->foot[i] > w->bottom)
+            hook[n++] = (struct hook){floor((g->point[i].x - g->x) / pitch),
+                                      floor((g->point[i].y - g->y) / pitch), i};
+    qsort(hook, n, sizeof *hook, compare_squares);
+    for (size_t i = 0; i < n; i++) {
+        struct vec3 p = g->point[hook[i].index];
+        if (i == 0 || hook[i].row != hook[i - 1].row || hook[i].column != hook[i - 1].column)
+            *array_push(to) = vec(p.x, p.y, w->bottom);
+    }
+    free(hook);
+}
+
 void roof_curtain(const struct point_grid *point_grid, const unsigned char *roof, double gap,
                   double bottom, int threads, struct vec3s *to)
 {
@@ -178,6 +199,7 @@ void roof_curtain(const struct point_grid *point_grid, const unsigned char *roof
                                           floor((p.y - point_grid->y) / (gap / 2)), i};
     }
     hang(&work, hook, hooks, gap, to);
+    floor_under(&work, fmax(gap, 2 * point_grid_spacing(point_grid)), to);
     free(hook);
     free(work.foot);
 }
