@@ -22,10 +22,11 @@ static struct vec3s balls_of(const struct path *path)
 }
 
 /* The tolerance that the scan is looked at with: the one that the path was made with, unless it is
- * far from the fitter's, so that what stands for the scan between its points is the same. */
+ * very far from the fitter's, so that what stands for the scan between its points is the same: by
+ * another look rims are elsewhere, by more than either tolerance. */
 static double scan_tolerance(const struct path *path, double tolerance)
 {
-    const double closest = 0.1, widest = 4; /* of the fitter's */
+    const double closest = 0.01, widest = 4; /* of the fitter's */
     size_t n = path->head.ledger.n;
     double made = n > 0 ? path->head.ledger.item[n - 1].spent : tolerance;
 

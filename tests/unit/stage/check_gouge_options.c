@@ -146,15 +146,15 @@ static double sunk(double spent)
 }
 
 /* Points are put between those of the scan as by the path's last stage, but no closer than for
- * a tenth of the fitter's tolerance, 0.02, and no wider than for four times it. */
+ * a hundredth of the fitter's tolerance, 0.02, and no wider than for four times it. */
 START_TEST(how_closely)
 {
-    const double fine = sunk(0.002), usual = sunk(0.02), wide = sunk(0.08);
-    ck_assert(0 < fine && fine < 0.002);
+    const double fine = sunk(0.001), usual = sunk(0.02), wide = sunk(0.08);
+    ck_assert(0 < fine && fine < 0.001 && fine < 0.8 * sunk(0.002));
     ck_assert(2 * fine < usual && usual < 0.02);
     ck_assert(2 * usual < wide && wide < 0.08);
     ck_assert_double_eq(sunk(0), usual);
-    ck_assert_double_eq(sunk(0.0001), fine);
+    ck_assert_double_eq(sunk(0.00001), sunk(0.0002));
     ck_assert_double_eq(sunk(0.5), wide);
     /* in the middle of four points 1 mm apart, without points between */
     ck_assert_double_lt(wide, R - sqrt(R * R - 0.5));
