@@ -141,9 +141,8 @@ static void find_planes(const struct mesh *mesh, const struct mesh_part *part, d
     if (plane_passes_bounded(mesh, vec(0, 0, 0), scallop_step(scallop, path_options.radius, 0),
                              &error) != 0)
         die_error(&error);
-    if (upright && direction &&
-        !plane_passes_direction(direction, mesh, path_options.radius, scallop, &angle))
-        die_usage("option --direction: found '%s', expected auto or degrees", direction);
+    if (upright && direction)
+        angle = plane_passes_direction(direction, mesh, path_options.radius, scallop);
     p->rule = upright ? plane_passes_upright(angle, path_options.radius)
                       : plane_passes_along(part, path_options.radius);
     /* A node that random points do not have makes no hole: where the scan guards, rows go on. */
@@ -263,6 +262,8 @@ static void check_rows(void)
                                            : "--region");
     if (scallop >= path_options.radius && path_options.radius > 0)
         die_usage("option --scallop: found %g, expected less than the radius", scallop);
+    if (direction && !plane_passes_direction_read(direction))
+        die_usage("option --direction: found '%s', expected auto or degrees", direction);
     if (mesh_rows || scallop > 0)
         return;
     scallop = fmin(SCALLOP, path_options.radius / 20);

@@ -68,6 +68,8 @@ static void check_options(struct tool_axis_options *axis)
         die_usage("found -s and --scallop, expected one of them");
     if (direction && plane_given)
         die_usage("found --direction and --normal, expected one of them");
+    if (direction && !plane_passes_direction_read(direction))
+        die_usage("option --direction: found '%s', expected auto or degrees", direction);
     if (plane_given && vec_length(vec(plane[0], plane[1], plane[2])) == 0)
         die_usage("option --normal: found a direction of no length");
     if (vec_length(vec(up[0], up[1], up[2])) == 0)
@@ -133,8 +135,8 @@ static void set_pass_options(const struct tool_axis_options *axis, const struct 
 
     if (direction && plane_passes_bounded(mesh, vec(0, 0, 0), widest_step(), &error) != 0)
         die_error(&error);
-    if (direction && !plane_passes_direction(direction, mesh, path_options.radius, h, &turn))
-        die_usage("option --direction: found '%s', expected auto or degrees", direction);
+    if (direction)
+        turn = plane_passes_direction(direction, mesh, path_options.radius, h);
     *rule = plane_passes_upright(turn, path_options.radius);
     rule->gap = gap;
     rule->faced = closed || axis->kind == AXIS_FIXED || !path_options.paper;

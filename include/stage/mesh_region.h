@@ -24,6 +24,9 @@ struct mesh_region_options {
 /* Is anything asked for? */
 bool mesh_region_given(const struct mesh_region_options *options);
 
+/* Before the mesh is read: -1 and why, where an option can't be read; the polygons are read. */
+int mesh_region_check(const struct mesh_region_options *options, struct error *error);
+
 /*
  * The part of a mesh with normals, as a mesh of its own; of its surfaces those that are left, where
  * they are whole ones.  It may be left without facets.  -1 and why: an option that can't be read, a

@@ -63,10 +63,11 @@ void plane_passes_scallop(struct plane_passes *p, const struct mesh *mesh, doubl
  */
 double plane_passes_best(const struct mesh *mesh, double radius, double h, double *length);
 
-/* The angle that --direction asks for, radians: degrees as text, or `auto` for plane_passes_best,
- * which is then said.  False: neither. */
-bool plane_passes_direction(const char *text, const struct mesh *mesh, double radius, double h,
-                            double *angle);
+/* Can be read: degrees as text, or `auto`. */
+bool plane_passes_direction_read(const char *text);
+
+/* The angle that --direction asks for, radians: `auto` is plane_passes_best, which is then said. */
+double plane_passes_direction(const char *text, const struct mesh *mesh, double radius, double h);
 
 /* Has the strips of upright planes lengthened to the border of the scan of -g (pass_extend.h), if
  * there is one and the mesh states how far apart its vertices are and has no parts. */

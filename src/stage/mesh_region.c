@@ -60,26 +60,36 @@ static int mark_range(const struct mesh_surfaces *surfaces, long from, long to, 
                      number_of(&surfaces->item[surfaces->n - 1]));
 }
 
+/* Ranges between commas; their surfaces are marked, if there are any yet. */
+static int read_faces(const char *text, const struct mesh_surfaces *surfaces, bool *keep,
+                      struct error *error)
+{
+    const char *p = text;
+
+    for (bool more = true; more; p += *p == ',') {
+        long from, to;
+        if (!read_range(&p, &from, &to) || (*p && *p != ','))
+            return error_set(error, "option --faces: found '%s', expected numbers such as 5,7-12",
+                             text);
+        if (surfaces && mark_range(surfaces, from, to, keep, error) != 0)
+            return -1;
+        more = *p == ',';
+    }
+    return 0;
+}
+
 static int take_faces(const char *text, const struct mesh *mesh, struct mesh *part,
                       struct error *error)
 {
     const struct mesh_surfaces *surfaces = &mesh->origin.surface;
     bool *keep = mem_alloc(surfaces->n + 1, sizeof *keep);
-    const char *p = text;
     int status = 0;
 
     if (surfaces->n != 1 && mesh->surface.n != mesh->face.n)
         status = error_set(error, "option --faces: the mesh does not say which surfaces its facets "
                                   "are of, expected one of nurbs2mesh");
-    for (bool more = true; more && status == 0; p += *p == ',') {
-        long from, to;
-        if (!read_range(&p, &from, &to) || (*p && *p != ','))
-            status = error_set(error, "option --faces: found '%s', expected numbers such as 5,7-12",
-                               text);
-        else
-            status = mark_range(surfaces, from, to, keep, error);
-        more = *p == ',';
-    }
+    if (status == 0)
+        status = read_faces(text, surfaces, keep, error);
     if (status == 0 && surfaces->n > 1)
         mesh_clip_surfaces(part, keep);
     for (size_t i = 0; status == 0 && i < surfaces->n; i++) {
@@ -92,19 +102,37 @@ static int take_faces(const char *text, const struct mesh *mesh, struct mesh *pa
     return status;
 }
 
-static int take_steep(const char *text, struct vec3 up, struct mesh *part, struct error *error)
+static int read_steep(const char *text, double *least, double *most, struct error *error)
 {
     const char *p = text;
-    double least, most;
 
-    if (!num_read(&p, &least) || *p++ != ':' || !num_read(&p, &most) || *p || !(least >= 0) ||
-        !(least < most) || !(most <= 180))
+    if (!num_read(&p, least) || *p++ != ':' || !num_read(&p, most) || *p || !(*least >= 0) ||
+        !(*least < *most) || !(*most <= 180))
         return error_set(
             error,
             "option --steep: found '%s', expected two angles within 0 and 180 degrees, "
             "such as 0:45",
             text);
+    return 0;
+}
+
+static int take_steep(const char *text, struct vec3 up, struct mesh *part, struct error *error)
+{
+    double least = 0, most = 0;
+
+    if (read_steep(text, &least, &most, error) != 0)
+        return -1;
     mesh_clip_steep(part, up, RADIANS(least), RADIANS(most));
+    return 0;
+}
+
+static int check_box(const double *box, struct error *error)
+{
+    for (int i = 0; i < 3; i++)
+        if (!(box[i] < box[i + 3]))
+            return error_set(error,
+                             "option --box: found %g to %g in %c, expected the lower bound first",
+                             box[i], box[i + 3], 'x' + i);
     return 0;
 }
 
@@ -112,11 +140,9 @@ static int take_box(const double *box, struct mesh *part, struct error *error)
 {
     const struct vec3 axis[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
+    if (check_box(box, error) != 0)
+        return -1;
     for (int i = 0; i < 3; i++) {
-        if (!(box[i] < box[i + 3]))
-            return error_set(error,
-                             "option --box: found %g to %g in %c, expected the lower bound first",
-                             box[i], box[i + 3], 'x' + i);
         mesh_clip_plane(part, axis[i], box[i]);
         mesh_clip_plane(part, vec_scale(-1, axis[i]), -box[i + 3]);
     }
@@ -185,6 +211,21 @@ static int read_polygons(const char *file, struct region_polygons *p, struct err
         got = error_at(error, r.name, 0, "found no polygon, expected corners `x y`");
     reader_close(&r);
     return got;
+}
+
+int mesh_region_check(const struct mesh_region_options *options, struct error *error)
+{
+    double least = 0, most = 0;
+
+    if (options->box && check_box(options->box, error) != 0)
+        return -1;
+    if (options->faces && read_faces(options->faces, NULL, NULL, error) != 0)
+        return -1;
+    if (options->steep && read_steep(options->steep, &least, &most, error) != 0)
+        return -1;
+    if (!options->region || !options->polygons)
+        return 0;
+    return read_polygons(options->region, options->polygons, error);
 }
 
 /* The file is read once where what was read is kept: it may be a pipe. */

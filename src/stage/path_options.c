@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/effort.h"
+#include "base/reader.h"
 #include "gouge/guard_mesh.h"
 #include "guard_read.h"
 #include "machine/machine_options.h"
@@ -169,7 +170,7 @@ static int axis_rule(struct tool_axis_options *rule, struct error *error)
     return 0;
 }
 
-int path_options_check(struct tool_axis_options *axis, struct error *error)
+static int check_options(struct tool_axis_options *axis, struct error *error)
 {
     struct path_options *c = &path_options;
 
@@ -200,6 +201,100 @@ int path_options_check(struct tool_axis_options *axis, struct error *error)
     if (c->tolerance == 0 && (c->guard.files.n > 0 || c->body.holder))
         c->tolerance = 0.01;
     return axis_rule(axis, error);
+}
+
+/* The tool above its ball. */
+static int read_body(struct tool_body *body, struct error *error)
+{
+    const struct path_options *c = &path_options;
+    struct tool_options options = c->body;
+
+    options.ball_only = options.ball_only || c->paper;
+    return tool_options_read(&options, c->radius, body, error);
+}
+
+/* One rotary axis across the tool leaves the tool a circle of axes, as far as what is fitted to
+ * them stays within the travel. */
+static void take_circle(struct kinematic_chain *chain, struct tool_axis_options *axis)
+{
+    struct rotary *r = &chain->rotary[0];
+
+    if (vec_length(rotary_circle(chain).pole) == 0)
+        return;
+    double inside = fmin(RADIANS(INSIDE), (r->max - r->min) / 4);
+    r->min += inside;
+    r->max -= inside;
+    axis->circle = rotary_circle(chain);
+}
+
+/* With fewer than two rotary axes and no circle a fixed axis is left, if the machine has it. */
+static int check_machine(const struct kinematic_chain *chain, const struct tool_axis_options *axis,
+                         struct error *error)
+{
+    const struct path_options *c = &path_options;
+
+    if (chain->n >= 2 || vec_length(axis->circle.pole) > 0 ||
+        (c->fixed_given && !(c->lean > 0) && rotary_reaches(chain, axis->direction)))
+        return 0;
+    return error_set(error,
+                     "-m %s: found %d of two rotary axes, expected --fixed with an axis it has",
+                     path_options.machine, chain->n);
+}
+
+/* The machine whose rotary axes are to move least. */
+static int read_machine(struct kinematic_chain *chain, struct tool_axis_options *axis,
+                        struct error *error)
+{
+    const struct machine_options options = {.name = path_options.machine};
+    struct machine machine;
+
+    if (machine_options_read(&options, &machine, error) != 0)
+        return -1;
+    *chain = machine.chain;
+    if (!path_options.fixed_given)
+        take_circle(chain, axis);
+    return check_machine(chain, axis, error);
+}
+
+static int check_layers(struct error *error)
+{
+    const double most = 1e4 * path_options.radius; /* as of a part */
+    double layers = (path_options.layers - 1) * path_options.depth;
+
+    if (layers <= most)
+        return 0;
+    return error_set(error, "option --layers: found layers %g mm thick, expected at most %g mm",
+                     layers, most);
+}
+
+/* The files of -g are there, as far as that can be seen without reading them. */
+static int check_guard(struct error *error)
+{
+    const struct cli_list *files = &path_options.guard.files;
+    struct reader r;
+
+    for (size_t i = 0; i < files->n; i++) {
+        if (reader_reads_once(files->item[i]))
+            continue;
+        if (reader_open(&r, files->item[i], error) != 0)
+            return -1;
+        reader_close(&r);
+    }
+    return 0;
+}
+
+/* What needs no mesh to be wrong: it may take minutes to be made. */
+int path_options_check(struct tool_axis_options *axis, struct error *error)
+{
+    const struct mesh_region_options region = path_options_region();
+    struct kinematic_chain chain;
+    struct tool_body body;
+
+    if (check_options(axis, error) != 0 || check_layers(error) != 0 ||
+        mesh_region_check(&region, error) != 0 || check_guard(error) != 0)
+        return -1;
+    struct tool_axis_options with_circle = *axis;
+    return read_machine(&chain, &with_circle, error) != 0 || read_body(&body, error) != 0 ? -1 : 0;
 }
 
 struct mesh_region_options path_options_region(void)
@@ -377,73 +472,15 @@ static double mesh_top(const struct mesh *mesh)
 static int clearance_plane(const struct mesh *mesh, const struct gouge_check *guard, double *z,
                            struct error *error)
 {
-    const double most = 1e4 * path_options.radius; /* as of a part */
     double top = fmax(mesh_top(mesh), guard ? gouge_top(guard) : -HUGE_VAL);
-    double layers = (path_options.layers - 1) * path_options.depth;
 
-    if (layers > most)
-        return error_set(error, "option --layers: found layers %g mm thick, expected at most %g mm",
-                         layers, most);
-    top += layers;
+    top += (path_options.layers - 1) * path_options.depth;
     if (path_options.clearance < top)
         return error_set(error,
                          "option --clearance: found %g, expected more than the top of the part, %g",
                          path_options.clearance, top);
     *z = isnan(path_options.clearance) ? top + path_options.radius + 10 : path_options.clearance;
     return 0;
-}
-
-/* The tool above its ball, into the head of the path. */
-static int read_body(struct path_head *head, struct error *error)
-{
-    const struct path_options *c = &path_options;
-    struct tool_options options = c->body;
-
-    options.ball_only = options.ball_only || c->paper;
-    head->body_given = true;
-    return tool_options_read(&options, c->radius, &head->body, error);
-}
-
-/* One rotary axis across the tool leaves the tool a circle of axes, as far as what is fitted to
- * them stays within the travel. */
-static void take_circle(struct kinematic_chain *chain, struct tool_axis_options *axis)
-{
-    struct rotary *r = &chain->rotary[0];
-
-    if (vec_length(rotary_circle(chain).pole) == 0)
-        return;
-    double inside = fmin(RADIANS(INSIDE), (r->max - r->min) / 4);
-    r->min += inside;
-    r->max -= inside;
-    axis->circle = rotary_circle(chain);
-}
-
-/* With fewer than two rotary axes and no circle a fixed axis is left, if the machine has it. */
-static int check_machine(const struct kinematic_chain *chain, const struct tool_axis_options *axis,
-                         struct error *error)
-{
-    const struct path_options *c = &path_options;
-
-    if (chain->n >= 2 || vec_length(axis->circle.pole) > 0 ||
-        (c->fixed_given && !(c->lean > 0) && rotary_reaches(chain, axis->direction)))
-        return 0;
-    return error_set(error,
-                     "-m %s: found %d of two rotary axes, expected --fixed with an axis it has",
-                     path_options.machine, chain->n);
-}
-
-/* The machine whose rotary axes are to move least. */
-static int read_machine(struct toolpath *t, struct error *error)
-{
-    const struct machine_options options = {.name = path_options.machine};
-    struct machine machine;
-
-    if (machine_options_read(&options, &machine, error) != 0)
-        return -1;
-    t->rule.chain = machine.chain;
-    if (!path_options.fixed_given)
-        take_circle(&t->rule.chain, &t->lift.axis);
-    return check_machine(&t->rule.chain, &t->lift.axis, error);
 }
 
 /* How much centres may be lifted to run smoothly: what is asked for, or a tenth of the tolerance
@@ -499,9 +536,10 @@ int path_options_rules(const struct mesh *mesh, const struct gouge_check *guard,
     t->rule.lean = RADIANS(c->lean);
     t->rule.turn = RADIANS(c->turn);
     t->rule.spacing = distance;
-    if (read_machine(t, error) != 0)
+    if (read_machine(&t->rule.chain, &t->lift.axis, error) != 0)
         return -1;
-    if (read_body(&t->path->head, error) != 0)
+    t->path->head.body_given = true;
+    if (read_body(&t->path->head.body, error) != 0)
         return -1;
     if (!c->paper)
         tool_options_say(&t->path->head.body, c->radius);

@@ -209,21 +209,22 @@ double plane_passes_best(const struct mesh *mesh, double radius, double h, doubl
     return best;
 }
 
-bool plane_passes_direction(const char *text, const struct mesh *mesh, double radius, double h,
-                            double *angle)
+bool plane_passes_direction_read(const char *text)
 {
-    double length, degrees;
+    double degrees;
 
-    if (strcmp(text, "auto") == 0) {
-        *angle = plane_passes_best(mesh, radius, h, &length);
-        say("planes at %g degrees: the fewest millimetres of cut, about %.0f", DEGREES(*angle),
-            length);
-        return true;
-    }
-    if (!num_whole(text, &degrees))
-        return false;
-    *angle = RADIANS(degrees);
-    return true;
+    return strcmp(text, "auto") == 0 || num_whole(text, &degrees);
+}
+
+double plane_passes_direction(const char *text, const struct mesh *mesh, double radius, double h)
+{
+    double length, degrees = 0;
+
+    if (num_whole(text, &degrees))
+        return RADIANS(degrees);
+    double angle = plane_passes_best(mesh, radius, h, &length);
+    say("planes at %g degrees: the fewest millimetres of cut, about %.0f", DEGREES(angle), length);
+    return angle;
 }
 
 /* What the threads share that put points on surfaces. */

@@ -88,4 +88,23 @@ awk -F '[/,]' '/CONTCT/ { t = 1; next } /^GOTO/ { if (t && $7 < 0.9396 - 1e-6) b
 	"$TMP/narrow.cl" >"$TMP/figures"
 below "axes stay within its travel" "$(cat "$TMP/figures")" 0
 status 1 "a machine that is not there" meshnorm -r 3 -m nowhere "$TMP/walls.ply"
+# what is wrong without a mesh is told before one is read, which may take minutes to be made
+printf 'radius = 3\nlength = 60\nshank = 6\nholder = 20:40\nstickout = 0\n' >nose.txt
+printf '0 0\n1\n' >bad.region
+for tool in meshnorm planecut; do
+	for options in "--tool-file nose.txt" "-r 3 --holder 5:0" "-r 3 --holder 5:2000" "-r 3 --ball-only --flute 5" \
+		"-r 3 -m nosuch" "-r 3 -m three-axis" "-r 3 --box 0,0,0,-1,1,1" "-r 3 --region bad.region" \
+		"-r 3 --direction north" "-r 3 --layers 200 --depth 1000" "-r 3 -g none.xyz"; do
+		# shellcheck disable=SC2086
+		$tool $options none.ply >/dev/null 2>early
+		grep -q 'none.ply' early && echo "$tool $options: $(head -n 1 early)"
+	done
+	for options in "--steep 80:20" "--faces 5,a"; do
+		[ $tool = planecut ] || continue
+		# shellcheck disable=SC2086
+		$tool -r 3 $options none.ply 2>&1 >/dev/null | grep 'none.ply'
+	done
+done >late
+empty "errors of usage are told before the mesh is read" late
+
 done_testing

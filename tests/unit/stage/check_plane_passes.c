@@ -51,11 +51,12 @@ START_TEST(directions_are_read)
 {
     struct mesh mesh = make_gutter();
     double angle;
-    ck_assert(plane_passes_direction("30", &mesh, BALL, CUSP, &angle));
+    angle = plane_passes_direction("30", &mesh, BALL, CUSP);
     ck_assert_double_eq_tol(angle, PI / 6, 1e-12);
-    ck_assert(plane_passes_direction("auto", &mesh, BALL, CUSP, &angle));
+    angle = plane_passes_direction("auto", &mesh, BALL, CUSP);
     ck_assert_double_eq_tol(angle, 0, 1e-12);
-    ck_assert(!plane_passes_direction("automatic", &mesh, BALL, CUSP, &angle));
+    ck_assert(plane_passes_direction_read("auto") && plane_passes_direction_read("30"));
+    ck_assert(!plane_passes_direction_read("automatic") && !plane_passes_direction_read("30d"));
     mesh_free(&mesh);
 }
 END_TEST
