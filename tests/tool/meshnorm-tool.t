@@ -89,6 +89,7 @@ awk -F '[/,]' '/CONTCT/ { t = 1; next } /^GOTO/ { if (t && $7 < 0.9396 - 1e-6) b
 below "axes stay within its travel" "$(cat "$TMP/figures")" 0
 status 1 "a machine that is not there" meshnorm -r 3 -m nowhere "$TMP/walls.ply"
 # what is wrong without a mesh is told before one is read, which may take minutes to be made
+cd "$TMP" || exit 1
 printf 'radius = 3\nlength = 60\nshank = 6\nholder = 20:40\nstickout = 0\n' >nose.txt
 printf '0 0\n1\n' >bad.region
 for tool in meshnorm planecut; do
