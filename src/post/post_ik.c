@@ -9,12 +9,13 @@ int post_ik_tell_over(struct nc_planner *planner, struct vec3 tip, int axis, con
                       double value)
 {
     const struct machine *m = planner->machine;
+    double mm = planner->options.unit, scale = axis < 3 ? mm : 1;
     planner->plan->unmet = true;
     return error_at(planner->error, planner->path->name, planner->state.line,
                     "pass %zu: axis %c of %s: found %s %.5f at the point %.3f %.3f %.3f, expected "
-                    "its travel %g to %g",
-                    planner->state.pass, machine_letter(axis), m->name, what, value, tip.x, tip.y,
-                    tip.z, m->min[axis], m->max[axis]);
+                    "its travel %g to %g (the first such place)",
+                    planner->state.pass, machine_letter(axis), m->name, what, scale * value,
+                    mm * tip.x, mm * tip.y, mm * tip.z, scale * m->min[axis], scale * m->max[axis]);
 }
 
 bool post_ik_chain(const struct machine *machine, int tool, double unit,

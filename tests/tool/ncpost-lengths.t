@@ -90,6 +90,15 @@ printf 'UNITS/MM\nLOADTL/1\nSPINDL/900\nRAPID\nGOTO/0,0,50\nFEDRAT/100\nGOTO/120
 status 0 "X 120.00004 is 120" ncpost -c fanuc --set x.max=120 x.cl
 sed 's/120.00004/120.002/' x.cl >y.cl
 status 1 "120.002 is not" ncpost -c fanuc --set x.max=120 y.cl
+has "is told with its travel, as the first place" 'position of 120.001.* travel -2000 to 120 .the first such place' err
+status 1 "nor in inches" ncpost -c fanuc --inch --set x.max=120 y.cl
+has "where it is told in mm, too" 'position of 120.00[0-9]* at the point 120.00.* travel -2000 to 120 ' err
+sed 's/120.00004/-120.00004/' x.cl >x-.cl
+sed 's/120.00004/-120.002/' x.cl >y-.cl
+for c in fanuc okuma haas hurco; do
+	status 0 "$c: nor is X -120.00004 beyond -120" ncpost -c $c --set x.min=-120 x-.cl
+	status 1 "$c: -120.002 is" ncpost -c $c --set x.min=-120 y-.cl
+done
 
 # ---- rotary words: two turns about Z at A 30
 awk 'BEGIN { print "UNITS/MM\nMULTAX/ON\nLOADTL/1\nSPINDL/900\nRAPID\nGOTO/0,0,60,0,-0.5,0.866025404\nFEDRAT/MMPM,500"
