@@ -376,12 +376,17 @@ static bool read_part(const struct settings *s, const struct ncread_head *head,
 {
     struct error error;
     double spacing;
+    size_t corners;
     bool scans = true;
     for (size_t i = 0; i < s->part.n; i++) {
         size_t from = points->n;
         if (verify_part_read(s->part.item[i], cloud_unit(unit_name[s->unit]), s->radius, points,
-                             &spacing, &error) < 0)
+                             &spacing, &corners, &error) < 0)
             die_error(&error);
+        if (corners > 0)
+            say("%s: a mesh that is piped in: the corners of its %zu facets are taken as a scan; "
+                "in a file the facets themselves are looked at",
+                s->part.item[i], corners);
         if (spacing == 0)
             place_scan(s, head, s->part.item[i], points->item + from, points->n - from);
         if (spacing > 0)

@@ -389,10 +389,7 @@ static void write_mesh(const struct cli *cli, const struct patches *patches,
     }
     mesh.origin.maker = mem_string("nurbs2mesh", strlen("nurbs2mesh"));
     patch_mesh_mesh(patch_mesh, &mesh);
-    double area = 0;
-    for (size_t i = 0; i < mesh.face.n; i++)
-        area += vec_length(mesh_face_cross(&mesh, i));
-    if (!(area > 0))
+    if (!(mesh_area(&mesh) > 0))
         die("%s: surfaces without area, expected some", mesh.origin.source);
     note("%zu surfaces in; %zu vertices, %zu facets", patch_mesh->sheets, mesh.vertex.n,
          mesh.face.n);

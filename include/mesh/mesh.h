@@ -81,6 +81,9 @@ void mesh_free(struct mesh *mesh);
 /* Normal of a face by the right-hand rule, its length twice the face's area. */
 struct vec3 mesh_face_cross(const struct mesh *mesh, size_t face);
 
+/* Of all facets, mm2. */
+double mesh_area(const struct mesh *mesh);
+
 /* Unit normal of a triangle by the same rule; false when it has no area to speak of. */
 bool mesh_triangle_normal(const struct vec3 p[3], struct vec3 *normal);
 

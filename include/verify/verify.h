@@ -25,13 +25,14 @@
 
 /*
  * Appends the points of a file, as they stand in it.  A mesh, times `unit` (a PLY with faces, STL,
- * OFF by its name) or the surfaces of a .igs, .iges or .nurbs file, trimmed and as triangles, give
+ * OFF) or the surfaces of a .igs, .iges or .nurbs file, trimmed and as triangles, give
  * points on their faces too, so dense that a ball of `radius` rolled over them sinks in between by
  * less than VERIFY_PART_SINK, as long as that are no more than some millions; *spacing is what was
- * kept, 0 for a cloud.
+ * kept, 0 for a cloud.  Of a mesh that is piped in under no name that says so the corners alone are
+ * taken, as a cloud: *corners is how many facets it has, else 0.
  */
 int verify_part_read(const char *file, double unit, double radius, struct vec3s *points,
-                     double *spacing, struct error *error);
+                     double *spacing, size_t *corners, struct error *error);
 
 #define VERIFY_PART_SINK 0.0005 /* mm */
 

@@ -34,6 +34,14 @@ struct vec3 mesh_face_cross(const struct mesh *mesh, size_t face)
     return vec_cross(vec_sub(p[v[1]], p[v[0]]), vec_sub(p[v[2]], p[v[0]]));
 }
 
+double mesh_area(const struct mesh *mesh)
+{
+    double sum = 0;
+    for (size_t i = 0; i < mesh->face.n; i++)
+        sum += vec_length(mesh_face_cross(mesh, i)) / 2;
+    return sum;
+}
+
 bool mesh_triangle_normal(const struct vec3 p[3], struct vec3 *normal)
 {
     double longest = 0;

@@ -23,7 +23,7 @@ void say_skipped(const char *file, const struct cloud_count *c)
         say("%s: ignored the columns after the %s (up to %zu)", file,
             c->indexed ? "fourth" : "third", c->columns);
     if (c->facets > 0)
-        say("%s: an STL file: the corners of its %zu facets are taken as points (planecut cuts the "
+        say("%s: a mesh: the corners of its %zu facets are taken as points (planecut cuts the "
             "facets)",
             file, c->facets);
     if (c->withheld > 0)

@@ -40,8 +40,9 @@ static int find_scan(const struct gouge_options *options, struct path *path, boo
     const struct scan_sources none = {.placed = path->head.scan.placed,
                                       .place = path->head.scan.place};
 
-    if (guard_scan_read(&options->scan, paper ? &none : &path->head.scan, "the path",
-                        "what is fitted is not checked", scan, &path->head.unmet, error) != 0)
+    if (guard_scan_read(&options->scan, paper ? &none : &path->head.scan, path_ball(path),
+                        "the path", "what is fitted is not checked", scan, &path->head.unmet,
+                        error) != 0)
         return -1;
     if (!paper && !options->scan.none && options->scan.files.n == 0 && path->head.scan.n == 0)
         say("the path names no scan: what is fitted is held against none (-g FILE names one)");

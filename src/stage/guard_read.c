@@ -7,6 +7,7 @@
 #include "base/effort.h"
 #include "base/reader.h"
 #include "io/cloud/cloud.h"
+#include "io/mesh/meshfile.h"
 #include "cloud/plan_extent.h"
 #include "cloud/believed.h"
 #include "cloud/rim_points.h"
@@ -17,9 +18,13 @@
 #include "cloud/outliers.h"
 #include "math/box.h"
 #include "math/kdtree.h"
+#include "math/triangle_points.h"
 
 /* Of the radius: points that hang down are so far apart. */
 static const double CURTAIN = 0.25;
+
+/* Points on the facets of a mesh: so far apart, by the radius; so many at most. */
+static const double FACETS = 0.25, MOST_OF_FACETS = 1e6;
 
 /* Appends a file's points; says what was left out of them. */
 static int read_file(const char *name, struct vec3s *points, struct error *error)
@@ -34,6 +39,43 @@ static int read_file(const char *name, struct vec3s *points, struct error *error
     if (count.not_finite > 0)
         say("%s: %zu rows without finite numbers left out, the first in line %zu", name,
             count.not_finite, count.first_not_finite);
+    if (count.facets > 0 && reader_reads_once(name))
+        say("%s: a mesh that is piped in: only the corners of its %zu facets guard", name,
+            count.facets);
+    return 0;
+}
+
+/* Points on those facets that have a side longer than the spacing. */
+static void fill_facets(const struct mesh *mesh, double spacing, struct vec3s *points)
+{
+    for (size_t i = 0; i < mesh->face.n; i++) {
+        struct vec3 corner[3];
+        for (int k = 0; k < 3; k++)
+            corner[k] = mesh->vertex.item[mesh->face.item[i].v[k]];
+        if (triangle_longest(corner) > spacing)
+            triangle_points(corner, spacing, points);
+    }
+}
+
+/* What is between the corners of a mesh, where these are far from each other for a ball of this
+ * radius: points of its facets, placed as the corners are. */
+static int add_facets(const char *name, double radius, struct guard_scan *scan, struct error *error)
+{
+    struct mesh mesh;
+    size_t before = scan->point.n;
+
+    if (!(radius > 0) || reader_reads_once(name) || !mesh_is_there(name))
+        return 0;
+    if (mesh_read(name, &mesh, error) != 0)
+        return -1;
+    if (scan->source.placed)
+        transform_points(&scan->source.place, mesh.vertex.item, mesh.vertex.n);
+    double spacing = fmax(FACETS * radius, sqrt(2 * mesh_area(&mesh) / MOST_OF_FACETS));
+    fill_facets(&mesh, spacing, &scan->point);
+    if (scan->point.n > before)
+        say("%s: a mesh: guarded by %zu points on its facets, too, %.3g mm apart at most", name,
+            scan->point.n - before, spacing);
+    mesh_free(&mesh);
     return 0;
 }
 
@@ -88,7 +130,7 @@ static int read_all_named(const struct scan_sources *named, const char *stream, 
 }
 
 int guard_scan_read(const struct guard_choice *choice, const struct scan_sources *named,
-                    const char *stream, const char *instead, struct guard_scan *scan,
+                    double radius, const char *stream, const char *instead, struct guard_scan *scan,
                     struct unmets *unmet, struct error *error)
 {
     *scan = (struct guard_scan){.point = {0}};
@@ -103,6 +145,9 @@ int guard_scan_read(const struct guard_choice *choice, const struct scan_sources
         transform_points(&named->place, scan->point.item, scan->point.n);
         say("the scan to guard is placed as the mesh was");
     }
+    for (size_t f = 0; scan->point.n > 0 && f < scan->source.n; f++)
+        if (add_facets(scan->source.item[f].name, radius, scan, error) != 0)
+            return -1;
     return 0;
 }
 

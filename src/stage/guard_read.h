@@ -22,10 +22,12 @@ struct guard_scan {
  * units), those of -g too.  If the scan that `stream` ("the mesh") names was piped in, can't be
  * read, or is not what it was (number and hash of its points), this is said, with what guards
  * `instead`, and there are no points; but for a piped one it is unmet, and said under -q, too.
+ * Of a file that is a mesh its facets stand for what is between its corners: where they are large
+ * for a ball of this radius (mm; 0: not known) points on them are added.
  * -1: a file of -g can't be read or has no points.
  */
 int guard_scan_read(const struct guard_choice *choice, const struct scan_sources *named,
-                    const char *stream, const char *instead, struct guard_scan *scan,
+                    double radius, const char *stream, const char *instead, struct guard_scan *scan,
                     struct unmets *unmet, struct error *error);
 
 void guard_scan_free(struct guard_scan *scan);

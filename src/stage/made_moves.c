@@ -74,7 +74,7 @@ int made_moves_check(const struct made_moves *moves, const struct path *path,
 
     if (moves->n == 0 || path->head.scan.n == 0 || !(tool.radius > 0))
         return 0;
-    if (guard_scan_read(&named, &path->head.scan, "the path",
+    if (guard_scan_read(&named, &path->head.scan, tool.radius, "the path",
                         "the moves added for rotary axes are not checked", &scan, NULL, error) != 0)
         return -1;
     struct gouge_check *guard = NULL;

@@ -327,8 +327,8 @@ int path_options_scan(const struct mesh *mesh, struct error *error)
     named.place = mesh->origin.place;
     if (c->paper || (named.n == 0 && c->guard.files.n == 0))
         return 0;
-    if (guard_scan_read(&c->guard, &named, "the mesh", "guarded by the mesh alone", &guard_scan,
-                        &c->unguarded, error) != 0)
+    if (guard_scan_read(&c->guard, &named, c->radius, "the mesh", "guarded by the mesh alone",
+                        &guard_scan, &c->unguarded, error) != 0)
         return -1;
     c->guarded = guard_scan.point.n > 0;
     if (c->tolerance == 0 && c->guarded)

@@ -7,10 +7,11 @@
 
 #include "base/array.h"
 #include "base/num.h"
+#include "base/reader.h"
 #include "io/cloud/cloud.h"
 #include "io/mesh/meshfile.h"
-#include "io/mesh/ply.h"
 #include "io/nurbs/surfaces.h"
+#include "math/triangle_points.h"
 #include "nurbs/tessellate.h"
 
 #define MOST 4e6 /* points on the faces of a mesh */
@@ -23,50 +24,17 @@ static bool has_ending(const char *file, const char *ending)
 
 #define CHORD 0.001 /* that triangles may be off a surface, mm */
 
-static double area(const struct mesh *mesh)
-{
-    double sum = 0;
-    for (size_t i = 0; i < mesh->face.n; i++)
-        sum += vec_length(mesh_face_cross(mesh, i)) / 2;
-    return sum;
-}
-
-/* By the spacing: rows of points on a face, and the points of a row, are so far apart at most, that
- * no place is farther than half the spacing from the nearest. */
-static const double CLOSE = 0.7;
-
-/* Points between the vertices of a face, its edges with them: rows along its longest side, so that
- * a needle gets no more than its length asks for. */
-static void fill_face(const struct vec3 v[3], double spacing, struct vec3s *points)
-{
-    int first = 0;
-    for (int k = 1; k < 3; k++)
-        if (vec_distance(v[k], v[(k + 1) % 3]) > vec_distance(v[first], v[(first + 1) % 3]))
-            first = k;
-    struct vec3 a = v[first], b = v[(first + 1) % 3], c = v[(first + 2) % 3];
-    double longest = vec_distance(a, b);
-    double height = longest > 0 ? vec_length(vec_cross(vec_sub(b, a), vec_sub(c, a))) / longest : 0;
-    int rows = (int)fmin(fmax(ceil(height / (CLOSE * spacing)), 1), 10000);
-    for (int r = 0; r <= rows; r++) { /* the last row half a row before the corner */
-        double t = (r < rows ? r : rows - 0.5) / rows;
-        struct vec3 p = vec_mix(a, c, t), q = vec_mix(b, c, t);
-        int n = (int)fmin(fmax(ceil(vec_distance(p, q) / (CLOSE * spacing)), 1), 1e6);
-        for (int i = r == 0; i <= n - (r == 0); i++)
-            *array_push(points) = vec_mix(p, q, (double)i / n);
-    }
-}
-
 static void densify(const struct mesh *mesh, double unit, double radius, struct vec3s *points,
                     double *spacing)
 {
-    *spacing = fmax(sqrt(8 * radius * VERIFY_PART_SINK), sqrt(2 * unit * unit * area(mesh) / MOST));
+    *spacing = fmax(sqrt(8 * radius * VERIFY_PART_SINK), unit * sqrt(2 * mesh_area(mesh) / MOST));
     for (size_t i = 0; i < mesh->vertex.n; i++)
         *array_push(points) = vec_scale(unit, mesh->vertex.item[i]);
     for (size_t i = 0; i < mesh->face.n; i++) {
         struct vec3 v[3];
         for (int k = 0; k < 3; k++)
             v[k] = vec_scale(unit, mesh->vertex.item[mesh->face.item[i].v[k]]);
-        fill_face(v, *spacing, points);
+        triangle_points(v, *spacing, points);
     }
 }
 
@@ -98,29 +66,29 @@ static int read_surfaces(const char *file, struct mesh *mesh, struct error *erro
 }
 
 int verify_part_read(const char *file, double unit, double radius, struct vec3s *points,
-                     double *spacing, struct error *error)
+                     double *spacing, size_t *corners, struct error *error)
 {
+    *corners = 0;
     struct mesh mesh = {0};
     struct cloud_count count = {0};
     bool solid = has_ending(file, ".stl") || has_ending(file, ".off");
     bool surfaces = has_ending(file, ".igs") || has_ending(file, ".iges") ||
                     has_ending(file, ".stp") || has_ending(file, ".step") ||
                     has_ending(file, ".nurbs");
+    bool once = reader_reads_once(file);
     *spacing = 0;
-    if (solid || surfaces || has_ending(file, ".ply")) {
+    if (solid || surfaces || (once ? has_ending(file, ".ply") : mesh_is_there(file))) {
         int result = surfaces ? read_surfaces(file, &mesh, error) : mesh_read(file, &mesh, error);
-        if (result == 0 && mesh.face.n > 0) {
+        if (result == 0 && mesh.face.n == 0)
+            result = error_set(error, "%s: no faces in it", file);
+        if (result == 0)
             densify(&mesh, unit, radius, points, spacing);
-            mesh_free(&mesh);
-            return 0;
-        }
         mesh_free(&mesh);
-        if (result < 0 && (solid || surfaces || error->system || ply_has_faces(file)))
-            return -1;
-        if (solid || surfaces)
-            return error_set(error, "%s: no faces in it", file);
+        return result;
     }
-    return cloud_read(file, 1, points, &count, error);
+    int result = cloud_read(file, 1, points, &count, error);
+    *corners = count.facets;
+    return result;
 }
 
 /* ---- the stock */

@@ -63,7 +63,7 @@ done
 has "withheld points are told" 'v12.las: left out 1 point that the file marks as withheld' said-v12.las
 has "so are numbers of rows" 'numbered.txt: the first column numbers the rows: x y z are the three' said-numbered.txt
 has "with columns after the points" 'numbered.csv: ignored the columns after the fourth' said-numbered.csv
-has "an STL is told to be one" 'ascii.stl: an STL file: the corners of its 300 facets' said-ascii.stl
+has "an STL is told to be a mesh" 'ascii.stl: a mesh: the corners of its 300 facets' said-ascii.stl
 
 refused() { # FILE REGEX
 	status 1 "$1 is refused" cloud2mesh -t 2 "$1"

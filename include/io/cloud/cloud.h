@@ -24,7 +24,7 @@ struct cloud_count {
     size_t not_finite;       /* rows with nan, inf or a number too large: left out */
     size_t not_measured;     /* empty cells of a PTX grid: left out */
     size_t withheld;         /* points that a LAS file marks as deleted: left out */
-    size_t facets;           /* of an STL file, whose corners alone are taken */
+    size_t facets;           /* of a mesh (STL, PLY), whose corners alone are taken */
     bool indexed;            /* the first column numbers the rows: x y z are the next three */
     size_t columns;          /* most columns of a row, of those that were read one by one */
     size_t first_not_finite; /* line of the first of them, 0: the format has no lines */

@@ -21,9 +21,9 @@ int ply_read(const char *file, struct mesh *mesh, struct error *error);
 /* The same from a reader that stands at the start of the file. */
 int ply_read_mesh(struct reader *r, struct mesh *mesh, struct error *error);
 
-/* The vertices alone, appended to `points`, those too that are not finite; the reader stands at
- * the start of the file. */
-int ply_read_points(struct reader *r, struct vec3s *points, struct error *error);
+/* The vertices alone, appended to `points`, those too that are not finite, and how many faces the
+ * head says; the reader stands at the start of the file. */
+int ply_read_points(struct reader *r, struct vec3s *points, size_t *faces, struct error *error);
 
 /* True if the head of this file says rows of faces; what cannot be read has none. */
 bool ply_has_faces(const char *file);

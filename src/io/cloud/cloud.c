@@ -219,7 +219,7 @@ static enum format find_format(const struct reader *r, const char *head, size_t 
 static int read_ply(struct cloud_source *s, struct error *error)
 {
     size_t first = s->points->n;
-    if (ply_read_points(s->reader, s->points, error) < 0)
+    if (ply_read_points(s->reader, s->points, &s->count->facets, error) < 0)
         return -1;
     size_t end = s->points->n;
     s->points->n = first;

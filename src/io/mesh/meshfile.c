@@ -42,6 +42,12 @@ static bool is_utf16(const char *head, size_t n)
     return false;
 }
 
+static bool says_off(const char *head, size_t n)
+{
+    return head_begins(head, n, "OFF") || head_begins(head, n, "COFF") ||
+           head_begins(head, n, "NOFF");
+}
+
 static int read_from(struct reader *r, struct mesh *mesh, struct error *error)
 {
     const char *head;
@@ -54,7 +60,7 @@ static int read_from(struct reader *r, struct mesh *mesh, struct error *error)
     *mesh = (struct mesh){.origin = ply_origin_none()};
     if (head_begins(head, n, "ply"))
         return ply_read_mesh(r, mesh, error);
-    if (head_begins(head, n, "OFF") || head_begins(head, n, "COFF") || head_begins(head, n, "NOFF"))
+    if (says_off(head, n))
         return off_read(r, mesh, error);
     if (!stl_is_binary(r, head, n) && is_utf16(head, n))
         return error_at(error, r->name, 0, "text in UTF-16 encoding, expected UTF-8 or ASCII");
@@ -63,6 +69,29 @@ static int read_from(struct reader *r, struct mesh *mesh, struct error *error)
     if (head_begins(head, n, "solid"))
         return stl_read_text(r, mesh, error);
     return ply_read_mesh(r, mesh, error);
+}
+
+/* A text STL: the line after its name begins a facet. */
+static bool says_facets(const char *head, size_t n)
+{
+    const char *line = head_begins(head, n, "solid") ? memchr(head, '\n', n) : NULL;
+    while (line && line < head + n && memchr("\n\r\t ", *line, 4))
+        line++;
+    return line && head_begins(line, (size_t)(head + n - line), "facet");
+}
+
+bool mesh_is_there(const char *file)
+{
+    struct reader r;
+    struct error error;
+    const char *head;
+    if (reader_open(&r, file, &error) < 0)
+        return false;
+    long n = reader_peek(&r, &head, HEAD, &error);
+    bool there = n > 0 && (says_off(head, (size_t)n) || stl_is_binary(&r, head, (size_t)n) ||
+                           says_facets(head, (size_t)n));
+    reader_close(&r);
+    return there || ply_has_faces(file);
 }
 
 int mesh_read(const char *file, struct mesh *mesh, struct error *error)

@@ -301,11 +301,20 @@ static int read_elements(struct reader *r, const struct ply_head *head, enum ply
     return s.element ? ply_finish(&s, error) : 0;
 }
 
-static int read_all(struct reader *r, enum ply_purpose purpose, struct mesh *mesh,
+static size_t faces_of(const struct ply_head *head)
+{
+    const struct ply_element *face = ply_head_element(head, "face");
+
+    return face ? face->count : 0;
+}
+
+/* *faces: as the head says. */
+static int read_all(struct reader *r, enum ply_purpose purpose, struct mesh *mesh, size_t *faces,
                     struct error *error)
 {
     struct ply_head head;
     int status = ply_head_read(r, &head, &mesh->origin, error);
+    *faces = status == 0 ? faces_of(&head) : 0;
     if (status == 0)
         status = read_elements(r, &head, purpose, mesh, error);
     if (status == 0 && !ply_head_element(&head, "vertex"))
@@ -316,8 +325,9 @@ static int read_all(struct reader *r, enum ply_purpose purpose, struct mesh *mes
 
 int ply_read_mesh(struct reader *r, struct mesh *mesh, struct error *error)
 {
+    size_t faces;
     *mesh = (struct mesh){.origin = ply_origin_none()};
-    int status = read_all(r, PLY_MESH, mesh, error);
+    int status = read_all(r, PLY_MESH, mesh, &faces, error);
     if (status == 0 && (mesh->vertex.n == 0 || mesh->face.n == 0))
         status = error_at(error, r->name, 0, "no %s, expected a mesh of triangles",
                           mesh->vertex.n ? "faces" : "vertices");
@@ -336,10 +346,10 @@ int ply_read(const char *file, struct mesh *mesh, struct error *error)
     return status;
 }
 
-int ply_read_points(struct reader *r, struct vec3s *points, struct error *error)
+int ply_read_points(struct reader *r, struct vec3s *points, size_t *faces, struct error *error)
 {
     struct mesh mesh = {.vertex = *points, .origin = ply_origin_none()};
-    int status = read_all(r, PLY_POINTS, &mesh, error);
+    int status = read_all(r, PLY_POINTS, &mesh, faces, error);
     *points = mesh.vertex;
     mesh.vertex = (struct vec3s){0};
     mesh_free(&mesh);
@@ -355,8 +365,7 @@ bool ply_has_faces(const char *file)
     if (reader_open(&r, file, &error) < 0)
         return false;
     int status = ply_head_read(&r, &head, &mesh.origin, &error);
-    const struct ply_element *face = status == 0 ? ply_head_element(&head, "face") : NULL;
-    bool has = face && face->count > 0;
+    bool has = status == 0 && faces_of(&head) > 0;
     ply_head_free(&head);
     mesh_free(&mesh);
     reader_close(&r);

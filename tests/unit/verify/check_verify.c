@@ -143,6 +143,7 @@ START_TEST(points_on_a_face)
     struct error error;
     char name[400];
     double spacing, worst = 0;
+    size_t corners;
     snprintf(name, sizeof name, "%s.off", scratch_name());
     FILE *file = fopen(name, "w");
     ck_assert_ptr_nonnull(file);
@@ -151,7 +152,7 @@ START_TEST(points_on_a_face)
         fprintf(file, "%g %g %g\n", v[k].x, v[k].y, v[k].z);
     fprintf(file, "3 0 1 2\n");
     fclose(file);
-    ck_assert_int_eq(verify_part_read(name, 1, RADIUS, &points, &spacing, &error), 0);
+    ck_assert_int_eq(verify_part_read(name, 1, RADIUS, &points, &spacing, &corners, &error), 0);
     remove(name);
     for (int i = 0; i <= 60; i++)
         for (int k = 0; k <= 60 - i; k++) {

@@ -16,6 +16,7 @@
 
 static struct vec3s points;
 static double spacing;
+static size_t corners;
 static struct error error;
 
 static void teardown(void)
@@ -34,7 +35,7 @@ static int read_as(const char *ending, const char *content, double unit)
     fclose(file);
     points.n = 0;
     error = (struct error){.system = 0};
-    int result = verify_part_read(name, unit, RADIUS, &points, &spacing, &error);
+    int result = verify_part_read(name, unit, RADIUS, &points, &spacing, &corners, &error);
     remove(name);
     return result;
 }

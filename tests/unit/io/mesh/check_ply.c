@@ -302,10 +302,12 @@ START_TEST(points_alone)
 {
     struct vec3s points = {0};
     struct reader r;
+    size_t faces;
     *array_push(&points) = vec(9, 9, 9);
     const char *text = HEAD("3", "1") "1 2 3\nnan 5 6\n7 8 9\n3 0 1 99\n";
     ck_assert_int_eq(reader_open(&r, scratch_text(text), &error), 0);
-    ck_assert_int_eq(ply_read_points(&r, &points, &error), 0);
+    ck_assert_int_eq(ply_read_points(&r, &points, &faces, &error), 0);
+    ck_assert_uint_eq(faces, 1);
     reader_close(&r);
     ck_assert_uint_eq(points.n, 4);
     expect_close(points.item[0], vec(9, 9, 9), 0);

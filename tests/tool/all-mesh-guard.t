@@ -1,0 +1,75 @@
+#!/bin/sh
+# all-mesh-guard.t - a mesh in place of a scan: of a few large facets too the tool keeps clear, not
+# of their corners alone, whatever the file is called, and who judges takes it for the same.
+. "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
+cd "$TMP" || exit 1
+
+# A pyramid of four facets, 40 mm wide and 12 high, and the same as PLY, as OFF and in inches.
+cat >pyramid.off <<'EOF'
+OFF
+5 4 0
+-20 -20 0
+20 -20 0
+20 20 0
+-20 20 0
+0 0 12
+3 0 1 4
+3 1 2 4
+3 2 3 4
+3 3 0 4
+EOF
+ply() { # UNIT
+	awk -v unit="$1" 'NR == 2 { printf "ply\nformat ascii 1.0\nelement vertex 5\nproperty double x\n" \
+		"property double y\nproperty double z\nelement face 4\nproperty list uchar int vertex_indices\n" \
+		"end_header\n"; next }
+	NR > 2 && NR < 8 { print $1 / unit, $2 / unit, $3 / unit; next } NR >= 8' pyramid.off
+}
+ply 1 >pyramid.ply
+ply 25.4 >inch.ply
+awk 'NR > 2 && NR < 8 { v[NR - 3] = $0 }
+	NR >= 8 { print "facet normal 0 0 0\nouter loop"; for (i = 2; i <= 4; i++) print "vertex", v[$i]
+		print "endloop\nendfacet" }
+	NR == 1 { print "solid pyramid" } END { print "endsolid pyramid" }' pyramid.off >pyramid.stl
+
+for part in pyramid.ply pyramid.stl; do
+	status 0 "planecut guards by $part" planecut -r 3 --scallop 0.03 --avoid -g $part -o path.cl \
+		pyramid.off
+	has "and says how" "$part: a mesh: guarded by [0-9]+ points on its facets, too" "$TMP/err"
+	ncpost -q -c siemens -o part.mpf path.cl
+	for judge in pyramid.ply pyramid.stl pyramid.off; do
+		status 0 "ncverify accepts it by $judge" ncverify -q -g $judge part.mpf
+	done
+	cp $part named
+	status 0 "and by one that its name does not tell" ncverify -v -g named part.mpf
+	has "which is a mesh by what is in it" 'named: points 0\.[0-9]+ mm apart on its faces' "$TMP/err"
+done
+
+# A path 0.3 mm too deep in the middle of a facet, far from its corners.
+awk 'BEGIN { print "PARTNO/deep\nUNITS/MM\nMULTAX/ON\nCUTTER/6,3,0,3,0,0,60\nFEDRAT/MMPM,500"
+	for (x = 6; x <= 14; x += 0.5)
+		printf "GOTO/%.4f,0,%.4f,0,0,1\n", x, (20 - x) * 0.6 + 3 * sqrt(1.36) - 3 - 0.3
+	print "FINI" }' >deep.cl
+for fit in biarcfit bsplfit; do
+	for part in pyramid.stl pyramid.ply; do
+		$fit -v -e 0.01 -g $part -o fitted.cl deep.cl 2>log
+		has "$fit keeps off $part" 'points lifted by at most 0\.3|deep' log
+	done
+done
+ncverify -r 3 -g - -o verdict part.mpf <pyramid.ply 2>log
+has "of a mesh that is piped in the corners are a scan, and this is said" \
+	'^ncverify: -: a mesh that is piped in: the corners of its 4 facets are taken' log
+
+# A scan with facets, in inches: the mesh made of its points names it, and its facets guard in mm.
+awk 'BEGIN { print "ply\nformat ascii 1.0\nelement vertex 121\nproperty double x\nproperty double y"
+	print "property double z\nelement face 200\nproperty list uchar int vertex_indices"
+	print "end_header"
+	for (j = 0; j <= 10; j++) for (i = 0; i <= 10; i++) printf "%.5f %.5f %.5f\n", i * 3 / 25.4, \
+		j * 3 / 25.4, (5 - ((i - 5) ^ 2 + (j - 5) ^ 2) / 20) / 25.4
+	for (j = 0; j < 10; j++) for (i = 0; i < 10; i++) { a = 11 * j + i
+		printf "3 %d %d %d\n3 %d %d %d\n", a, a + 1, a + 12, a, a + 12, a + 11 } }' >dome.ply
+status 0 "cloud2mesh takes its corners" cloud2mesh -u inch -t 3 -o mesh.ply dome.ply
+has "and says so" 'dome.ply: a mesh: the corners of its 200 facets are taken as points' "$TMP/err"
+meshnorm -r 3 -o path.cl mesh.ply 2>log
+has "its facets guard, in mm" \
+	'dome.ply: a mesh: guarded by [0-9]+ points on its facets, too, 0.75 mm apart' log
+done_testing
