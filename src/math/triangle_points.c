@@ -3,7 +3,8 @@
 
 #include "math/elementary.h"
 
-/* By the spacing: rows of points on a triangle, and the points of a row, are so far apart at most. */
+/* By the spacing: rows of points on a triangle, and the points of a row, are so far apart, at
+ * most. */
 static const double CLOSE = 0.7;
 
 enum { MOST_ROWS = 10000, MOST_OF_ROW = 1000000 };

@@ -19,8 +19,8 @@
  */
 int mesh_read(const char *file, struct mesh *mesh, struct error *error);
 
-/* True if the first bytes of this file, which can be read twice, say that it is a mesh: OFF, STL, or
- * PLY with faces.  What cannot be read is none. */
+/* True if the first bytes of this file, which can be read twice, say that it is a mesh: OFF, STL,
+ * or PLY with faces.  What cannot be read is none. */
 bool mesh_is_there(const char *file);
 
 #endif
