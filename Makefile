@@ -84,7 +84,9 @@ $(BUILD)/%.o: %.c Makefile
 # so that no tool has more than 1 MB.  An optimiser changes no byte of a result.
 once := io/nurbs/% nurbs/trim_% nurbs/construct nurbs/uv_polygon machine/machine% stage/% \
   mesh/mesh_clip mesh/mesh_repair toolpath/pass_extend toolpath/rest_% base/cli \
-  io/path/path_tool io/mesh/ply io/mesh/ply_source toolpath/scallop
+  io/path/path_tool io/mesh/ply io/mesh/ply_source toolpath/scallop gouge/link% nurbs/pullback \
+  toolpath/passes cloud/sheets cloud/rim_points cloud/edge_cliff cloud/edge_flank cloud/edge_meet \
+  cloud/cone_tip curve/edge_curve curve/run
 $(once:%=$(BUILD)/src/%.o): CFLAGS := $(CFLAGS:-O3=-O2)
 # Of these, IGES and STEP files and where rest passes go, also without what makes -O2 longer.
 small := io/nurbs/nurbs_text% machine/machine machine/machine_options machine/template base/cli \
@@ -94,7 +96,8 @@ small := io/nurbs/nurbs_text% machine/machine machine/machine_options machine/te
   io/path/path_cycle nurbs/construct mesh/mesh_repair io/path/path_tool mesh/mesh_clip \
   nurbs/uv_polygon stage/plane_passes stage/mesh_% stage/coverage_judge toolpath/pass_extend \
   io/path/path_head io/path/path_write io/mesh/ply_origin io/cloud/cloud_formats nurbs/primitive \
-  nurbs/approximate stage/toolpath simulate/unseen_% mesh/mesh_outline
+  nurbs/approximate stage/toolpath simulate/unseen_% mesh/mesh_outline io/mesh/stl io/mesh/off \
+  io/mesh/meshfile io/cloud/cloud io/cloud/cloud_las gouge/holder_text
 $(small:%=$(BUILD)/src/%.o): CFLAGS := $(patsubst -O2,-Os,$(CFLAGS:-O3=-Os))
 
 # The file VERSION is what `--version`, the tarball and the packages say.
