@@ -5,7 +5,8 @@
  * A ball sinks between points that are far apart, and rides on the crests of the noise of points
  * that are near.  So the points of a scan that noise spreads are moved to the surfaces of
  * surface_fit.h, one for all points in its middle; and where the scan is sparse, points are put
- * between (upsample.h).  Points that noise does not explain (edges, walls, hair) stay as they are.
+ * between (upsample.h), and on the facets of steep flanks (steep_facets.h).  Points that noise does
+ * not explain (edges, walls, hair) stay as they are.
  */
 #ifndef CLOUDMILL_GUARD_POINTS_H
 #define CLOUDMILL_GUARD_POINTS_H

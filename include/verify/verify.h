@@ -43,7 +43,8 @@ struct verify_surface {
     unsigned char *under;  /* of each point that is left: 1 under a roof, out of reach from above */
     double spacing;        /* of the points, mean, mm */
     struct vec3s roof;     /* points that face up with nothing of the scan below (roof.h) */
-    struct vec3s curtain;  /* what hangs below its rims and goes on beyond them */
+    struct vec3s curtain;  /* what hangs below its rims and goes on beyond them, and its flanks */
+    struct vec3s steep;    /* places on steep flanks, between points that are far apart there */
     double sheets;         /* distance of scans that do not meet, mm; 0: they meet ... */
     struct vec3 sheets_at; /* ... where it is largest */
 };
@@ -124,6 +125,14 @@ struct verdict_rapid {
     size_t point, piece;
 };
 
+/* The deepest that the ball goes into a steep flank between its points. */
+struct verdict_steep {
+    double depth;  /* 0: nowhere deeper than is allowed */
+    size_t places; /* that it is deeper in */
+    size_t piece;
+    struct vec3 at;
+};
+
 /* The points that were taken for outliers. */
 struct verdict_outliers {
     size_t points, gouged; /* all; those in which the ball is deeper than the tolerance */
@@ -141,6 +150,7 @@ struct verdict {
     double limit; /* of what counts as left, mm */
     double noise; /* so much more than the tolerance is allowed for noise, mm */
     struct verdict_outliers outliers;
+    struct verdict_steep steep;
     struct axis_use axes;
     struct machine_time time;
     struct verdict_rapid rapid;

@@ -8,6 +8,7 @@
 #include "cloud/edge_points.h"
 #include "cloud/scan_lines.h"
 #include "cloud/settle.h"
+#include "cloud/steep_facets.h"
 #include "cloud/upsample.h"
 #include "math/surface_fit.h"
 
@@ -256,6 +257,25 @@ static void add_edges(const struct guard_work *work, struct guard_points *surfac
     surface->added += surface->point.n - before - surface->edges;
 }
 
+/* Steep flanks that the scan has few points on, between these where they are taken to be. */
+static void add_steep(const struct guard_work *work, struct guard_points *surface)
+{
+    const struct guard_points_options *rule = work->rule;
+    size_t n = work->point_grid->n, before = surface->point.n;
+    struct vec3 *place = work->result ? mem_alloc(n + 1, sizeof *place) : NULL;
+    const struct steep_facets_options steep = {.place = place,
+                                               .radius = rule->radius,
+                                               .sink = rule->sink,
+                                               .noise = rule->noise,
+                                               .threads = rule->threads};
+
+    for (size_t i = 0; place && i < n; i++)
+        place[i] = work->result[i].point;
+    steep_facets(work->point_grid, &steep, &surface->point);
+    surface->added += surface->point.n - before;
+    free(place);
+}
+
 struct guard_points guard_points_of_scan(const struct point_grid *point_grid,
                                          const struct guard_points_options *rule)
 {
@@ -266,6 +286,7 @@ struct guard_points guard_points_of_scan(const struct point_grid *point_grid,
 
     if (!choose_work(&work, &sparse, &near)) {
         add_edges(&work, &surface);
+        add_steep(&work, &surface);
         near_lists_free(&work.lists);
         surface.sparse = sparse;
         array_reserve(&surface.point, point_grid->n);
@@ -284,6 +305,7 @@ struct guard_points guard_points_of_scan(const struct point_grid *point_grid,
     }
     surface = gather(&work);
     add_edges(&work, &surface);
+    add_steep(&work, &surface);
     surface.sparse = sparse;
     surface.near = near;
     near_lists_free(&work.lists);

@@ -7,6 +7,7 @@
 #include "cloud/plan_extent.h"
 #include "cloud/rim_points.h"
 #include "cloud/roof.h"
+#include "cloud/steep_facets.h"
 #include "math/kdtree.h"
 #include "math/point_grid.h"
 #include "math/sphere_grid.h"
@@ -75,6 +76,7 @@ static void find_solid(const struct vec3s *place, const struct coverage_judge_op
     outliers_under_roof(&grid, threads, under);
     roof_curtain_asked(&grid, threads, curtain);
     rim_points_asked(&grid, options->radius, options->noise, threads, curtain);
+    steep_facets_asked(&grid, options->radius, options->noise, threads, curtain);
     point_grid_free(&grid);
 }
 

@@ -131,6 +131,14 @@ static void judge_surface(struct verdict *v)
                     p.x, p.y, p.z, text.limit);
     }
     judge_left(v);
+    if (v->steep.depth > 0) {
+        struct more_than text = more_than(v->steep.depth, v->options.tolerance);
+        p = v->steep.at;
+        finding_add(v, true, v->steep.piece,
+                    "the ball is %s mm deep between points of a steep flank at %.3f %.3f %.3f, "
+                    "tolerance %s",
+                    text.more, p.x, p.y, p.z, text.limit);
+    }
     p = v->program.part->item[v->rapid.point];
     if (v->rapid.depth > 0)
         finding_add(v, true, v->rapid.piece,
@@ -300,15 +308,28 @@ static void judge_jumps(struct verdict *v)
                     DEGREES(jumps.most), jumps.count);
 }
 
-/* Curves that leave the part and come back: by a radius, where what they leave is judged, since a
- * link over a hollow may be part of one. */
+static void add_places(struct vec3s *to, const struct vec3s *from)
+{
+    array_reserve(to, to->n + from->n);
+    for (size_t i = 0; i < from->n; i++)
+        *array_push(to) = from->item[i];
+}
+
+/* Curves that leave the part and come back: by a radius, and of a scan by how far its points are
+ * apart, where what they leave is judged, since a link over a hollow may be part of one. */
 static void judge_excursions(struct verdict *v)
 {
+    const struct verify_surface *scan = v->program.surface;
     bool judged = !v->options.partial && isfinite(v->options.left);
+    double hollow = v->options.radius + (scan ? scan->spacing : 0);
     const struct excursion_options options = {
-        v->options.radius, judged ? fmax(v->options.band, v->options.radius) : v->options.band};
-    struct excursion out = excursion_find(v->program.motion, &v->cut, v->program.part->item,
-                                          v->program.part->n, &options);
+        v->options.radius, judged ? fmax(v->options.band, hollow) : v->options.band};
+    struct vec3s part = {0};
+    add_places(&part, v->program.part);
+    if (scan)
+        add_places(&part, &scan->steep);
+    struct excursion out = excursion_find(v->program.motion, &v->cut, part.item, part.n, &options);
+    array_free(&part);
     if (out.count > 0)
         finding_add(
             v, true, out.piece,

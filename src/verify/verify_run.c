@@ -11,6 +11,7 @@
 
 #define FLAT 0.0002 /* mm: how straight the ball's centre goes between two places */
 #define SIGMAS 1.5  /* of the noise, that are allowed besides the tolerance and what may be left */
+#define STEEP 1.0   /* of the points' spacing: so far a steep flank may be behind its facets */
 #define UNDER 0.1   /* of the radius: less than that and the points' spacing is beside a scan */
 
 /* ---- what the program does */
@@ -27,6 +28,25 @@ static void roll_outliers(struct verdict *v)
     v->outliers = (struct verdict_outliers){outliers->n, map.gouged, map.gouge, {0, 0, 0}};
     if (map.gouged > 0)
         v->outliers.at = outliers->item[map.gouge_at];
+    deviation_map_free(&map);
+}
+
+/* Between the points of steep flanks, which are far apart. */
+static void roll_steep(struct verdict *v)
+{
+    const struct verify_options *o = &v->options;
+    const struct vec3s *place = &v->program.surface->steep;
+    double known = STEEP * v->program.surface->spacing;
+    struct deviation_map_options options = {
+        o->radius, o->tolerance + v->noise + known, 0, o->threads, true, HUGE_VAL};
+    struct deviation_map map;
+    if (place->n == 0 || v->cut.n == 0)
+        return;
+    deviation_map_run(&v->cut, place->item, place->n, &options, &map);
+    if (map.gouged > 0)
+        v->steep = (struct verdict_steep){map.gouge, map.gouged,
+                                          v->cut.item[map.segment[map.gouge_at]].piece,
+                                          place->item[map.gouge_at]};
     deviation_map_free(&map);
 }
 
@@ -96,8 +116,10 @@ static void roll_cuts(struct verdict *v)
     struct deviation_map_options roll = {o->radius, o->tolerance + v->noise, o->band, o->threads,
                                          false,     o->left + v->noise};
     deviation_map_run(&v->cut, part->item, part->n, &roll, &v->map);
-    if (v->program.surface)
+    if (v->program.surface) {
         roll_outliers(v);
+        roll_steep(v);
+    }
     if (v->cut.n == 0)
         return;
     if (o->partial) {

@@ -10,6 +10,7 @@
 #include "cloud/rim_points.h"
 #include "cloud/roof.h"
 #include "cloud/settle.h"
+#include "cloud/steep_facets.h"
 #include "math/elementary.h"
 #include "math/point_grid.h"
 #include "verify/verify.h"
@@ -88,6 +89,8 @@ int verify_surface_find(struct vec3s *point, double noise, double radius, int th
     if (surface->noise > 0)
         settle_all(&grid, surface->noise, threads);
     rim_points_asked(&grid, radius, surface->noise, threads, &surface->curtain);
+    steep_facets_asked(&grid, radius, surface->noise, threads, &surface->curtain);
+    steep_facets_sure(&grid, radius, surface->noise, threads, &surface->steep);
     point_grid_free(&grid);
     return 0;
 }
@@ -97,6 +100,7 @@ void verify_surface_free(struct verify_surface *surface)
     array_free(&surface->outliers);
     array_free(&surface->roof);
     array_free(&surface->curtain);
+    array_free(&surface->steep);
     free(surface->under);
     *surface = (struct verify_surface){0};
 }

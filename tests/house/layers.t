@@ -21,6 +21,7 @@ verify cloud/plan_extent.h
 verify cloud/rim_points.h
 verify cloud/roof.h
 verify cloud/settle.h
+verify cloud/steep_facets.h
 verify io/cloud/cloud.h
 verify io/mesh/
 verify io/nurbs/

@@ -98,7 +98,7 @@ ok "and it is so at all points" awk '/^GOTO/ && !/,0.000000000,0.000000000,1.000
 biarcfit -q -e 0.01 hill.cl | ncpost -q -c siemens >hill.nc
 ./leasttime hill.nc 3000 >fixed
 below "with a fixed axis least time is no more than 1.1 times length by feed" "$(figure ratio fixed)" 1.1
-meshnorm -q -r 4 --scallop 0.1 --avoid --fixed 0,0,1 --lean-limit 85 hill.ply 2>said >hill.cl
-ok "unless it may lean" awk '/^GOTO/ && !/,0.000000000,0.000000000,1.000000000$/ { n++ } END { exit !n }' hill.cl
+meshnorm -q -r 4 --scallop 0.1 --avoid --fixed 0.3,0,1 --lean-limit 85 hill.ply 2>said >hill.cl
+ok "unless it may lean" awk -F, '/^GOTO/ && $4 $5 $6 != first { first = $4 $5 $6; n++ } END { exit n < 2 }' hill.cl
 cat play-15 play-0 panel fixed | sed 's/^/# /'
 done_testing

@@ -227,6 +227,11 @@ static void outliers_gouged(struct verdict *v)
     v->outliers = (struct verdict_outliers){7, 2, 0.75, {1, 2, 3}};
 }
 
+static void steep_gouged(struct verdict *v)
+{
+    v->steep = (struct verdict_steep){0.25, 7, 1, {1, 2, 3}};
+}
+
 static void outliers_clear(struct verdict *v)
 {
     v->outliers = (struct verdict_outliers){7, 0, 0, {1, 2, 3}};
@@ -461,6 +466,10 @@ static const struct {
      "the ball is up to 0.750 mm deep in 2 of 7 points taken for outliers, as at 1.000 2.000 "
      "3.000; they are not judged"},
     {outliers_clear, false, NULL},
+    {steep_gouged, true,
+     "N20 (line 2): the ball is 0.2500 mm deep between points of a steep flank at 1.000 2.000 "
+     "3.000, "
+     "tolerance 0.01"},
     {ball_as_said, false, NULL},
     {ball_other, true, "the program's head says a ball of radius 4.0012, it is judged with 4"},
     {machine_as_said, false, NULL},
