@@ -19,6 +19,8 @@ struct guard_points_options {
     double radius; /* of the ball, mm */
     double sink;   /* how deep it may sink between points, mm */
     double noise;  /* standard deviation of what is taken out, mm (noise.h); 0: nothing */
+    double apart;  /* mm: so far points may be off the surface between them that is no noise, as of
+                      two sheets half their distance */
     double vague;  /* mm: a surface between points that is off them by more is vague */
     double effort; /* effort.h */
     int threads;   /* as of parallel_for */

@@ -193,8 +193,12 @@ static bool choose_work(struct guard_work *work, bool *sparse, size_t *near)
 
     work->fit = (struct surface_fit_options){
         b, rule->noise, 0, effort_covers(EFFORT_ALONG, rule->effort, b->n), false};
-    work->fill = (struct upsample){b,           rule->radius,        rule->sink,
-                                   rule->noise, scan_lines_found(b), &work->lists};
+    work->fill = (struct upsample){.point_grid = b,
+                                   .radius = rule->radius,
+                                   .sink = rule->sink,
+                                   .noise = fmax(rule->noise, rule->apart),
+                                   .lines = scan_lines_found(b),
+                                   .near = &work->lists};
     if (!work->fill.lines)
         work->lists = near_lists_of(b, rule->threads);
     *sparse = upsample_needed(&work->fill);

@@ -302,6 +302,17 @@ static void say_rough(double sigma, double spacing, const struct guard_read_opti
             sigma, spacing);
 }
 
+/* Half the distance of two sheets, where a surface between their points may stand for both: not
+ * where they are at a few places alone, or much farther apart than the tolerance. */
+static double apart_of(const struct sheets *sheets, const struct guard_read_options *rule)
+{
+    const double few = 0.02, most = 5; /* of the places; times the tolerance */
+    bool many = (double)sheets->places > few * (double)sheets->looked;
+    double apart = many ? sheets->distance / 2 : 0;
+
+    return apart <= most * rule->tolerance ? apart : 0;
+}
+
 /* NULL: more points than can be sorted. */
 static struct gouge_check *gouge_of(struct vec3s *points, const struct mesh *mesh,
                                     struct guard_read_options *rule, struct error *error)
@@ -325,6 +336,7 @@ static struct gouge_check *gouge_of(struct vec3s *points, const struct mesh *mes
     struct guard_points_options how = {.radius = rule->radius,
                                        .sink = rule->tolerance / 5,
                                        .noise = rule->noise,
+                                       .apart = apart_of(&found.sheets, rule),
                                        .vague = rule->tolerance,
                                        .effort = rule->effort,
                                        .threads = rule->threads};

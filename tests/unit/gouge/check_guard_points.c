@@ -107,6 +107,40 @@ START_TEST(what_is_sparse_is_filled)
 }
 END_TEST
 
+/* Two scans of a sphere, as far apart from each other as no surface may be off its points here: one
+ * half way between them stands between their points, if it is said to, as well as few points
+ * tell. */
+START_TEST(two_sheets_are_filled)
+{
+    const double apart = 0.018;
+    double sinks[2];
+
+    for (int said = 0; said < 2; said++) {
+        struct vec3s points = {0};
+        struct point_grid point_grid;
+        struct error error;
+        struct guard_points_options rule = {
+            .radius = BALL, .sink = 0.0005, .vague = VAGUE, .apart = said ? apart / 2 : 0};
+        sphere(700, 0, 100, &points);
+        size_t half = points.n;
+        sphere(2 * half, 0, 100, &points);
+        for (size_t i = half; i < points.n; i++)
+            points.item[i] = vec_scale(1 + apart / SPHERE, points.item[i]);
+        ck_assert_int_eq(point_grid_make(points.item, points.n, 0.5, 1, &point_grid, &error), 0);
+        struct guard_points s = guard_points_of_scan(&point_grid, &rule);
+        sinks[said] = deepest_sink(s.point.item, s.point.n);
+        ck_assert_uint_eq(s.moved, 0);
+        point_grid_free(&point_grid);
+        array_free(&s.certain);
+        array_free(&s.doubtful);
+        array_free(&points);
+        array_free(&s.point);
+    }
+    ck_assert_double_gt(sinks[0], 0.02);
+    ck_assert_double_lt(sinks[1], 0.012);
+}
+END_TEST
+
 static struct vec3 swell(double x, double y)
 {
     return vec(x, y, 4 * sin(2 * PI * x / 20) * cos(2 * PI * y / 30));
@@ -335,6 +369,7 @@ int main(void)
     TCase *tcase = tcase_create("guard_points");
     tcase_set_timeout(tcase, 60);
     tcase_add_test(tcase, what_is_sparse_is_filled);
+    tcase_add_test(tcase, two_sheets_are_filled);
     tcase_add_test(tcase, holes_and_gaps_of_a_border_are_bridged);
     tcase_add_test(tcase, what_is_too_sparse_is_told);
     tcase_add_test(tcase, noise_is_found_and_taken_out);
