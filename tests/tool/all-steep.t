@@ -22,8 +22,8 @@ for fitter in biarcfit bsplfit; do
 	status 0 "$fitter takes them" "$fitter" -q -e 0.01 -o fit.cl path.cl
 	status 0 "and ncpost" ncpost -q -c siemens -o program.mpf fit.cl
 	status 0 "ncverify accepts the program" ncverify -q -g scan.xyz program.mpf
-	"$READBACK" --scan truth.xyz fit.cl >read
-	deep=$(sed -n 's/^ball: deepest \([-0-9.]*\).*/\1/p' read)
+	"$READBACK" --scan truth.xyz fit.cl >reading
+	deep=$(sed -n 's/^ball: deepest \([-0-9.]*\).*/\1/p' reading)
 	below "the ball stays out of the wall ($deep)" "$deep" 0.12
 done
 

@@ -168,7 +168,7 @@ status 0 "the good program needs no slowing" ncverify -g dome.xyz -r 6 --partial
 	printf 'GOTO/8,0,25.45,%s\nRAPID\nGOTO/24,0,74,%s\nFINI\n' 0.295520207,0,0.955336489 0.295520207,0,0.955336489
 } >stands.cl
 for control in fanuc siemens heidenhain linuxcnc haas okuma mazak fagor hurco heidenhain-530; do
-	machine=table-ac
+	machine="table-ac"
 	[ $control = linuxcnc ] && machine=linuxcnc-xyzac
 	for unit in "" --inch; do
 		# shellcheck disable=SC2086
