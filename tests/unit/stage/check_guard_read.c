@@ -44,12 +44,41 @@ static void write_floor(void)
     free(text);
 }
 
+static const double RADIUS = 4;
 static struct unmets unmet;
 
 static int read_scan(const struct guard_choice *choice, const struct scan_sources *named)
 {
     unmets_free(&unmet);
-    return guard_scan_read(choice, named, "the mesh", "the mesh guards", &scan, &unmet, &error);
+    return guard_scan_read(choice, named, RADIUS, "the mesh", "the mesh guards", &scan, &unmet,
+                           &error);
+}
+
+/* A mesh of two facets 20 mm wide, in inches: points on them guard, a quarter of the radius apart
+ * at most, and the scan stays the corners. */
+START_TEST(facets_of_a_mesh)
+{
+    const char *text = "ply\nformat ascii 1.0\nelement vertex 4\nproperty double x\n"
+                       "property double y\nproperty double z\nelement face 2\n"
+                       "property list uchar int vertex_indices\nend_header\n"
+                       "0 0 0\n0.7874015748 0 0\n0.7874015748 0.7874015748 0\n"
+                       "0 0.7874015748 0\n3 0 1 2\n3 0 2 3\n";
+    struct scan_sources named = {.placed = true, .place = transform_scale(25.4)};
+    struct guard_choice choice = {.none = false};
+    snprintf(name, sizeof name, "%s", scratch_text(text));
+    *array_push(&choice.files) = name;
+    ck_assert_int_eq(read_scan(&choice, &named), 0);
+    ck_assert_uint_eq(scan.source.item[0].points, 4);
+    ck_assert_uint_gt(scan.point.n, 400);
+    ck_assert_uint_lt(scan.point.n, 2000);
+    for (int i = 0; i < 20; i++)
+        for (int k = 0; k < 20; k++) {
+            double nearest = HUGE_VAL;
+            for (size_t j = 0; j < scan.point.n; j++)
+                nearest = fmin(nearest, vec_distance(vec(i, k, 0), scan.point.item[j]));
+            ck_assert_double_lt(nearest, 0.65 * RADIUS / 4);
+        }
+    array_free(&choice.files);
 }
 
 /* The file that a stream names, as long as it is the same; what is asked for comes before it. */
@@ -319,6 +348,7 @@ int main(void)
     TCase *tests = tcase_create("guard_read");
     tcase_add_checked_fixture(tests, NULL, teardown);
     tcase_add_test(tests, which_scan);
+    tcase_add_test(tests, facets_of_a_mesh);
     tcase_add_test(tests, another_scan);
     tcase_add_test(tests, a_floor_keeps_the_ball_off);
     tcase_add_test(tests, noise_is_taken_out);
