@@ -27,6 +27,7 @@ struct believed {
                            a few places (or of the even places, noise.h); else 0 */
     size_t outliers;
     struct sheets sheets;
+    double apart; /* half their distance, mm; 0 where there are none but at a few places */
 };
 
 /* Marks outliers with 1 in out[], in the order of the grid, beside what is marked; no point of the

@@ -14,7 +14,8 @@
  */
 void triangle_points(const struct vec3 corner[3], double spacing, struct vec3s *points);
 
-/* The length of its longest side, mm. */
+/* Its longest side, from corner k to the next: k, and the length, mm. */
+int triangle_longest_side(const struct vec3 corner[3]);
 double triangle_longest(const struct vec3 corner[3]);
 
 #endif

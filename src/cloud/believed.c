@@ -18,9 +18,12 @@ struct believed believed_in_grid(const struct point_grid *point_grid,
     bool measured = options->noise < 0;
 
     b.sheets = sheets_find(point_grid, options->threads);
+    bool sheets = (double)b.sheets.places > FEW * (double)b.sheets.looked;
+    if (sheets)
+        b.apart = b.sheets.distance / 2;
     if (!measured)
         b.sigma = options->noise;
-    else if ((double)b.sheets.places <= FEW * (double)b.sheets.looked)
+    else if (!sheets)
         b.sigma = b.noise.alike ? b.noise.sigma : b.noise.even;
     double sigma = measured ? b.noise.sigma : options->noise;
     if (measured && !b.noise.alike && sigma >= NOISE_NONE * point_grid->cell)

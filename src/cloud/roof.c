@@ -126,6 +126,12 @@ struct hook {
     size_t index;
 };
 
+static struct hook hook_of(const struct point_grid *g, size_t i, double width)
+{
+    return (struct hook){floor((g->point[i].x - g->x) / width),
+                         floor((g->point[i].y - g->y) / width), i};
+}
+
 static int compare_squares(const void *pa, const void *pb)
 {
     const struct hook *a = pa, *b = pb;
@@ -161,23 +167,21 @@ static void hang(const struct roof_work *w, struct hook *hook, size_t n, double 
 
 /* A floor inside of the rim, which keeps out what passes below that and comes up within: in each
  * square of `pitch` one point at the bottom, under one of the roof. */
-static void floor_under(const struct roof_work *w, double pitch, struct vec3s *to)
+static void floor_under(const struct roof_work *w, struct hook *hook, double pitch,
+                        struct vec3s *to)
 {
     const struct point_grid *g = w->grid;
-    struct hook *hook = mem_alloc(g->n + 1, sizeof *hook);
     size_t n = 0;
 
     for (size_t i = 0; i < g->n; i++)
         if (w->all[i] && g->point[i].z > w->bottom && w->foot[i] > w->bottom)
-            hook[n++] = (struct hook){floor((g->point[i].x - g->x) / pitch),
-                                      floor((g->point[i].y - g->y) / pitch), i};
+            hook[n++] = hook_of(g, i, pitch);
     qsort(hook, n, sizeof *hook, compare_squares);
     for (size_t i = 0; i < n; i++) {
         struct vec3 p = g->point[hook[i].index];
         if (i == 0 || hook[i].row != hook[i - 1].row || hook[i].column != hook[i - 1].column)
             *array_push(to) = vec(p.x, p.y, w->bottom);
     }
-    free(hook);
 }
 
 void roof_curtain(const struct point_grid *point_grid, const unsigned char *roof, double gap,
@@ -192,14 +196,11 @@ void roof_curtain(const struct point_grid *point_grid, const unsigned char *roof
     struct hook *hook = mem_alloc(n + 1, sizeof *hook);
 
     parallel_for(threads, n, find_feet, &work);
-    for (size_t i = 0; i < n; i++) {
-        struct vec3 p = point_grid->point[i];
-        if (p.z - work.foot[i] > (work.foot[i] > bottom ? gap : 0))
-            hook[hooks++] = (struct hook){floor((p.x - point_grid->x) / (gap / 2)),
-                                          floor((p.y - point_grid->y) / (gap / 2)), i};
-    }
+    for (size_t i = 0; i < n; i++)
+        if (point_grid->point[i].z - work.foot[i] > (work.foot[i] > bottom ? gap : 0))
+            hook[hooks++] = hook_of(point_grid, i, gap / 2);
     hang(&work, hook, hooks, gap, to);
-    floor_under(&work, fmax(gap, 2 * point_grid_spacing(point_grid)), to);
+    floor_under(&work, hook, fmax(gap, 2 * point_grid_spacing(point_grid)), to);
     free(hook);
     free(work.foot);
 }

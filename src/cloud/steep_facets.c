@@ -5,6 +5,7 @@
 
 #include "base/parallel.h"
 #include "math/predicates.h"
+#include "math/triangle_points.h"
 
 /* Points about one, seen from above: where there are more they stand over each other, and what is
  * steep was scanned; corners about one of them. */
@@ -155,13 +156,12 @@ static bool is_wanted(const struct facets_work *work, const struct about *about,
     const struct uv zero = {0, 0};
     struct vec3 p[3] = {work->place[i], work->place[b->index], work->place[c->index]};
     struct vec3 normal = vec_cross(vec_sub(p[1], p[0]), vec_sub(p[2], p[0]));
-    double longest = 0, low = fmin(p[0].z, fmin(p[1].z, p[2].z));
+    double low = fmin(p[0].z, fmin(p[1].z, p[2].z));
     double high = fmax(p[0].z, fmax(p[1].z, p[2].z));
     double hollow = (o->sure ? SURELY_HOLLOW : HOLLOW) * work->spacing;
 
-    for (int k = 0; k < 3; k++)
-        longest = fmax(longest, vec_distance(p[k], p[(k + 1) % 3]));
-    if (!(longest > work->least) || !(high - low > THROWN * o->noise) || !(normal.z > 0) ||
+    if (!(triangle_longest(p) > work->least) || !(high - low > THROWN * o->noise) ||
+        !(normal.z > 0) ||
         !(hypot(normal.x, normal.y) > (o->sure ? SURELY_STEEP : STEEP) * normal.z) ||
         circle_of(b->at, c->at) > GAP * work->spacing)
         return false;
@@ -175,11 +175,7 @@ static bool is_wanted(const struct facets_work *work, const struct about *about,
 static void fill_facet(const struct vec3 v[3], double pitch, struct vec3s *to)
 {
     enum { MOST = 1000 };
-    int first = 0;
-
-    for (int k = 1; k < 3; k++)
-        if (vec_distance(v[k], v[(k + 1) % 3]) > vec_distance(v[first], v[(first + 1) % 3]))
-            first = k;
+    int first = triangle_longest_side(v);
     struct vec3 a = v[first], b = v[(first + 1) % 3], c = v[(first + 2) % 3];
     double rows = fmin(ceil(vec_line_distance(a, b, c) / pitch), MOST);
     for (double r = 0; r < rows; r++) {

@@ -9,8 +9,7 @@ static const double CLOSE = 0.7;
 
 enum { MOST_ROWS = 10000, MOST_OF_ROW = 1000000 };
 
-/* The side, from its corner k to the next, that is the longest. */
-static int longest_side(const struct vec3 corner[3])
+int triangle_longest_side(const struct vec3 corner[3])
 {
     int longest = 0;
 
@@ -23,7 +22,7 @@ static int longest_side(const struct vec3 corner[3])
 
 void triangle_points(const struct vec3 corner[3], double spacing, struct vec3s *points)
 {
-    int first = longest_side(corner);
+    int first = triangle_longest_side(corner);
     struct vec3 a = corner[first], b = corner[(first + 1) % 3], c = corner[(first + 2) % 3];
     double longest = vec_distance(a, b);
     double height = longest > 0 ? vec_length(vec_cross(vec_sub(b, a), vec_sub(c, a))) / longest : 0;
@@ -40,7 +39,7 @@ void triangle_points(const struct vec3 corner[3], double spacing, struct vec3s *
 
 double triangle_longest(const struct vec3 corner[3])
 {
-    int first = longest_side(corner);
+    int first = triangle_longest_side(corner);
 
     return vec_distance(corner[first], corner[(first + 1) % 3]);
 }

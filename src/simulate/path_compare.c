@@ -62,12 +62,14 @@ static void add_stretches(const struct walk *w, double s0, struct nc_motion_pose
     add_stretches(w, (s0 + s1) / 2, m, s1, b, depth + 1);
 }
 
-/* The point that X Y Z say stands, be it the tip or the ball's centre. */
-static bool said_stands(const struct walk *w)
+/* The ball's centre is what X Y Z say, and stands: the tip turns about it. */
+static bool centre_stands(const struct walk *w)
 {
     const struct nc_piece *p = &w->motion->piece.item[w->piece];
     struct vec3 a = nc_motion_at(w->motion, p, 0).p;
     double length = 0;
+    if (w->motion->track != NC_MOTION_CENTRE)
+        return false;
     for (int i = 1; i <= LINE_STEPS; i++) {
         struct vec3 b = nc_motion_at(w->motion, p, (double)i / LINE_STEPS).p;
         length += vec_distance(a, b);
@@ -85,7 +87,7 @@ static double tip_feed(const struct walk *w, double length)
     if (p->inverse)
         return length > SHORT ? p->feed * length : 0;
     if (!w->combined)
-        return said_stands(w) ? 0 : p->feed; /* degrees, too: the tip turns about the centre */
+        return centre_stands(w) ? 0 : p->feed; /* degrees, too */
     struct axis_follow follow = {w->motion, {0, 0}};
     struct axis_place a = axis_limits_place(&follow, w->piece, 0);
     double way = 0;

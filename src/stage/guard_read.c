@@ -302,13 +302,11 @@ static void say_rough(double sigma, double spacing, const struct guard_read_opti
             sigma, spacing);
 }
 
-/* Half the distance of two sheets, where a surface between their points may stand for both: not
- * where they are at a few places alone, or much farther apart than the tolerance. */
-static double apart_of(const struct sheets *sheets, const struct guard_read_options *rule)
+/* How far points of two sheets may be off the surface half way between them for it to stand for
+ * both: not much more than the tolerance. */
+static double apart_of(double apart, const struct guard_read_options *rule)
 {
-    const double few = 0.02, most = 5; /* of the places; times the tolerance */
-    bool many = (double)sheets->places > few * (double)sheets->looked;
-    double apart = many ? sheets->distance / 2 : 0;
+    const double most = 5; /* times the tolerance */
 
     return apart <= most * rule->tolerance ? apart : 0;
 }
@@ -336,7 +334,7 @@ static struct gouge_check *gouge_of(struct vec3s *points, const struct mesh *mes
     struct guard_points_options how = {.radius = rule->radius,
                                        .sink = rule->tolerance / 5,
                                        .noise = rule->noise,
-                                       .apart = apart_of(&found.sheets, rule),
+                                       .apart = apart_of(found.apart, rule),
                                        .vague = rule->tolerance,
                                        .effort = rule->effort,
                                        .threads = rule->threads};

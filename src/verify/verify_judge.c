@@ -324,12 +324,16 @@ static void judge_excursions(struct verdict *v)
     double hollow = v->options.radius + (scan ? scan->spacing : 0);
     const struct excursion_options options = {
         v->options.radius, judged ? fmax(v->options.band, hollow) : v->options.band};
-    struct vec3s part = {0};
-    add_places(&part, v->program.part);
-    if (scan)
-        add_places(&part, &scan->steep);
-    struct excursion out = excursion_find(v->program.motion, &v->cut, part.item, part.n, &options);
-    array_free(&part);
+    const struct vec3s *part = v->program.part;
+    struct vec3s both = {0};
+    if (scan && scan->steep.n > 0) {
+        add_places(&both, part);
+        add_places(&both, &scan->steep);
+        part = &both;
+    }
+    struct excursion out =
+        excursion_find(v->program.motion, &v->cut, part->item, part->n, &options);
+    array_free(&both);
     if (out.count > 0)
         finding_add(
             v, true, out.piece,

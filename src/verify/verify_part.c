@@ -68,7 +68,6 @@ static int read_surfaces(const char *file, struct mesh *mesh, struct error *erro
 int verify_part_read(const char *file, double unit, double radius, struct vec3s *points,
                      double *spacing, size_t *corners, struct error *error)
 {
-    *corners = 0;
     struct mesh mesh = {0};
     struct cloud_count count = {0};
     bool solid = has_ending(file, ".stl") || has_ending(file, ".off");
@@ -77,6 +76,7 @@ int verify_part_read(const char *file, double unit, double radius, struct vec3s 
                     has_ending(file, ".nurbs");
     bool once = reader_reads_once(file);
     *spacing = 0;
+    *corners = 0;
     if (solid || surfaces || (once ? has_ending(file, ".ply") : mesh_is_there(file))) {
         int result = surfaces ? read_surfaces(file, &mesh, error) : mesh_read(file, &mesh, error);
         if (result == 0 && mesh.face.n == 0)
