@@ -233,15 +233,17 @@ static void refine(struct refinement *w)
     for (size_t i = 0; i < w->strip.n;) {
         struct strip *s = &w->strip.item[i];
         double pitch = w->row.item[i + 1].v - w->row.item[i].v;
+        if (is_too_wide(w, i)) {
+            halve(w, i);
+            continue;
+        }
         if (!s->done)
             make_strip(w, i);
         double points = (double)(s->points + s->lost);
         bool hidden = (double)s->lost > few * points;
         bool bridged = (s->bridges > 0 || hidden) && pitch >= rim * w->spacing;
         bool few_out = !hidden && s->bridges == 0 && (double)s->out <= w->out * points;
-        if (is_too_wide(w, i)) {
-            halve(w, i);
-        } else if (!bridged && (s->worst <= w->error || few_out)) {
+        if (!bridged && (s->worst <= w->error || few_out)) {
             i++;
         } else if (fmax(w->row.item[i].longest, w->row.item[i + 1].longest) > slender * pitch) {
             double longest = fmax(square * pitch, 2 * w->spacing);
