@@ -23,6 +23,7 @@
 #include "base/effort.h"
 #include "math/point_grid.h"
 #include "mesh/mesh.h"
+#include "meshing/feature_zone.h"
 
 /* The points, as wall_points_part put them in order. */
 struct feature_scan {
@@ -31,6 +32,8 @@ struct feature_scan {
     double spacing; /* mean spacing of the points, mm */
     double noise;   /* one standard deviation, mm */
     const struct point_grid *sorted; /* the first `flat` with that spacing; NULL: not yet */
+    const struct feature_zone *zone; /* where creases and walls are known to run: the search begins
+                                        near to it; NULL: everywhere */
 };
 
 struct feature_mesh {

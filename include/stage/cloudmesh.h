@@ -52,6 +52,7 @@ struct cloudmesh_options {
     bool silent;     /* a trial: nothing is said */
     bool explained;  /* noise is taken out only where a surface soon explains the points */
     bool edges_only; /* a trial that shows where creases and walls are: no ribs are looked for */
+    const struct feature_zone *zone; /* where they are known to be; NULL: nothing is known */
 };
 
 /* What came of it. */

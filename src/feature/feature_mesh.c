@@ -188,6 +188,15 @@ static bool is_doubtful(const struct search *s)
     return false;
 }
 
+/* Vertices whose edges are looked at. */
+static void mark_active(const struct search *s, const struct feature_zone *zone)
+{
+    const struct vec3s *vertex = &s->mesh->vertex;
+
+    for (size_t v = 0; v < vertex->n; v++)
+        s->active[v] = !zone || feature_zone_near(zone, vertex->item[v].x, vertex->item[v].y);
+}
+
 /* Vertices and normals. */
 static void copy_places(const struct mesh *from, struct mesh *to)
 {
@@ -372,7 +381,7 @@ struct feature_mesh feature_mesh_keep(struct mesh *mesh, const struct feature_sc
     }
     search_edges(&s);
     copy_places(mesh, &before);
-    memset(s.active, 1, mesh->vertex.n);
+    mark_active(&s, scan->zone);
     size_t doubtful = count_doubtful(&s);
     s.walls_only = !effort_covers(EFFORT_CREASES, effort, doubtful);
     if ((!s.walls_only && doubtful > 0) || s.walls)

@@ -133,7 +133,8 @@ int cloudmesh_normals(const struct cloudmesh_options *options, struct vec3 *poin
 static struct feature_scan scan_of(const struct cloud_parts *parts, const struct vec3s *points,
                                    double noise)
 {
-    return (struct feature_scan){points->item, points->n, parts->flat, parts->mean, noise, NULL};
+    return (struct feature_scan){points->item, points->n, parts->flat, parts->mean,
+                                 noise,        NULL,      NULL};
 }
 
 static void keep_features(const struct cloudmesh_options *options, const struct feature_scan *scan,
@@ -171,6 +172,7 @@ void cloudmesh_add_features(const struct cloudmesh_options *options,
 {
     struct feature_scan scan = scan_of(parts, points, fmax(noise, mesh->origin.noise));
     scan.sorted = sorted;
+    scan.zone = options->zone;
     size_t first = mesh->vertex.n;
 
     if (!options->smooth) {

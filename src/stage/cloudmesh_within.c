@@ -165,15 +165,44 @@ static struct vec3s mixed_surface(const struct source *s)
     return mixed;
 }
 
-/* Normals: with a zone, vertices near to it are moved onto surfaces yet. */
+/* The vertices near to creases and walls, which the surface is too smooth for, moved onto surfaces
+ * of the scan itself. */
+static int move_in_zone(const struct cloudmesh_options *options, const struct source *s,
+                        int threads, struct mesh *mesh, struct error *error)
+{
+    struct mesh near = {.origin = mesh->origin};
+    struct sizes which = {0};
+    int status = 0;
+
+    near.origin.maker = NULL;
+    for (size_t i = 0; i < mesh->vertex.n; i++) {
+        struct vec3 at = mesh->vertex.item[i];
+        if (!feature_zone_near(s->zone, at.x, at.y))
+            continue;
+        *array_push(&which) = i;
+        *array_push(&near.vertex) = at;
+    }
+    if (which.n > 0)
+        status = cloudmesh_normals(options, s->scan->item, s->scan_parts.flat, s->noise, threads,
+                                   &near, error);
+    for (size_t i = 0; i < which.n && status == 0; i++) {
+        mesh->vertex.item[which.item[i]] = near.vertex.item[i];
+        mesh->normal.item[which.item[i]] = near.normal.item[i];
+        mesh->kmax.item[which.item[i]] = near.kmax.item[i];
+    }
+    array_free(&which);
+    mesh_free(&near);
+    return status;
+}
+
 static int make_normals(const struct cloudmesh_options *options, const struct source *s,
                         int threads, struct mesh *mesh, struct error *error)
 {
-    bool raw = s->zone && s->noise > 0;
-    struct vec3s *points = raw ? s->scan : s->surface;
-    size_t flat = raw ? s->scan_parts.flat : s->surface_parts.flat;
+    int status = cloudmesh_normals(options, s->surface->item, s->surface_parts.flat, 0, threads,
+                                   mesh, error);
 
-    return cloudmesh_normals(options, points->item, flat, raw ? s->noise : 0, threads, mesh, error);
+    return status == 0 && s->zone && s->noise > 0 ? move_in_zone(options, s, threads, mesh, error)
+                                                  : status;
 }
 
 static int mesh_of_source(const struct cloudmesh_options *options, struct source *s, int threads,
@@ -190,7 +219,9 @@ static int mesh_of_source(const struct cloudmesh_options *options, struct source
     if (status == 0 && mesh->face.n > 0)
         status = make_normals(options, s, threads, mesh, error);
     if (status == 0 && mesh->face.n > 0) {
-        cloudmesh_add_features(options, &s->scan_parts, s->scan, NULL, s->noise, threads, mesh,
+        struct cloudmesh_options in_zone = *options;
+        in_zone.zone = s->zone;
+        cloudmesh_add_features(&in_zone, &s->scan_parts, s->scan, NULL, s->noise, threads, mesh,
                                result);
         status = mesh_coverage(mesh, points->item, flat, mean, &s->judged, error);
         if (status == 0)

@@ -109,12 +109,36 @@ START_TEST(roof)
     struct mesh m = mesh_of(&p, 1.3, &flat);
     ck_assert_double_gt(worst(&m, from_roof), 0.1);
     struct feature_mesh found =
-        feature_mesh_keep(&m, &(struct feature_scan){p.item, p.n, flat, 0.43, 0, NULL}, 1, 2);
+        feature_mesh_keep(&m, &(struct feature_scan){p.item, p.n, flat, 0.43, 0, NULL, NULL}, 1, 2);
     ck_assert_uint_gt(found.creases, 20);
     ck_assert_uint_eq(found.walls, 0);
     ck_assert_double_le(worst(&m, from_roof), 1e-6);
     expect_normals(&m);
     array_free(&found.place);
+    mesh_free(&m);
+    array_free(&p);
+}
+END_TEST
+
+/* Only where a crease is known to run is it looked for. */
+START_TEST(near_to_a_zone)
+{
+    struct vec3s p = {0}, known = {0};
+    size_t flat;
+    rectangle(&p, 3000, vec(0, 0, 0), vec(-20, 0, -10), vec(0, 25, 0), 0);
+    rectangle(&p, 3000, vec(0, 0, 0), vec(20, 0, -10), vec(0, 25, 0), 0);
+    for (double y = 0; y <= 8; y += 0.5)
+        *array_push(&known) = vec(0, y, 0);
+    struct feature_zone zone = feature_zone_make(known.item, known.n, 1.3);
+    struct mesh m = mesh_of(&p, 1.3, &flat);
+    struct feature_scan scan = {p.item, p.n, flat, 0.43, 0, NULL, &zone};
+    struct feature_mesh found = feature_mesh_keep(&m, &scan, 1, 2);
+    ck_assert_uint_gt(found.creases, 6);
+    for (size_t i = 0; i < found.place.n; i++)
+        ck_assert_double_le(found.place.item[i].y, 17);
+    feature_zone_free(&zone);
+    array_free(&found.place);
+    array_free(&known);
     mesh_free(&m);
     array_free(&p);
 }
@@ -130,14 +154,15 @@ START_TEST(a_step)
     struct mesh m = mesh_of(&p, 1.3, &flat);
     ck_assert_double_gt(worst(&m, from_step), 0.3);
     ck_assert_uint_gt(
-        feature_mesh_walls(&m, &(struct feature_scan){p.item, p.n, flat, 0.43, 0, NULL}, 1, 2)
+        feature_mesh_walls(&m, &(struct feature_scan){p.item, p.n, flat, 0.43, 0, NULL, NULL}, 1, 2)
             .found,
         20);
     ck_assert_uint_eq(
-        feature_mesh_walls(&m, &(struct feature_scan){p.item, p.n, p.n, 0.43, 0, NULL}, 1, 2).found,
+        feature_mesh_walls(&m, &(struct feature_scan){p.item, p.n, p.n, 0.43, 0, NULL, NULL}, 1, 2)
+            .found,
         0);
     struct feature_mesh found =
-        feature_mesh_keep(&m, &(struct feature_scan){p.item, p.n, flat, 0.43, 0, NULL}, 1, 2);
+        feature_mesh_keep(&m, &(struct feature_scan){p.item, p.n, flat, 0.43, 0, NULL, NULL}, 1, 2);
     ck_assert_uint_gt(found.walls, 20);
     ck_assert_double_le(worst(&m, from_step), 0.1);
     array_free(&found.place);
@@ -157,7 +182,7 @@ START_TEST(walls_tried)
     rectangle(&p, 900, vec(0, 0, 0), vec(0, 25, 0), vec(0, 0, 6), 0);
     struct mesh m = mesh_of(&p, 1.3, &flat);
     facets = m.face.n;
-    struct feature_scan scan = {p.item, p.n, flat, 0.43, 0, NULL};
+    struct feature_scan scan = {p.item, p.n, flat, 0.43, 0, NULL, NULL};
     ck_assert_uint_gt(feature_mesh_try_walls(&m, &scan, 1, 2).found, 20);
     ck_assert_uint_gt(m.face.n, facets);
     ck_assert_double_le(worst(&m, from_step), 0.3);
@@ -172,7 +197,8 @@ END_TEST
 
 static size_t walls_of(const struct mesh *m, const struct vec3s *p, size_t flat)
 {
-    return feature_mesh_walls(m, &(struct feature_scan){p->item, p->n, flat, 0.43, 0, NULL}, 1, 2)
+    return feature_mesh_walls(m, &(struct feature_scan){p->item, p->n, flat, 0.43, 0, NULL, NULL},
+                              1, 2)
         .found;
 }
 
@@ -239,7 +265,7 @@ START_TEST(a_corner)
         rectangle(&p, 450, vec(0, 0, 0), vec(-12, 0, 0), vec(0, 0, 6), noise);
         struct mesh m = mesh_of(&p, 1.2, &flat);
         struct feature_mesh found = feature_mesh_keep(
-            &m, &(struct feature_scan){p.item, p.n, flat, 0.4, noise, NULL}, 1, 2);
+            &m, &(struct feature_scan){p.item, p.n, flat, 0.4, noise, NULL, NULL}, 1, 2);
         ck_assert_uint_gt(found.walls, 20);
         ck_assert_double_le(worst(&m, from_box), 0.1);
         for (size_t v = 0; v < m.vertex.n; v++) {
@@ -265,8 +291,8 @@ START_TEST(waves_stay)
     }
     struct mesh m = mesh_of(&p, 1.3, &flat);
     size_t vertices = m.vertex.n;
-    struct feature_mesh found =
-        feature_mesh_keep(&m, &(struct feature_scan){p.item, p.n, flat, 0.43, 0.02, NULL}, 1, 2);
+    struct feature_mesh found = feature_mesh_keep(
+        &m, &(struct feature_scan){p.item, p.n, flat, 0.43, 0.02, NULL, NULL}, 1, 2);
     ck_assert_uint_eq(found.creases + found.walls, 0);
     ck_assert_uint_eq(m.vertex.n, vertices);
     array_free(&found.place);
@@ -281,6 +307,7 @@ int main(void)
     TCase *tests = tcase_create("feature_mesh");
     SRunner *runner = srunner_create(suite);
     tcase_add_test(tests, roof);
+    tcase_add_test(tests, near_to_a_zone);
     tcase_add_test(tests, a_step);
     tcase_add_test(tests, walls_tried);
     tcase_add_test(tests, walls_at_a_facet);
