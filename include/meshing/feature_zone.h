@@ -14,6 +14,11 @@ struct feature_zone {
     struct kdtree *tree;
     struct vec3s place; /* z is 0 */
     double fine;        /* edges of the mesh that cross a crease or wall are no longer, mm */
+    struct zone_cells { /* squares over the places, from (x, y) on */
+        double x, y, side;
+        size_t columns, rows;
+        unsigned char *beside; /* is there a place in the square or one beside it? */
+    } cells;
 };
 
 /* Of n places on creases and walls, no farther apart along them than about `fine` mm. */
