@@ -27,9 +27,11 @@ double cloudmesh_default_spacing(double mean);
 int cloudmesh_normals(const struct cloudmesh_options *options, struct vec3 *point, size_t n,
                       double noise, int threads, struct mesh *mesh, struct error *error);
 
-/* Noisy points moved onto the surface that they stand for; how far, mm, in *spent. */
+/* Places of noisy points moved onto the surface that the points stand for; of very many points, the
+ * surface at places of a grid in all of them.  How far, mm, in *spent.  The points are sorted. */
 int cloudmesh_smooth_points(const struct cloudmesh_options *options, struct vec3s *points,
-                            double noise, int threads, double *spent, struct error *error);
+                            struct vec3s *places, double noise, int threads, double *spent,
+                            struct error *error);
 
 /* The grid's mesh of the points, without normals.  -1: as cloudmesh_make. */
 int cloudmesh_place_nodes(const struct cloudmesh_options *options, const struct cloud_parts *parts,

@@ -120,6 +120,23 @@ static int mesh_by_method(const struct cloudmesh_options *options, struct vec3s 
                : mesh_by_delaunay(options, points, mean, mesh, result, error);
 }
 
+/* The points become the surface that they stand for. */
+static int smooth_all(const struct cloudmesh_options *options, struct vec3s *points, double noise,
+                      int threads, double *spent, struct error *error)
+{
+    struct vec3s surface = {0};
+
+    for (size_t i = 0; i < points->n; i++)
+        *array_push(&surface) = points->item[i];
+    if (cloudmesh_smooth_points(options, points, &surface, noise, threads, spent, error) < 0) {
+        array_free(&surface);
+        return -1;
+    }
+    array_free(points);
+    *points = surface;
+    return 0;
+}
+
 /* The mesh of the points or, where an error is asked for and there is noise, of the surface that
  * they stand for; its distance from what it is of. */
 int cloudmesh_by_way(const struct cloudmesh_options *options, struct vec3s *points, double noise,
@@ -131,7 +148,7 @@ int cloudmesh_by_way(const struct cloudmesh_options *options, struct vec3s *poin
         return -1;
     double mean = cloudmesh_spacing(options, points->item, points->n);
     bool of_surface = options->error > 0 && noise > 0;
-    if (of_surface && cloudmesh_smooth_points(options, points, noise, threads, &spent, error) < 0)
+    if (of_surface && smooth_all(options, points, noise, threads, &spent, error) < 0)
         return -1;
     if (mesh_by_method(options, points, mean, mesh, result, error) < 0)
         return -1;

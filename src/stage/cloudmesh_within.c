@@ -17,17 +17,22 @@
 struct source {
     struct vec3s *surface, *scan;
     struct cloud_parts surface_parts, scan_parts;
-    double noise;
+    double noise, spent;             /* of the scan; how far the surface may be off for it, mm */
     struct mesh_origin origin;       /* as it is before a mesh is made */
     const struct feature_zone *zone; /* NULL: not known yet */
     struct vec3s judged;             /* what the last mesh was judged by */
     bool elsewhere;                  /* what is farthest off is near to no crease or wall */
 };
 
-/* Noisy points moved onto the surface that they stand for, all or, of very many, those of a grid
- * twice as wide as they are apart. */
+/* Of very many points the surface is taken at those of a grid twice as wide as they are apart. */
+static bool is_thinned(const struct cloudmesh_options *options, const struct vec3s *points)
+{
+    return !effort_covers(EFFORT_SURFACE, options->effort, points->n);
+}
+
 int cloudmesh_smooth_points(const struct cloudmesh_options *options, struct vec3s *points,
-                            double noise, int threads, double *spent, struct error *error)
+                            struct vec3s *places, double noise, int threads, double *spent,
+                            struct error *error)
 {
     const double apart = 2;        /* in spacings */
     const double little = 1 / 6.0; /* of the error: then three sigma are half of it */
@@ -38,22 +43,56 @@ int cloudmesh_smooth_points(const struct cloudmesh_options *options, struct vec3
     fine.spacing = apart * parts.mean;
     fine.explained = noise <= little * options->error;
     int status = 0;
-    bool all = effort_covers(EFFORT_SURFACE, options->effort, points->n);
+    bool thinned = is_thinned(options, points);
     effort_say(EFFORT_SURFACE, options->effort, points->n);
-    if (!all)
+    if (thinned)
         status = cloudmesh_place_nodes(&fine, &parts, points, threads, &mesh, &result, error);
-    for (size_t i = 0; all && i < points->n; i++)
-        *array_push(&mesh.vertex) = points->item[i];
+    for (size_t i = 0; !thinned && i < places->n; i++)
+        *array_push(&mesh.vertex) = places->item[i];
     if (status == 0)
         status = cloudmesh_normals(&fine, points->item, points->n, noise, threads, &mesh, error);
     if (status == 0) {
-        array_free(points);
-        *points = mesh.vertex;
+        array_free(places);
+        *places = mesh.vertex;
         mesh.vertex = (struct vec3s){0};
         *spent = mesh.origin.ledger;
     }
     mesh_free(&mesh);
     return status;
+}
+
+/* Adds to the surface that of the points, or of those near to the edges or away from them. */
+static int add_surface(const struct cloudmesh_options *options, struct source *s,
+                       const struct feature_zone *zone, bool near, int threads, struct error *error)
+{
+    struct vec3s places = {0};
+    double spent = 0;
+    int status = 0;
+
+    for (size_t i = 0; i < s->scan->n; i++) {
+        struct vec3 p = s->scan->item[i];
+        if (!zone || feature_zone_near(zone, p.x, p.y) == near)
+            *array_push(&places) = p;
+    }
+    if (s->noise > 0 && places.n > 0)
+        status =
+            cloudmesh_smooth_points(options, s->scan, &places, s->noise, threads, &spent, error);
+    for (size_t i = 0; i < places.n; i++)
+        *array_push(s->surface) = places.item[i];
+    s->spent = fmax(s->spent, spent);
+    s->surface_parts.flat = s->surface->n;
+    array_free(&places);
+    return status;
+}
+
+/* ... of all of them. */
+static int find_surface(const struct cloudmesh_options *options, struct source *s, int threads,
+                        struct error *error)
+{
+    if (add_surface(options, s, NULL, false, threads, error) < 0)
+        return -1;
+    s->surface_parts.mean = cloudmesh_spacing(options, s->surface->item, s->surface->n);
+    return 0;
 }
 
 /* Rows far nearer to each other than the points hold no more, and cost all the more. */
@@ -241,10 +280,14 @@ static int try_plain(const struct cloudmesh_options *asked, struct source *known
     struct cloudmesh_options options = *asked;
     struct mesh other = {.origin = known->origin};
     struct cloudmesh other_result = {.walls = 0};
+    int status = 0;
 
     options.silent = true;
+    if (!is_thinned(asked, known->scan))
+        status = add_surface(&options, known, known->zone, true, threads, error);
     known->zone = NULL;
-    int status = mesh_of_source(&options, known, threads, &other, &other_result, error);
+    if (status == 0)
+        status = mesh_of_source(&options, known, threads, &other, &other_result, error);
     if (status == 0) {
         measure_distances(&other, in_zone, threads, &other_result.rows);
         if (result->rows.worst > fmax(asked->error, other_result.rows.worst))
@@ -259,8 +302,13 @@ static int mesh_in_zone(const struct cloudmesh_options *asked, struct source *kn
                         int threads, struct mesh *mesh, struct cloudmesh *result,
                         struct error *error)
 {
+    if (add_surface(asked, known, known->zone, false, threads, error) < 0)
+        return -1;
+    struct vec3s mixed = mixed_surface(known), *whole = &mixed;
+    if (is_thinned(asked, known->scan))
+        whole = known->surface;
+    known->surface_parts.mean = cloudmesh_spacing(asked, whole->item, whole->n);
     struct source s = *known;
-    struct vec3s mixed = mixed_surface(known);
 
     s.surface = &mixed;
     s.judged = (struct vec3s){0};
@@ -305,7 +353,9 @@ static int mesh_by_zone(const struct cloudmesh_options *asked, struct source *s,
         feature_zone_free(&zone);
         s->zone = NULL;
     } else {
-        status = mesh_of_source(asked, s, threads, mesh, result, error);
+        status = find_surface(asked, s, threads, error);
+        if (status == 0)
+            status = mesh_of_source(asked, s, threads, mesh, result, error);
     }
     cloudmesh_drop(&grid, &grid_result);
     return status;
@@ -332,31 +382,23 @@ int cloudmesh_within(const struct cloudmesh_options *options, struct vec3s *poin
                      int threads, struct mesh *mesh, struct cloudmesh *result, struct error *error)
 {
     struct vec3s surface = {0};
-    double spent = NAN;
 
     *result = (struct cloudmesh){.walls = 0};
     if (plan_extent_check(points->item, points->n, error) < 0)
         return -1;
-    for (size_t i = 0; i < points->n; i++)
-        *array_push(&surface) = points->item[i];
-    if (noise > 0 &&
-        cloudmesh_smooth_points(options, &surface, noise, threads, &spent, error) < 0) {
-        array_free(&surface);
-        return -1;
-    }
     struct source s = {&surface, points, .noise = noise, .origin = mesh->origin};
-    s.surface_parts =
-        (struct cloud_parts){cloudmesh_spacing(options, surface.item, surface.n), surface.n};
     s.scan_parts =
         (struct cloud_parts){cloudmesh_spacing(options, points->item, points->n), points->n};
-    int status = options->smooth ? mesh_of_source(options, &s, threads, mesh, result, error)
+    int status = options->smooth ? find_surface(options, &s, threads, error)
                                  : mesh_by_zone(options, &s, threads, mesh, result, error);
+    if (options->smooth && status == 0)
+        status = mesh_of_source(options, &s, threads, mesh, result, error);
     bool edges = status == 0 && mesh->face.n > 0 && !options->smooth;
-    if (edges && status == 0 && result->creases + result->walls > 0 && !s.elsewhere &&
+    if (edges && result->creases + result->walls > 0 && !s.elsewhere &&
         result->rows.worst > options->error)
         status = mesh_without_edges(options, &s, threads, mesh, result, error);
     if (noise > 0)
-        mesh->origin.ledger = spent;
+        mesh->origin.ledger = s.spent;
     array_free(&surface);
     array_free(&s.judged);
     return status;
