@@ -8,8 +8,8 @@
  *      surface that noisy points lie about, and clear of creases and walls that a grid has found
  *      before; without room for these where that is closer
  *   3. normals, and noise taken out of the vertices (normals.h)
- *   4. creases, walls, ribs (feature/feature.h); twice where there are walls, with and without
- *      vertices on them: the mesh closer to the points is the result
+ *   4. creases, walls and, without -e, ribs (feature/feature.h); twice where there are walls, with
+ *      and without vertices on them: the mesh closer to the points is the result
  *   5. the parts joined (meshing/mesh_join.h)
  *
  * The ways that paper 1 reviews take the place of stages 2 to 4: enum cloudmesh_method.

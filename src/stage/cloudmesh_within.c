@@ -260,6 +260,7 @@ static int mesh_of_source(const struct cloudmesh_options *options, struct source
     if (status == 0 && mesh->face.n > 0) {
         struct cloudmesh_options in_zone = *options;
         in_zone.zone = s->zone;
+        in_zone.edges_only = true; /* ribs are within the error by rows and points between them */
         cloudmesh_add_features(&in_zone, &s->scan_parts, s->scan, NULL, s->noise, threads, mesh,
                                result);
         status = mesh_coverage(mesh, points->item, flat, mean, &s->judged, error);

@@ -148,6 +148,7 @@ kept() {
 for noise in 0 0.02; do
 	rib $noise >"$TMP/rib.xyz"
 	ok "rib, noise $noise: within 0.05 mm" cloud2mesh --nodes scan -v -e 0.05 "$TMP/rib.xyz" -o "$TMP/rib.ply"
+	has "rib, noise $noise: by points between the rows alone" 'ribs and grooves 0$' "$TMP/err"
 	below "rib, noise $noise: all of it is kept" 0.74 "$(kept "$TMP/rib.ply")"
 	cloud2mesh --nodes scan -q "$TMP/rib.xyz" -o "$TMP/rib.ply"
 	below "rib, noise $noise: by a grid too" 0.74 "$(kept "$TMP/rib.ply")"
