@@ -11,7 +11,8 @@
  * grow.
  * Medians over the places, so that edges, outliers and the few tight bends do not count.  Where
  * most places lie over edges, as of terraces, a median is of these: then the variances fall into
- * two groups with nothing between, and the lower one tells.
+ * two groups with nothing between, and the lower one tells.  Where nearly all places lie over blunt
+ * edges, as of facets, the quadrics of one side of each place may tell (sided_noise.h).
  */
 #ifndef CLOUDMILL_NOISE_H
 #define CLOUDMILL_NOISE_H
@@ -30,7 +31,9 @@ struct noise {
                      rough part */
     double even;  /* not alike: the standard deviation of those places that a quadric explains, mm,
                      where they are a fifth of all, alike among themselves, and the others, a tenth
-                     or more, as over steps, far off; else 0 */
+                     or more, as over steps, far off; or where it explains one side of most
+                     places; else 0 */
+    bool sided;   /* the latter */
 };
 
 struct noise noise_measure(const struct point_grid *point_grid, int threads);

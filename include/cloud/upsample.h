@@ -7,8 +7,10 @@
 
 #include <stdbool.h>
 
+#include "base/array.h"
 #include "math/near_lists.h"
-#include "math/quadric.h"
+
+struct upsample_surface; /* upsample_surface.h */
 
 struct upsample {
     const struct point_grid *point_grid; /* the scan */
@@ -23,19 +25,17 @@ struct upsample {
 bool upsample_needed(const struct upsample *fill);
 
 /*
- * Appends points about point i of the point_grid, which the surface q has at p, as dense as the
- * ball asks for: those nearer to i than to the other points, inside of these, and where all points
- * about are on q, so that none is put over an edge or into a corner.  None either where q is so
+ * Appends points about point i of the point_grid, which the surface has at p, as dense as the ball
+ * asks for: those nearer to i than to the other points, inside of these, and where all points about
+ * are on it, so that none is put over an edge or into a corner.  None either where it is so
  * hollow that the ball does not go in.  In a hole, and a little beyond where the scan ends, only
  * where a surface about the place itself is as smooth and certain as the ball asks for: else no
- * hole is filled and no border moves.  Where points about are farther off q, as over blunt edges
- * that none of them is on, and q bends down there, a place is put all the same, moved to where they
- * are.
- * `spread`: of the points about q, mm; where it is more than noise and the ball's sinking explain,
- * nothing is appended.
+ * hole is filled and no border moves.  Where points about are farther off, as over blunt edges that
+ * none of them is on, and it bends down there, a place is put all the same, moved to where they
+ * are.  Where its spread is more than noise and the ball's sinking explain, nothing is appended.
  */
-void upsample_on(const struct upsample *fill, size_t i, struct vec3 p, const struct quadric *q,
-                 double spread, struct vec3s *to);
+void upsample_on(const struct upsample *fill, size_t i, struct vec3 p,
+                 const struct upsample_surface *surface, struct vec3s *to);
 
 /*
  * The same on a surface through the nearest points as they are: of the second degree through 16 to

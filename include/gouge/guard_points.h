@@ -4,9 +4,10 @@
  *
  * A ball sinks between points that are far apart, and rides on the crests of the noise of points
  * that are near.  So the points of a scan that noise spreads are moved to the surfaces of
- * surface_fit.h, one for all points in its middle; and where the scan is sparse, points are put
- * between (upsample.h), and on the facets of steep flanks (steep_facets.h).  Points that noise does
- * not explain (edges, walls, hair) stay as they are.
+ * surface_fit.h, one for all points in its middle, and where a sparse scan has edges nearly
+ * everywhere to facets that meet in these, if they explain more (upsample_surface.h); there points
+ * are put between, too (upsample.h), and on the facets of steep flanks (steep_facets.h).  Points
+ * that noise does not explain (edges, walls, hair) stay as they are.
  */
 #ifndef CLOUDMILL_GUARD_POINTS_H
 #define CLOUDMILL_GUARD_POINTS_H
@@ -19,6 +20,9 @@ struct guard_points_options {
     double radius; /* of the ball, mm */
     double sink;   /* how deep it may sink between points, mm */
     double noise;  /* standard deviation of what is taken out, mm (noise.h); 0: nothing */
+    bool edged;    /* it is known by the sides of edges, which are nearly everywhere (sided,
+                          noise.h): points move to facets, too, and edges are looked for in the
+                          points as they are */
     double apart;  /* mm: so far points may be off the surface between them that is no noise, as of
                       two sheets half their distance */
     double vague;  /* mm: a surface between points that is off them by more is vague */

@@ -6,6 +6,7 @@
 #include "base/array.h"
 #include "base/parallel.h"
 #include "math/quadric.h"
+#include "sided_noise.h"
 
 enum { FEWEST = 16, MOST = 512, TERMS = 6 };
 
@@ -149,6 +150,18 @@ static double lower_part(const double *variance, size_t n, const double *twice, 
     return even && twice[m / 4] <= PART_TWICE * quarter ? quarter / PART_THIRD : 0;
 }
 
+/* The same by the better side of each place, where edges are at most of them.  Takes other values
+ * in the place of what was measured. */
+static double by_sides(const struct measurement *m, size_t places, int threads)
+{
+    sided_noise_measure(m->point_grid, m->place, places, threads, m->fewer, m->twice);
+    size_t fewer = sort_measured(m->fewer, places), twice = sort_measured(m->twice, places);
+
+    return 2 * fewer > places && 2 * twice > places
+               ? sided_noise_variance(m->fewer, fewer, m->twice, twice)
+               : 0;
+}
+
 size_t noise_place(size_t i, size_t n)
 {
     size_t places = n < NOISE_PLACES ? n : NOISE_PLACES;
@@ -182,6 +195,10 @@ struct noise noise_measure_at(const struct point_grid *point_grid, const uint32_
         double lower = lower_group(m.fewer, fewer);
         if (!(lower > 0))
             lower = lower_part(m.fewer, fewer, m.twice, twice);
+        if (!(lower > 0) && !noise.alike && sqrt(narrow) > NOISE_NONE * point_grid->cell) {
+            lower = by_sides(&m, places, threads);
+            noise.sided = sqrt(lower) > NOISE_NONE * point_grid->cell;
+        }
         noise.even = noise.alike ? 0 : sqrt(lower);
         if (noise.even < NOISE_NONE * point_grid->cell)
             noise.even = 0;

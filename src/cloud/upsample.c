@@ -5,8 +5,8 @@
 #include <string.h>
 
 #include "base/array.h"
+#include "cloud/upsample_surface.h"
 #include "math/triangles.h"
-#include "upsample_surface.h"
 
 enum {
     FEWEST = UPSAMPLE_FEWEST,
@@ -483,15 +483,14 @@ static bool add_between(const struct upsample *fill, const struct upsample_hood 
     return !on.doubted;
 }
 
-void upsample_on(const struct upsample *fill, size_t i, struct vec3 p, const struct quadric *q,
-                 double spread, struct vec3s *to)
+void upsample_on(const struct upsample *fill, size_t i, struct vec3 p,
+                 const struct upsample_surface *surface, struct vec3s *to)
 {
-    const struct upsample_surface surface = {.q = *q, .spread = spread};
     struct upsample_hood near;
 
     upsample_hood_find(fill, i, NEAR, &near);
-    if (would_sink(fill, &near, spread))
-        add_between(fill, &near, p, &surface, false, to);
+    if (would_sink(fill, &near, surface->spread))
+        add_between(fill, &near, p, surface, false, to);
 }
 
 double upsample_about(const struct upsample *fill, size_t i, struct vec3s *to)

@@ -1,9 +1,13 @@
 /* upsample_surface - see upsample_surface.h. */
-#include "upsample_surface.h"
+#include "cloud/upsample_surface.h"
 
 #include "math/cubic.h"
 
 enum { QUADRIC = 6, CUBIC = 10 };
+
+/* Terms of a facet, whose points are chosen, too; and so much less facets cost than one surface
+ * where it is not by chance, in squares of the noise. */
+enum { OF_FACET = 4, CHANCE = 6 };
 
 /* Facets leave no more of what a surface does: of noise that of 24 points, with fourteen degrees of
  * freedom, is off by 1.4 times in one case of twenty. */
@@ -108,6 +112,68 @@ bool upsample_facets_find(const struct upsample *fill, size_t i, double even,
         n -= n / 4;
     } while (n > UPSAMPLE_NEAR && !surface->facetted &&
              surface->facets.rms < nearly * surface->spread);
+    return surface->facetted;
+}
+
+/* What surfaces of so many terms leave of n points, in squares of the noise, and twice the terms,
+ * for more of these leave less by chance (Akaike 1974). */
+static double cost_of(double rms, double sigma, size_t n, int terms)
+{
+    return rms * rms * (double)n / (sigma * sigma) + 2 * terms;
+}
+
+/* Of the better one of a quadric and a cubic, which is asked where the quadric costs more than
+ * noise alone; no facets are looked for where it does not, or the quadric is hollow: 0. */
+static double cost_of_one(const struct vec3 *local, size_t n, double sigma)
+{
+    const struct vec3 zero = {0, 0, 0}, up = {0, 0, 1};
+    struct quadric q;
+
+    if (quadric_fit_local(local, n, zero, up, &q) < 0)
+        return 0;
+    double cost = cost_of(quadric_rms_local(&q, local, n), sigma, n, QUADRIC), noise = (double)n;
+    if (cost <= noise + CHANCE || q.c[3] + q.c[5] >= 0)
+        return 0;
+    if (cubic_fit(local, NULL, n, zero, up, &q) == 0)
+        cost = fmin(cost, cost_of(quadric_rms_local(&q, local, n), sigma, n, CUBIC));
+    return cost > noise + CHANCE ? cost : 0;
+}
+
+/* Facets through n points that cost less; false: there are none. */
+static bool fit_cheaper(const struct vec3 *local, size_t n, double sigma,
+                        struct least_planes *facets)
+{
+    double one = cost_of_one(local, n, sigma), even = sigma * (1 + 0.5 / sqrt((double)n));
+
+    if (!(one > 0) || least_planes_fit(local, n, even, facets) != 0)
+        return false;
+    double free = 1 - 3.0 * facets->n / (double)n; /* of rms, which is for their freedom */
+    return cost_of(facets->rms * sqrt(free), sigma, n, OF_FACET * facets->n) + CHANCE < one;
+}
+
+bool upsample_facets_explain(const struct upsample *fill, struct vec3 p,
+                             struct upsample_surface *surface, double *reach)
+{
+    const double most = 1.75, even = 1.2; /* of the noise: what facets leave, and where these do */
+    const struct point_grid *b = fill->point_grid;
+    uint32_t index[LEAST_PLANES_POINTS];
+    double distance2[LEAST_PLANES_POINTS], least = most * fill->noise;
+    struct vec3 local[LEAST_PLANES_POINTS];
+    size_t n = point_grid_nearest(b, p, LEAST_PLANES_POINTS, index, distance2);
+
+    for (size_t k = 0; k < n; k++) {
+        local[k] = quadric_local(&surface->q, b->point[index[k]]);
+        local[k].z *= upwards(&surface->q);
+    }
+    for (; n > UPSAMPLE_NEAR && least > even * fill->noise; n -= n / 4) {
+        struct least_planes facets;
+        if (!fit_cheaper(local, n, fill->noise, &facets) || facets.rms >= least)
+            continue;
+        surface->facets = facets;
+        surface->facetted = true;
+        surface->spread = least = facets.rms;
+        *reach = sqrt(distance2[n - 1]);
+    }
     return surface->facetted;
 }
 

@@ -10,6 +10,7 @@
 #include "cloud/settle.h"
 #include "cloud/steep_facets.h"
 #include "cloud/upsample.h"
+#include "cloud/upsample_surface.h"
 #include "math/surface_fit.h"
 
 enum { GUESS = 16, SAMPLE = 1500, FEWEST = 56 };
@@ -21,6 +22,9 @@ static const double FAR = 6;
 /* Of its reach: so far about the middle of a neighbourhood its surface counts for other points, as
  * long as it is certain to this part of the noise. */
 static const double MIDDLE = 0.4, CERTAIN = 0.35;
+
+/* The same where these are facets. */
+static const double FACETS = 0.25;
 
 /* Of the noise: a surface less certain than this at its own place, as at a border, is doubtful; and
  * so is one whose slope may be off (two standard deviations) by what sinks the ball in so far. */
@@ -67,18 +71,32 @@ static bool is_doubtful(const struct guard_work *work, const struct surface_fit 
            2 * sigma * sigma * fit->q.tilt / fits > SUNK * sigma;
 }
 
+/* The surface about the middle of some points: of a fit, or the facets that explain more. */
+struct guard_surface {
+    struct surface_fit fit;
+    struct upsample_surface on;
+    double range; /* so far about the middle it counts, mm */
+};
+
 /* Brings a point to a surface; false when noise alone does not explain where it is. */
-static bool move_to_surface(const struct guard_work *work, const struct surface_fit *fit, size_t i)
+static bool move_to_surface(const struct guard_work *work, const struct guard_surface *surface,
+                            size_t i)
 {
-    struct vec3 p = work->point_grid->point[i], foot = quadric_nearest(&fit->q, p);
+    const struct upsample_surface *on = &surface->on;
+    double sigma = work->fit.sigma;
+    struct vec3 p = work->point_grid->point[i], at = quadric_local(&on->q, p);
+    struct vec3 foot =
+        on->facetted ? upsample_surface_at(on, at.x, at.y) : quadric_nearest(&on->q, p);
     struct point_result *result = &work->result[i];
 
-    if (!surface_fit_holds(fit, work->fit.sigma) || vec_distance(p, foot) > FAR * work->fit.sigma)
+    if (!(on->facetted || surface_fit_holds(&surface->fit, sigma)) ||
+        vec_distance(p, foot) > FAR * sigma)
         return false;
-    *result =
-        (struct point_result){.point = foot, .moved = true, .doubtful = is_doubtful(work, fit)};
+    *result = (struct point_result){.point = foot,
+                                    .moved = true,
+                                    .doubtful = !on->facetted && is_doubtful(work, &surface->fit)};
     if (work->filled)
-        upsample_on(&work->fill, i, foot, &fit->q, fit->spread, &result->between);
+        upsample_on(&work->fill, i, foot, on, &result->between);
     return true;
 }
 
@@ -88,6 +106,24 @@ static double valid_range(const struct surface_fit *fit)
     double spare = CERTAIN * CERTAIN - fit->q.variance;
 
     return spare > 0 ? fmin(MIDDLE * fit->reach, sqrt(spare / fit->q.tilt)) : 0;
+}
+
+/* The surface about point i; false: there is none. */
+static bool find_surface(const struct guard_work *work, size_t i, struct surface_fit_hood *hood,
+                         struct guard_surface *surface)
+{
+    struct vec3 place = work->point_grid->point[i];
+    struct surface_fit *fit = &surface->fit;
+    double reach;
+
+    if (!surface_fit_at(&work->fit, place, guess_normal(work->point_grid, place), hood, fit))
+        return false;
+    surface->on = (struct upsample_surface){.q = fit->q, .spread = fit->spread};
+    surface->range = work->filled && work->rule->edged &&
+                             upsample_facets_explain(&work->fill, place, &surface->on, &reach)
+                         ? FACETS * reach
+                         : valid_range(fit);
+    return true;
 }
 
 /* The point of [from, to) nearest to the middle of those not done; `to` when all are. */
@@ -124,19 +160,17 @@ static void fit_cell(const struct guard_work *work, size_t from, size_t to,
     for (size_t i = from; i < to; i++)
         done[i - from] = false;
     for (;;) {
-        struct surface_fit fit;
+        struct guard_surface surface = {.range = 0};
         size_t middle = find_middle(point, done, from, to);
         if (middle == to)
             break;
         done[middle - from] = true;
-        bool fitted = surface_fit_at(&work->fit, point[middle],
-                                     guess_normal(work->point_grid, point[middle]), hood, &fit);
-        if (!(fitted && move_to_surface(work, &fit, middle)) && work->filled)
+        bool fitted = find_surface(work, middle, hood, &surface);
+        if (!(fitted && move_to_surface(work, &surface, middle)) && work->filled)
             upsample_about(&work->fill, middle, &work->result[middle].between);
-        double range = fitted ? valid_range(&fit) : 0;
         for (size_t i = from; i < to; i++)
-            if (!done[i - from] && vec_distance(point[i], point[middle]) < range &&
-                move_to_surface(work, &fit, i))
+            if (!done[i - from] && vec_distance(point[i], point[middle]) < surface.range &&
+                move_to_surface(work, &surface, i))
                 done[i - from] = true;
     }
     free(done);
@@ -248,7 +282,7 @@ static void add_edges(const struct guard_work *work, struct guard_points *surfac
 {
     const struct guard_points_options *rule = work->rule;
     struct edge_points_options edges = {.point_grid = work->point_grid,
-                                        .noise = rule->noise,
+                                        .noise = rule->edged ? 0 : rule->noise,
                                         .along = sqrt(8 * rule->radius * rule->sink),
                                         .sink = rule->sink,
                                         /* flanks of few points are as rough as these */

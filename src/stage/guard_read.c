@@ -327,6 +327,7 @@ static struct gouge_check *gouge_of(struct vec3s *points, const struct mesh *mes
         effort_say(EFFORT_GUARD_NOISE, rule->effort, points->n);
     bool removed = noisy && effort_covers(EFFORT_GUARD_NOISE, rule->effort, points->n);
     bool stays = rule->noise < 0 && noisy && !removed; /* points stand out by it alone */
+    bool sided = rule->noise < 0 && found.noise.sided;
     if (rule->noise < 0) {
         say_rough(found.sigma, spacing, rule);
         rule->noise = removed ? found.sigma : 0;
@@ -334,6 +335,7 @@ static struct gouge_check *gouge_of(struct vec3s *points, const struct mesh *mes
     struct guard_points_options how = {.radius = rule->radius,
                                        .sink = rule->tolerance / 5,
                                        .noise = rule->noise,
+                                       .edged = sided && rule->noise > 0,
                                        .apart = apart_of(found.apart, rule),
                                        .vague = rule->tolerance,
                                        .effort = rule->effort,

@@ -152,14 +152,37 @@ START_TEST(over_edges)
 }
 END_TEST
 
+/* Facets that touch a paraboloid 3.5 mm apart and meet at 9 degrees: most places are over an edge,
+ * of which the fewest points that carry a quadric leave as much as there is noise. */
+static double facets(double x, double y)
+{
+    double cx = 3.5 * round(x / 3.5), cy = 3.5 * round(y / 3.5);
+
+    return (cx * cx + cy * cy - 2 * (cx * x + cy * y)) / 45;
+}
+
+START_TEST(over_blunt_edges)
+{
+    const double sigma[] = {0.003, 0.005, 0.008};
+    for (int p = NOISY_GRID; p <= NOISY_RANDOM; p++)
+        for (int s = 0; s < 3; s++) {
+            noisy_seed((unsigned)(5 + s));
+            noisy_scan(&scan, facets, 17000, (enum noisy_pattern)p, sigma[s]);
+            struct noise noise = measured_all();
+            ck_assert(!(s < 2 && noise.alike)); /* by the edges alone */
+            ck_assert_double_eq_tol((noise.alike ? noise.sigma : noise.even) / sigma[s], 1, 0.2);
+        }
+}
+END_TEST
+
 /* A rough half beside an even one: the even one's.  What is rough here and there, or has edges at
  * few places, has none. */
 START_TEST(no_even_places)
 {
-    double (*const of[])(double, double) = {rough, leaves, roof, terraces};
-    for (int k = 0; k < 4; k++) {
+    double (*const of[])(double, double) = {rough, leaves, roof, terraces, facets};
+    for (int k = 0; k < 5; k++) {
         noisy_seed(11);
-        noisy_scan(&scan, of[k], 17000, NOISY_RANDOM, k == 3 ? 0 : 0.005);
+        noisy_scan(&scan, of[k], 17000, NOISY_RANDOM, k >= 3 ? 0 : 0.005);
         struct noise noise = measured_all();
         if (k == 0)
             ck_assert_double_eq_tol(noise.even / 0.005, 1, 0.15);
@@ -224,6 +247,7 @@ int main(void)
     tcase_add_test(tests, over_steps);
     tcase_add_test(tests, over_low_walls);
     tcase_add_test(tests, over_edges);
+    tcase_add_test(tests, over_blunt_edges);
     tcase_add_test(tests, no_even_places);
     tcase_add_test(tests, by_the_points_about_its_places);
     tcase_add_test(tests, fewer_points_than_it_takes);

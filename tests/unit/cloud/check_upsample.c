@@ -6,6 +6,7 @@
 #include "base/array.h"
 #include "noisy.h"
 #include "cloud/upsample.h"
+#include "cloud/upsample_surface.h"
 
 static struct vec3s scan;
 static struct point_grid point_grid;
@@ -67,18 +68,20 @@ START_TEST(on_a_surface_that_is_given)
     struct upsample fill = make_fill(6000, 100);
     size_t i = point_grid.n / 2;
     struct vec3 p = point_grid.point[i];
-    struct quadric plane = {.origin = p, .u = {1, 0, 0}, .v = {0, 1, 0}, .w = {0, 0, 1}};
+    struct upsample_surface plane = {
+        .q = {.origin = p, .u = {1, 0, 0}, .v = {0, 1, 0}, .w = {0, 0, 1}}};
     fill.noise = 2;
-    upsample_on(&fill, i, p, &plane, 0, &put);
+    upsample_on(&fill, i, p, &plane, &put);
     ck_assert_uint_gt(put.n, 0);
     for (size_t k = 0; k < put.n; k++)
         ck_assert_double_eq_tol(put.item[k].z, p.z, 1e-12);
     size_t before = put.n;
-    upsample_on(&fill, i, p, &plane, 10, &put); /* spread by 10 mm: none */
+    plane.spread = 10; /* mm: none */
+    upsample_on(&fill, i, p, &plane, &put);
     ck_assert_uint_eq(put.n, before);
     /* the points do not bear it out, for the wave is steeper, but along the line where both meet */
-    fill.noise = 0;
-    upsample_on(&fill, i, p, &plane, 0, &put);
+    fill.noise = plane.spread = 0;
+    upsample_on(&fill, i, p, &plane, &put);
     ck_assert_uint_le(put.n, before + before / 8 + 1);
 }
 END_TEST

@@ -45,12 +45,13 @@ static void sphere(size_t n, double noise, double hole, struct vec3s *points)
 }
 
 static double noise_taken;
+static bool edged;
 
 /* Sorts the points. */
 static struct guard_points surface_for(struct vec3s *points, double noise, double radius)
 {
     struct guard_points_options rule = {
-        .radius = radius, .sink = 0.002, .noise = noise, .vague = VAGUE};
+        .radius = radius, .sink = 0.002, .noise = noise, .edged = edged, .vague = VAGUE};
     struct point_grid point_grid;
     struct error error;
     ck_assert_int_eq(point_grid_make(points->item, points->n, 0.5, 1, &point_grid, &error), 0);
@@ -363,6 +364,42 @@ START_TEST(what_is_rough_stays_as_it_is)
 }
 END_TEST
 
+/* Facets that touch a paraboloid 3 mm apart, and meet at 8 degrees. */
+static double facets(double x, double y)
+{
+    double cx = 3 * round(x / 3), cy = 3 * round(y / 3);
+
+    return (cx * cx + cy * cy - 2 * (cx * x + cy * y)) / 43;
+}
+
+/* Where the noise that is known explains facets, and no smooth surface, points are moved to these:
+ * a surface that bends is below an edge, and so were one in 28 points by 0.02 mm and more. */
+START_TEST(blunt_edges_stand_in_noise)
+{
+    struct vec3s points = {0};
+    double below = 0, n = 0;
+
+    for (int j = -30; j <= 30; j++)
+        for (int i = -30; i <= 30; i++) {
+            double x = 0.5 * i + 0.2, y = 0.5 * j + 0.1;
+            *array_push(&points) = vec(x, y, facets(x, y) + gauss(0.01));
+        }
+    edged = true;
+    struct guard_points s = surface_for(&points, 0.01, 2.5);
+    edged = false;
+    ck_assert_uint_gt(s.moved, points.n * 9 / 10);
+    ck_assert_uint_gt(s.added, 5 * points.n);
+    for (size_t i = 0; i < s.point.n; i++) {
+        struct vec3 p = s.point.item[i];
+        n += is_inside(p, 12);
+        below += is_inside(p, 12) && facets(p.x, p.y) - p.z > 0.02;
+    }
+    ck_assert_double_lt(below / n, 0.005);
+    array_free(&points);
+    array_free(&s.point);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("guard_points");
@@ -377,6 +414,7 @@ int main(void)
     tcase_add_test(tcase, noise_that_is_said_counts);
     tcase_add_test(tcase, a_hole_stays);
     tcase_add_test(tcase, what_is_rough_stays_as_it_is);
+    tcase_add_test(tcase, blunt_edges_stand_in_noise);
     suite_add_tcase(suite, tcase);
     SRunner *runner = srunner_create(suite);
     srunner_run_all(runner, CK_NORMAL);

@@ -8,6 +8,7 @@
 
 #include "cloud/upsample.h"
 #include "math/least_planes.h"
+#include "math/quadric.h"
 
 /* The fewest points of a surface, the nearest that are looked at, and those of a cubic. */
 enum { UPSAMPLE_FEWEST = 16, UPSAMPLE_NEAR = 32, UPSAMPLE_FEW = 24 };
@@ -44,6 +45,13 @@ double upsample_surface_fit(const struct upsample_hood *near, size_t k, struct v
  * it stays as it is. */
 bool upsample_facets_find(const struct upsample *fill, size_t i, double even,
                           struct upsample_surface *surface);
+
+/* Facets in its place, in the frame of surface->q, where these explain the noisy points about p
+ * (fill->noise) and no one surface of the second or third degree does as well, by more than chance:
+ * a smooth surface through points on both sides of a blunt edge goes below that.  *reach: how far
+ * these points are, mm.  False: it stays as it is. */
+bool upsample_facets_explain(const struct upsample *fill, struct vec3 p,
+                             struct upsample_surface *surface, double *reach);
 
 /* Distance of a point from the surface, to first order (of facets along the normal of the quadric's
  * frame): positive on the side of that. */
