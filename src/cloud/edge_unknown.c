@@ -18,8 +18,9 @@ static const double APART = 0.3, BESIDE = 2, AHEAD = 1.5, ABOUT = 3;
 static const double FRONT = 0.1;
 
 /* In spacings: a point stands out by more from those about it, few and more, a surface with all
- * bends is further off these, and no place of an edge is as near: a feature not resolved. */
-static const double OUT = 0.1, ROUGH = 0.08, BARE = 1;
+ * bends is further off these, and no place of an edge is as near: a feature not resolved.  Beside
+ * what noise alone makes of one point, and of a surface's root mean square. */
+static const double OUT = 0.1, ROUGH = 0.08, BARE = 1, UNEVEN = 1.4;
 
 /* In spacings: two such points may be of one feature; a point so little beside the way between them
  * tells that they are not. */
@@ -190,9 +191,9 @@ static bool is_bare(const struct edge_work *work, const struct edge_hood *near)
 }
 
 /* No surface that bends comes near to all points about. */
-static bool is_rough(const struct edge_hood *near)
+static bool is_rough(const struct edge_work *work, const struct edge_hood *near)
 {
-    double least = ROUGH * near->spacing;
+    double least = hypot(ROUGH * near->spacing, UNEVEN * work->options->noise);
     struct quadric q, cubic;
 
     return quadric_fit_free(near->point, EDGE_SMOOTH, near->point[0], &q) != 0 ||
@@ -207,10 +208,10 @@ static bool is_rough(const struct edge_hood *near)
 static double unresolved_depth(const struct edge_work *work, const struct edge_hood *near)
 {
     double out = edge_hood_out(near, EDGE_SMOOTH / 2), wide = edge_hood_out(near, EDGE_SMOOTH);
+    double least = OUT * near->spacing + EDGE_SIGMAS * work->options->noise;
 
-    return fmin(out, wide) > OUT * near->spacing && is_rough(near) && is_bare(work, near)
-               ? fmax(out, wide)
-               : 0;
+    return fmin(out, wide) > least && is_rough(work, near) && is_bare(work, near) ? fmax(out, wide)
+                                                                                  : 0;
 }
 
 double edge_unknown_depth(const struct edge_work *work, size_t i, struct vec3 *ahead)
