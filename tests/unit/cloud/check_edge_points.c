@@ -926,11 +926,13 @@ static double stepped_cone(double x, double y)
     return 0.9 * fmax(0, 6 - floor(hypot(x, y - 0.01) / 1.5));
 }
 
-/* A ball over a riser touches its rim, wherever that is between two rows of the grid. */
+/* A ball over a riser touches its rim, wherever that is between two rows of the grid, and however
+ * uneven noise, measured a little too small, makes the dozen points that a tread is known by. */
 START_TEST(rims_of_steps)
 {
-    enum { WAYS = 90, STEPS = 4 };
-    const double pitch = _i % 2 ? 0.5 : 0.3, noise = 0.005, deep = TOLERANCE + 1.5 * noise;
+    enum { WAYS = 360, STEPS = 5 };
+    const double pitch = _i % 2 ? 0.5 : 0.3, noise = _i < 4 ? 0.005 : 0.01, measured = 0.9;
+    const double deep = TOLERANCE + 1.5 * noise;
     struct guarded g = {0};
     int deeper = 0;
 
@@ -938,17 +940,17 @@ START_TEST(rims_of_steps)
     for (double y = -12; y < 12; y += pitch)
         for (double x = -12; x < 12; x += pitch)
             *array_push(&g.scan) = vec(x, y, stepped_cone(x, y) + noise * noisy_normal());
-    guarded_make(&g, pitch, noise);
+    guarded_make(&g, pitch, measured * noise);
     struct gouge_check *guard = guarded_gouge(&g);
     for (int i = 0; i < WAYS * STEPS; i++) {
         int step = i / WAYS + 2;
-        double t = 2 * PI * i / WAYS, far = RADIUS - deep, level = 0.7;
+        double t = 2 * PI * i / WAYS, far = RADIUS - deep, level = 0.45;
         double r = 1.5 * step - 1e-6 + far * level;
         struct vec3 c =
             vec(r * cos(t), r * sin(t) + 0.01, 0.9 * (7 - step) + far * sqrt(1 - level * level));
         deeper += gouge_depth(guard, c, RADIUS) <= 0;
     }
-    ck_assert_int_le(deeper, WAYS * STEPS / 100);
+    ck_assert_int_le(deeper, WAYS * STEPS / 300);
     gouge_free(guard);
     guarded_free(&g);
 }
@@ -975,7 +977,7 @@ int main(void)
     tcase_add_loop_test(tests, feet_of_pyramids, 0, 6);
     tcase_add_loop_test(tests, noisy_flanks, 0, 4);
     tcase_add_loop_test(tests, rims_of_pockets, 0, 6);
-    tcase_add_loop_test(tests, rims_of_steps, 0, 2);
+    tcase_add_loop_test(tests, rims_of_steps, 0, 8);
     suite_add_tcase(suite, tests);
     tcase_set_timeout(tests, 60);
     srunner_run_all(runner, CK_ENV);

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "edge_trial.h"
+#include "noisy.h"
 
 /* A ring of a blade 1.4 mm wide at its foot. */
 static const double RADIUS = 6, HIGH = 3;
@@ -42,6 +43,12 @@ static double mesa(double x, double y)
 static double even(double x, double y)
 {
     return (x * x - y * y) / 60;
+}
+
+/* The top of a cone, rounded by 1.4 mm. */
+static double round_cone(double x, double y)
+{
+    return 6 - 1.4 * sqrt(x * x + y * y + 4);
 }
 
 /* One point of the grid stands out. */
@@ -142,6 +149,30 @@ START_TEST(nothing_told)
 }
 END_TEST
 
+/* Points of much noise, measured a little too small, stand out of a smooth surface by three sigmas,
+ * but for no edge. */
+START_TEST(noise_is_none)
+{
+    enum { POINTS = 6000, WIDE = 16 };
+    static double (*const of[])(double, double) = {round_cone, even};
+    const double sigma = 0.02 + 0.01 * (_i / 2), measured = 0.8;
+    struct vec3s scan = {0}, to = {0};
+    struct edge_trial trial;
+    struct edge_gaps gaps;
+
+    noisy_seed(21 + (unsigned)_i);
+    for (int i = 0; i < POINTS; i++) {
+        double x = WIDE * (noisy_uniform() - 0.5), y = WIDE * (noisy_uniform() - 0.5);
+        *array_push(&scan) = vec(x, y, of[_i % 2](x, y) + sigma * noisy_normal());
+    }
+    edge_trial_of(&trial, scan, WIDE / sqrt(POINTS), measured * sigma);
+    edge_points(&trial.options, &to, &gaps);
+    ck_assert_uint_eq(gaps.unknown, 0);
+    array_free(&to);
+    edge_trial_free(&trial);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("edge_unknown");
@@ -151,6 +182,7 @@ int main(void)
     tcase_add_loop_test(tests, ends_and_corners, 0, 6);
     tcase_add_test(tests, rib_is_guarded);
     tcase_add_loop_test(tests, nothing_told, 0, 8);
+    tcase_add_loop_test(tests, noise_is_none, 0, 6);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);
     int failed = srunner_ntests_failed(runner);
