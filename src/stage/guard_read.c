@@ -302,6 +302,17 @@ static void say_rough(double sigma, double spacing, const struct guard_read_opti
             sigma, spacing);
 }
 
+/* No noise was found, where what is left by smooth surfaces may be of both. */
+static void say_unknown(const struct believed *found, double least)
+{
+    const struct noise *noise = &found->noise;
+
+    if (!noise->alike && !(noise->even > 0) && !(found->apart > 0) && noise->sigma > least)
+        say("noise cannot be told from the shape of the scan, which is %.2g mm off smooth "
+            "surfaces: taken as none; where it is some, edges among it may not be found (--noise)",
+            noise->sigma);
+}
+
 /* How far points of two sheets may be off the surface half way between them for it to stand for
  * both: not much more than the tolerance. */
 static double apart_of(double apart, const struct guard_read_options *rule)
@@ -330,6 +341,7 @@ static struct gouge_check *gouge_of(struct vec3s *points, const struct mesh *mes
     bool sided = rule->noise < 0 && found.noise.sided;
     if (rule->noise < 0) {
         say_rough(found.sigma, spacing, rule);
+        say_unknown(&found, rule->tolerance);
         rule->noise = removed ? found.sigma : 0;
     }
     struct guard_points_options how = {.radius = rule->radius,

@@ -122,4 +122,19 @@ has "unless it is given another" 'noise of 0.01 mm taken out' err
 has "which it says in turn" '^\$\$-> NOISE/0.010000$' arcs.cl
 meshnorm -q -r 3 --avoid -o said.cl noisy.ply
 hasnt "nothing is said of what is measured" '^\$\$-> NOISE' said.cl
+
+# Pyramids of five points a side, turned, and noise: nobody can tell one from the other.
+awk 'BEGIN { srand(7 + ENVIRON["SEED"]); for (b = 0; b < 24; b += 0.5) for (a = 0; a < 24; a += 0.5) {
+	x = 0.97 * a - 0.24 * b + 20; y = 0.24 * a + 0.97 * b
+	u = x - 2.5 * int(x / 2.5) - 1.25; v = y - 2.5 * int(y / 2.5) - 1.25; u = u < 0 ? -u : u
+	v = v < 0 ? -v : v; for (k = z = 0; k < 12; k++) z += rand() - 0.5
+	printf "%.4f %.4f %.4f\n", a, b, 1.25 - (u > v ? u : v) + 0.02 * z } }' >knurl.xyz
+cloud2mesh -q -t 1 knurl.xyz >knurl.ply 2>/dev/null
+meshnorm -r 3 --avoid knurl.ply >knurl.cl 2>err
+has "noise that cannot be told from a knurl is taken as none, which is said" \
+	'noise cannot be told from the shape of the scan, .* mm off smooth surfaces: taken as none' err
+meshnorm -r 3 --avoid --noise 0.02 knurl.ply >knurl.cl 2>err
+hasnt "not where it is given" 'noise cannot be told' err
+meshnorm -r 3 --avoid noisy.ply >knurl.cl 2>err
+hasnt "nor where it is measured" 'noise cannot be told' err
 done_testing
