@@ -13,6 +13,8 @@
 #include "base/cli.h"
 #include "base/reader.h"
 #include "io/cloud/cloud.h"
+#include "io/mesh/meshfile.h"
+#include "mesh/scan_source.h"
 #include "gouge/holder_text.h"
 #include "stage/tool_options.h"
 #include "machine/machine_options.h"
@@ -370,6 +372,30 @@ static void place_scan(const struct settings *s, const struct ncread_head *head,
     transform_points(&place, point, n);
 }
 
+/* Where a mesh, or surfaces, belong: as the head says, if the corners are those of the scan; any
+ * other stands where it should, in its unit. */
+static struct transform place_of_mesh(const struct settings *s, const struct ncread_head *head,
+                                      const char *file)
+{
+    struct transform place = transform_scale(cloud_unit(unit_name[s->unit]));
+    struct cloud_count count = {0};
+    struct vec3s corner = {0};
+    struct error error;
+
+    if (head->place_rows != 7 || reader_reads_once(file) || !mesh_is_there(file))
+        return place;
+    if (cloud_read(file, 1, &corner, &count, &error) != 0)
+        die_error(&error);
+    uint64_t hash = scan_source_hash(corner.item, corner.n);
+    bool same = false;
+    for (size_t i = 0; i < head->scans; i++)
+        same = same || (head->scan_points[i] == (double)corner.n && head->scan_hash[i] == hash);
+    if (same)
+        note("%s: placed as the program's head says", file);
+    array_free(&corner);
+    return same ? head->place : place;
+}
+
 /* True if all of it are scans. */
 static bool read_part(const struct settings *s, const struct ncread_head *head,
                       struct vec3s *points)
@@ -380,8 +406,9 @@ static bool read_part(const struct settings *s, const struct ncread_head *head,
     bool scans = true;
     for (size_t i = 0; i < s->part.n; i++) {
         size_t from = points->n;
-        if (verify_part_read(s->part.item[i], cloud_unit(unit_name[s->unit]), s->radius, points,
-                             &spacing, &corners, &error) < 0)
+        struct transform place = place_of_mesh(s, head, s->part.item[i]);
+        if (verify_part_read(s->part.item[i], &place, s->radius, points, &spacing, &corners,
+                             &error) < 0)
             die_error(&error);
         if (corners > 0)
             say("%s: a mesh that is piped in: the corners of its %zu facets are taken as a scan; "
@@ -452,8 +479,10 @@ static void adopt_noise(const struct path_head *said, struct ncread_head *head)
     head->noise_given = true;
     head->noise = said->noise;
     size_t n = head->scans > 0 ? 0 : said->scan.n;
-    for (size_t i = 0; i < n && i < NCREAD_SCANS; i++)
-        head->scan_points[head->scans++] = (double)said->scan.item[i].points;
+    for (size_t i = 0; i < n && i < NCREAD_SCANS; i++) {
+        head->scan_points[head->scans] = (double)said->scan.item[i].points;
+        head->scan_hash[head->scans++] = said->scan.item[i].hash;
+    }
 }
 
 /* The motion of a path; the region and noise that it says, where the program says none. */

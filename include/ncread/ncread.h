@@ -65,6 +65,7 @@ struct ncread_head {
     char machine_file[NCREAD_HEAD_NAME]; /* the same of -m */
     char region[NCREAD_HEAD_REGION];     /* that it cuts, all of it; "": not said */
     double scan_points[NCREAD_SCANS];    /* of each file of the scan that guarded it, ... */
+    uint64_t scan_hash[NCREAD_SCANS];    /* ... their hash (mesh/scan_source.h), ... */
     size_t scans;                        /* ... of the first ones */
     struct transform place;              /* from the numbers of its files to mm of the program */
     int place_rows;                      /* bits of its rows that are said; 7: all */

@@ -19,20 +19,21 @@
 
 #include "base/error.h"
 #include "math/region.h"
+#include "math/transform.h"
 #include "simulate/simulate.h"
 
 /* ---- the part and the stock */
 
 /*
- * Appends the points of a file, as they stand in it.  A mesh, times `unit` (a PLY with faces, STL,
- * OFF) or the surfaces of a .igs, .iges or .nurbs file, trimmed and as triangles, give
- * points on their faces too, so dense that a ball of `radius` rolled over them sinks in between by
- * less than VERIFY_PART_SINK, as long as that are no more than some millions; *spacing is what was
- * kept, 0 for a cloud.  Of a mesh that is piped in under no name that says so the corners alone are
- * taken, as a cloud: *corners is how many facets it has, else 0.
+ * Appends the points of a file, as they stand in it.  A mesh (a PLY with faces, STL, OFF) or the
+ * surfaces of a .igs, .iges or .nurbs file, trimmed and as triangles, are put in their `place` (to
+ * mm) and give points on their faces too, so dense that a ball of `radius` rolled over them sinks
+ * in between by less than VERIFY_PART_SINK, as long as that are no more than some millions;
+ * *spacing is what was kept, 0 for a cloud.  Of a mesh that is piped in under no name that says so
+ * the corners alone are taken, as a cloud: *corners is how many facets it has, else 0.
  */
-int verify_part_read(const char *file, double unit, double radius, struct vec3s *points,
-                     double *spacing, size_t *corners, struct error *error);
+int verify_part_read(const char *file, const struct transform *place, double radius,
+                     struct vec3s *points, double *spacing, size_t *corners, struct error *error);
 
 #define VERIFY_PART_SINK 0.0005 /* mm */
 

@@ -3,6 +3,7 @@
 
 #include <ctype.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "base/num.h"
@@ -111,6 +112,15 @@ static void read_place(struct ncread_head *head, int row, const char *s)
     head->place_rows |= 1 << row;
 }
 
+/* A file of the scan: how many points, and their hash. */
+static void read_scan(struct ncread_head *head, const char *s)
+{
+    if (head->scans == NCREAD_SCANS)
+        return;
+    head->scan_points[head->scans] = number_at(&s);
+    head->scan_hash[head->scans++] = *s == ',' ? strtoull(s + 1, NULL, 16) : 0;
+}
+
 /* The way at rapid, which stands behind that at feed. */
 static void read_way(struct ncread_head *head, const char *s)
 {
@@ -200,8 +210,7 @@ void ncread_head_line(struct ncread_head *head, const char *line)
     } else if (has_key(&s, "NOISE: ")) {
         read_noise(head, s);
     } else if (has_key(&s, "SCAN: ")) {
-        if (head->scans < NCREAD_SCANS)
-            head->scan_points[head->scans++] = number_at(&s);
+        read_scan(head, s);
     } else if (has_key(&s, "PLACE1: ")) {
         read_place(head, 0, s);
     } else if (has_key(&s, "PLACE2: ")) {

@@ -24,16 +24,15 @@ static bool has_ending(const char *file, const char *ending)
 
 #define CHORD 0.001 /* that triangles may be off a surface, mm */
 
-static void densify(const struct mesh *mesh, double unit, double radius, struct vec3s *points,
-                    double *spacing)
+static void densify(const struct mesh *mesh, double radius, struct vec3s *points, double *spacing)
 {
-    *spacing = fmax(sqrt(8 * radius * VERIFY_PART_SINK), unit * sqrt(2 * mesh_area(mesh) / MOST));
+    *spacing = fmax(sqrt(8 * radius * VERIFY_PART_SINK), sqrt(2 * mesh_area(mesh) / MOST));
     for (size_t i = 0; i < mesh->vertex.n; i++)
-        *array_push(points) = vec_scale(unit, mesh->vertex.item[i]);
+        *array_push(points) = mesh->vertex.item[i];
     for (size_t i = 0; i < mesh->face.n; i++) {
         struct vec3 v[3];
         for (int k = 0; k < 3; k++)
-            v[k] = vec_scale(unit, mesh->vertex.item[mesh->face.item[i].v[k]]);
+            v[k] = mesh->vertex.item[mesh->face.item[i].v[k]];
         triangle_points(v, *spacing, points);
     }
 }
@@ -65,8 +64,8 @@ static int read_surfaces(const char *file, struct mesh *mesh, struct error *erro
     return result;
 }
 
-int verify_part_read(const char *file, double unit, double radius, struct vec3s *points,
-                     double *spacing, size_t *corners, struct error *error)
+int verify_part_read(const char *file, const struct transform *place, double radius,
+                     struct vec3s *points, double *spacing, size_t *corners, struct error *error)
 {
     struct mesh mesh = {0};
     struct cloud_count count = {0};
@@ -81,8 +80,10 @@ int verify_part_read(const char *file, double unit, double radius, struct vec3s 
         int result = surfaces ? read_surfaces(file, &mesh, error) : mesh_read(file, &mesh, error);
         if (result == 0 && mesh.face.n == 0)
             result = error_set(error, "%s: no faces in it", file);
-        if (result == 0)
-            densify(&mesh, unit, radius, points, spacing);
+        if (result == 0) {
+            transform_points(place, mesh.vertex.item, mesh.vertex.n);
+            densify(&mesh, radius, points, spacing);
+        }
         mesh_free(&mesh);
         return result;
     }

@@ -72,4 +72,15 @@ has "and says so" 'dome.ply: a mesh: the corners of its 200 facets are taken as 
 meshnorm -r 3 -o path.cl mesh.ply 2>log
 has "its facets guard, in mm" \
 	'dome.ply: a mesh: guarded by [0-9]+ points on its facets, too, 0.75 mm apart' log
+# And moved: it is judged where the program's head says.
+printf '0 -1 0 40\n1 0 0 -7\n0 0 1 3\n0 0 0 1\n' >matrix
+cloud2mesh -q -u inch --matrix matrix -t 1 -o mesh.ply dome.ply 2>/dev/null
+meshnorm -q -r 3 --avoid -o path.cl mesh.ply
+for c in fanuc siemens; do
+	biarcfit -q -e 0.01 path.cl 2>/dev/null | ncpost -q -c $c -o part.nc
+	status 0 "$c: ncverify accepts it by the scan as it stands" ncverify -v -g dome.ply part.nc
+	has "for it is placed" 'dome.ply: placed as the program.s head says' "$TMP/err"
+	status 0 "$c: and by the mesh, where that is" ncverify -v -g mesh.ply part.nc
+	hasnt "which is not placed" 'placed as' "$TMP/err"
+done
 done_testing

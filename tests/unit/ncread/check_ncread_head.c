@@ -107,6 +107,7 @@ START_TEST(words)
         line("(SCAN: 7,3cad464a0113cb05,more.xyz)");
     ck_assert_uint_eq(head.scans, NCREAD_SCANS);
     ck_assert_double_eq(head.scan_points[NCREAD_SCANS - 1], 7);
+    ck_assert_uint_eq(head.scan_hash[NCREAD_SCANS - 1], 0x3cad464a0113cb05);
     ck_assert(head.contact_feed && head.numbered && !head.centre);
     line("; *** ATTENTION: X Y Z ARE THE CENTRE OF THE BALL, NOT THE TIP ***");
     ck_assert(head.centre);

@@ -152,7 +152,9 @@ START_TEST(points_on_a_face)
         fprintf(file, "%g %g %g\n", v[k].x, v[k].y, v[k].z);
     fprintf(file, "3 0 1 2\n");
     fclose(file);
-    ck_assert_int_eq(verify_part_read(name, 1, RADIUS, &points, &spacing, &corners, &error), 0);
+    struct transform place = transform_scale(1);
+    ck_assert_int_eq(verify_part_read(name, &place, RADIUS, &points, &spacing, &corners, &error),
+                     0);
     remove(name);
     for (int i = 0; i <= 60; i++)
         for (int k = 0; k <= 60 - i; k++) {

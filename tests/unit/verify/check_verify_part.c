@@ -35,7 +35,8 @@ static int read_as(const char *ending, const char *content, double unit)
     fclose(file);
     points.n = 0;
     error = (struct error){.system = 0};
-    int result = verify_part_read(name, unit, RADIUS, &points, &spacing, &corners, &error);
+    struct transform place = transform_scale(unit);
+    int result = verify_part_read(name, &place, RADIUS, &points, &spacing, &corners, &error);
     remove(name);
     return result;
 }
