@@ -35,10 +35,13 @@ hasnt "in the path" UNMET trough.cl
 status 0 "or in the program" ncpost -q -c siemens -o p.nc trough.cl
 
 # The mesh's too.
-status 3 "a mesh that can't be as fine" cloud2mesh -q -e 0.001 -o trough.ply trough.xyz
-has "says so" '^comment unmet cloud2mesh trough.xyz: the mesh is off by' trough.ply
-meshnorm -q -r 3 --spindle 9000 --tool 1 -o trough.cl trough.ply
-has "and the path of it" '^\$\$-> UNMET/cloud2mesh,trough.xyz: the mesh is off by' trough.cl
+awk 'BEGIN { for (y = 0; y <= 40; y += 0.5) for (x = 0; x <= 40; x += 0.5) print x, y, (x > 20) * 6 }' \
+	>step.xyz
+status 3 "a mesh that can't be as fine" \
+	cloud2mesh -q --nodes scan -e 0.05 --no-features -o step.ply step.xyz
+has "says so" '^comment unmet cloud2mesh step.xyz: the mesh is off by' step.ply
+meshnorm -q -r 3 --spindle 9000 --tool 1 -o step.cl step.ply
+has "and the path of it" '^\$\$-> UNMET/cloud2mesh,step.xyz: the mesh is off by' step.cl
 
 # A half ball and a holder that keeps the tool off its foot: who judges the path as it is finds more
 # left than after stages that widen what may be, and none comes here.
