@@ -81,7 +81,7 @@ for fitter in biarcfit bsplfit; do
 done
 
 # Hostile text in the place of a stage's.
-sed 's/^\$\$-> UNMET.*/$$-> UNMET\/nothing/' trough.cl >bad.cl
+sed 's/^\$\$-> UNMET.*/$$-> UNMET\/nothing/' step.cl >bad.cl
 status 1 "a line without its stage" ncpost -q -c siemens bad.cl
 has "is refused with its line" 'bad.cl:[0-9]+: found .*expected UNMET/stage' err
 sed 's/^\$\$-> UNMET.*/$$-> UNMET\/x,) M30 (%/' trough.cl >bad.cl
