@@ -354,11 +354,17 @@ static bool is_of_scan(const struct ncread_head *head, double points)
     return one || all == points;
 }
 
+/* As a file stands, in the unit of -u. */
+static struct transform place_as_it_stands(const struct settings *s)
+{
+    return transform_scale(cloud_unit(unit_name[s->unit]));
+}
+
 /* A scan is placed as the head says of one with as many points, or else by its unit. */
 static void place_scan(const struct settings *s, const struct ncread_head *head, const char *file,
                        struct vec3 *point, size_t n)
 {
-    struct transform place = transform_scale(cloud_unit(unit_name[s->unit]));
+    struct transform place = place_as_it_stands(s);
     bool placed = head->place_rows == 7;
 
     if (placed && is_of_scan(head, (double)n)) {
@@ -377,7 +383,7 @@ static void place_scan(const struct settings *s, const struct ncread_head *head,
 static struct transform place_of_mesh(const struct settings *s, const struct ncread_head *head,
                                       const char *file)
 {
-    struct transform place = transform_scale(cloud_unit(unit_name[s->unit]));
+    struct transform place = place_as_it_stands(s);
     struct cloud_count count = {0};
     struct vec3s corner = {0};
     struct error error;

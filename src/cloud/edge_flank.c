@@ -43,7 +43,7 @@ double edge_within(const struct edge_work *work, double spacing)
 /* How far points may be off their surface on average. */
 double edge_even(const struct edge_work *work, double spacing)
 {
-    return fmax(1.4 * work->options->noise, EDGE_EVEN * spacing);
+    return fmax(EDGE_UNEVEN * work->options->noise, EDGE_EVEN * spacing);
 }
 
 static bool is_smooth(const struct edge_work *work, const struct edge_hood *near, double spacing,

@@ -28,6 +28,7 @@ enum {
 
 #define EDGE_REACH 2.8  /* spacings: so far beyond the points an edge may be */
 #define EDGE_EVEN 0.012 /* spacings: a surface off its points by less is smooth */
+#define EDGE_UNEVEN 1.4 /* noises: points about a surface are off it by less on average */
 #define EDGE_SIGMAS 3.0
 #define EDGE_UPRIGHT 0.004 /* least z of the normal of a flank */
 #define EDGE_STEEP 2.5     /* 68 degrees: a wall hangs from a flank as from one so steep */

@@ -19,8 +19,8 @@ static const double FRONT = 0.1;
 
 /* In spacings: a point stands out by more from those about it, few and more, a surface with all
  * bends is further off these, and no place of an edge is as near: a feature not resolved.  Beside
- * what noise alone makes of one point, and of a surface's root mean square. */
-static const double OUT = 0.1, ROUGH = 0.08, BARE = 1, UNEVEN = 1.4;
+ * EDGE_SIGMAS, and EDGE_UNEVEN, of the noise. */
+static const double OUT = 0.1, ROUGH = 0.08, BARE = 1;
 
 /* In spacings: two such points may be of one feature; a point so little beside the way between them
  * tells that they are not. */
@@ -193,7 +193,7 @@ static bool is_bare(const struct edge_work *work, const struct edge_hood *near)
 /* No surface that bends comes near to all points about. */
 static bool is_rough(const struct edge_work *work, const struct edge_hood *near)
 {
-    double least = hypot(ROUGH * near->spacing, UNEVEN * work->options->noise);
+    double least = hypot(ROUGH * near->spacing, EDGE_UNEVEN * work->options->noise);
     struct quadric q, cubic;
 
     return quadric_fit_free(near->point, EDGE_SMOOTH, near->point[0], &q) != 0 ||

@@ -330,6 +330,15 @@ static int mesh_in_zone(const struct cloudmesh_options *asked, struct source *kn
     return status;
 }
 
+/* Without knowing where edges are, all points are rid of noise first. */
+static int mesh_of_all(const struct cloudmesh_options *options, struct source *s, int threads,
+                       struct mesh *mesh, struct cloudmesh *result, struct error *error)
+{
+    if (find_surface(options, s, threads, error) < 0)
+        return -1;
+    return mesh_of_source(options, s, threads, mesh, result, error);
+}
+
 /* Creases and walls are found best by a grid, before rows are made: these need not be made twice
  * then.  No grid that serves: no edges are known. */
 static int mesh_by_zone(const struct cloudmesh_options *asked, struct source *s, int threads,
@@ -354,9 +363,7 @@ static int mesh_by_zone(const struct cloudmesh_options *asked, struct source *s,
         feature_zone_free(&zone);
         s->zone = NULL;
     } else {
-        status = find_surface(asked, s, threads, error);
-        if (status == 0)
-            status = mesh_of_source(asked, s, threads, mesh, result, error);
+        status = mesh_of_all(asked, s, threads, mesh, result, error);
     }
     cloudmesh_drop(&grid, &grid_result);
     return status;
@@ -390,10 +397,8 @@ int cloudmesh_within(const struct cloudmesh_options *options, struct vec3s *poin
     struct source s = {&surface, points, .noise = noise, .origin = mesh->origin};
     s.scan_parts =
         (struct cloud_parts){cloudmesh_spacing(options, points->item, points->n), points->n};
-    int status = options->smooth ? find_surface(options, &s, threads, error)
+    int status = options->smooth ? mesh_of_all(options, &s, threads, mesh, result, error)
                                  : mesh_by_zone(options, &s, threads, mesh, result, error);
-    if (options->smooth && status == 0)
-        status = mesh_of_source(options, &s, threads, mesh, result, error);
     bool edges = status == 0 && mesh->face.n > 0 && !options->smooth;
     if (edges && result->creases + result->walls > 0 && !s.elsewhere &&
         result->rows.worst > options->error)

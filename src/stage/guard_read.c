@@ -305,12 +305,10 @@ static void say_rough(double sigma, double spacing, const struct guard_read_opti
 /* No noise was found, where what is left by smooth surfaces may be of both. */
 static void say_unknown(const struct believed *found, double least)
 {
-    const struct noise *noise = &found->noise;
-
-    if (!noise->alike && !(noise->even > 0) && !(found->apart > 0) && noise->sigma > least)
+    if (!(found->sigma > 0) && !(found->apart > 0) && found->noise.sigma > least)
         say("noise cannot be told from the shape of the scan, which is %.2g mm off smooth "
             "surfaces: taken as none; where it is some, edges among it may not be found (--noise)",
-            noise->sigma);
+            found->noise.sigma);
 }
 
 /* How far points of two sheets may be off the surface half way between them for it to stand for
