@@ -2,18 +2,20 @@
  * point_grid_nearest - see point_grid.h: the points of a grid nearest to a place.
  *
  * Few points about a place are looked at all at once, and ordered by a histogram of their
- * distances: on a surface that fills it evenly.  A heap takes over where that does not serve.
+ * distances: on a surface that fills it evenly.  With two parts for each point most parts hold one
+ * or none, and are in order already.  A heap takes over where that does not serve.
  */
 #include "math/point_grid.h"
 
 #include <stdbool.h>
+#include <string.h>
 
 #include "math/elementary.h"
 #include "math/pair.h"
 
-/* Points looked at at once, and wanted of them; parts of their distance; so many in one part are
- * not distinguished. */
-enum { AT_ONCE = 2048, WANTED = 1024, BINS = 128, CROWD = 48, RINGS = 9 };
+/* Points looked at at once, and wanted of them; parts of their distance, for each of the points and
+ * at most; so many in one part are not distinguished. */
+enum { AT_ONCE = 2048, WANTED = 1024, BY_POINT = 2, BINS = 2048, CROWD = 48, RINGS = 9 };
 
 /* So many points of one cell are not gone through one by one. */
 enum { MANY = 256 };
@@ -86,11 +88,11 @@ static void gather(const struct point_grid *b, struct vec3 q, const struct aroun
 /* The analyser does not see that the first n of these lists are set. */
 /* NOLINTBEGIN(clang-analyzer-core.*) */
 
-/* The nearest of them, in order. */
+/* The nearest of them, in order, and room for one more. */
 struct sorted {
     size_t n;
-    uint32_t index[WANTED + CROWD];
-    double distance2[WANTED + CROWD];
+    uint32_t index[WANTED + CROWD + 1];
+    double distance2[WANTED + CROWD + 1];
 };
 
 /* Puts a point after those before it that are no farther. */
@@ -110,13 +112,15 @@ static void insert(struct sorted *s, size_t at)
 static bool sort_out(const struct some *some, double within2, size_t k, uint32_t *index,
                      double *distance2)
 {
-    uint32_t begin[BINS + 1] = {0}, last = 0;
-    unsigned char bin[AT_ONCE];
+    uint32_t begin[BINS + 1], last = 0;
+    uint16_t bin[AT_ONCE];
     struct sorted sorted;
-    double scale = BINS / within2;
+    int bins = BY_POINT * (int)some->n < BINS ? BY_POINT * (int)some->n : BINS;
+    double scale = bins / within2;
+    memset(begin, 0, ((size_t)bins + 1) * sizeof *begin);
     for (size_t i = 0; i < some->n; i++) { /* an int is had of a double at once, a size_t is not */
         int at = (int)(some->distance2[i] * scale);
-        bin[i] = (unsigned char)(at < BINS ? at : BINS - 1);
+        bin[i] = (uint16_t)(at < bins ? at : bins - 1);
         begin[bin[i] + 1]++;
     }
     for (uint32_t from = 0; from < k; last++) {
@@ -125,19 +129,17 @@ static bool sort_out(const struct some *some, double within2, size_t k, uint32_t
         from = begin[last + 1] += from;
     }
     sorted.n = begin[last];
-    for (size_t i = 0; i < some->n; i++) {
-        if (bin[i] < last) {
-            size_t at = begin[bin[i]]++;
-            sorted.index[at] = some->index[i];
-            sorted.distance2[at] = some->distance2[i];
-        }
+    for (size_t i = 0; i < some->n; i++) { /* the others to the place behind them: no jumps */
+        uint32_t in = bin[i] < last ? bin[i] : last;
+        size_t at = begin[in];
+        begin[in] += bin[i] < last;
+        sorted.index[at] = some->index[i];
+        sorted.distance2[at] = some->distance2[i];
     }
     for (size_t i = 1; i < sorted.n; i++)
         insert(&sorted, i);
-    for (size_t i = 0; i < k; i++) {
-        index[i] = sorted.index[i];
-        distance2[i] = sorted.distance2[i];
-    }
+    memcpy(index, sorted.index, k * sizeof *index);
+    memcpy(distance2, sorted.distance2, k * sizeof *distance2);
     return true;
 }
 /* NOLINTEND(clang-analyzer-core.*) */
