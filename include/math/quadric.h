@@ -42,8 +42,9 @@ void quadric_local_all(const struct quadric *q, const struct vec3 *point, size_t
 int quadric_fit(const struct vec3 *point, size_t n, struct vec3 origin, struct vec3 guess,
                 struct quadric *quadric);
 
-/* The same of points that are in that frame already: those of quadric_local. */
-int quadric_fit_local(const struct vec3 *local, size_t n, struct vec3 origin, struct vec3 guess,
+/* The same of points that are in a frame already: those of quadric_local, that of quadric_frame.
+ * Without the variances, which are 0: they cost a seventh of a fit. */
+int quadric_fit_local(const struct vec3 *local, size_t n, const struct quadric *frame,
                       struct quadric *quadric);
 
 /* quadric_fit with the w axis along the quadric's own normal at the origin, found by iteration

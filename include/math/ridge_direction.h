@@ -22,7 +22,8 @@ size_t neighbourhood_along(const struct vec3 *point, size_t n, struct vec3 at, s
 enum { RIDGE_DIRECTION_LONGER = 4, RIDGE_DIRECTION_MOST = 64 };
 
 struct ridge_direction {
-    struct quadric q; /* through the points of a neighbourhood that is longer that way */
+    struct quadric q; /* through the points of a neighbourhood that is longer that way, without
+                         variances */
     struct vec3 way;  /* unit */
     double rms;       /* of their distances from it, mm */
 };

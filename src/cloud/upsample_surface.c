@@ -78,10 +78,9 @@ static double upwards(const struct quadric *q)
 static bool may_be_facets(const struct vec3 *local, size_t n, double reach2, double spread)
 {
     const double part = 0.009;
-    const struct vec3 zero = {0, 0, 0}, up = {0, 0, 1};
-    struct quadric q;
+    struct quadric q, frame = quadric_frame(vec(0, 0, 0), vec(0, 0, 1));
 
-    if (quadric_fit_local(local, n, zero, up, &q) < 0)
+    if (quadric_fit_local(local, n, &frame, &q) < 0)
         return false;
     double sum = q.c[3] + q.c[5];
     return sum < 0 && spread > part * (hypot(q.c[3] - q.c[5], q.c[4]) - sum) * reach2;
@@ -127,9 +126,9 @@ static double cost_of(double rms, double sigma, size_t n, int terms)
 static double cost_of_one(const struct vec3 *local, size_t n, double sigma)
 {
     const struct vec3 zero = {0, 0, 0}, up = {0, 0, 1};
-    struct quadric q;
+    struct quadric q, frame = quadric_frame(zero, up);
 
-    if (quadric_fit_local(local, n, zero, up, &q) < 0)
+    if (quadric_fit_local(local, n, &frame, &q) < 0)
         return 0;
     double cost = cost_of(quadric_rms_local(&q, local, n), sigma, n, QUADRIC), noise = (double)n;
     if (cost <= noise + CHANCE || q.c[3] + q.c[5] >= 0)

@@ -55,32 +55,34 @@ static inline struct span span_of(const struct vec3 *local, const double *weight
 }
 
 /* Sums of the products of all terms with each other and, beside them, with w: the products of two
- * terms are powers u^i v^j of which many are the same; those of u^i v^j and v^i u^j are pairs. */
+ * terms are powers u^i v^j of which many are the same; those of u^i v^j and v^i u^j are pairs, and
+ * so are others that stand alone, for then all sums stay in registers. */
 static inline void add_up(struct span s, const struct vec3 *local, const double *weight, size_t n,
                           double sum[TERMS][COLUMNS])
 {
     const pair none = {0, 0}, middle = {s.u0, s.v0}, shrink = pair_both(1 / s.size);
     pair d1 = none, d2 = none, d3 = none, d21 = none, d4 = none, d31 = none, w1 = none, w2 = none;
-    pair d0 = none, both = none;
-    double uuvv = 0;
+    pair both = none, alone = none;
+    double count = 0;
     for (size_t k = 0; k < n; k++) {
         double part = weight ? weight[k] : 1, w = local[k].z;
         pair e = (pair_at(&local[k].x) - middle) * shrink, e2 = e * e, h = pair_both(w);
         pair p1 = weight ? pair_both(part) * e : e, p2 = p1 * e;
         double uv = p1[0] * e[1];
-        d0 += (pair){part, weight ? part * w : w};
+        if (weight)
+            count += part;
+        alone += (pair){weight ? part * w : w, p2[0] * e2[1]};
         both += (pair){uv, uv * w};
         d1 += p1, d2 += p2, d3 += p2 * e, d21 += p2 * pair_swap(e);
         d4 += p2 * e2, d31 += pair_both(uv) * e2;
         w1 += p1 * h, w2 += p2 * h;
-        uuvv += p2[0] * e2[1];
     }
-    const double m[5][5] = {{d0[0], d1[1], d2[1], d3[1], d4[1]},
+    const double m[5][5] = {{weight ? count : (double)n, d1[1], d2[1], d3[1], d4[1]},
                             {d1[0], both[0], d21[1], d31[1]},
-                            {d2[0], d21[0], uuvv},
+                            {d2[0], d21[0], alone[1]},
                             {d3[0], d31[0]},
                             {d4[0]}};
-    const double mw[TERMS] = {d0[1], w1[0], w1[1], w2[0], both[1], w2[1]};
+    const double mw[TERMS] = {alone[0], w1[0], w1[1], w2[0], both[1], w2[1]};
     static const int power[TERMS][2] = {{0, 0}, {1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}};
     for (int i = 0; i < TERMS; i++) {
         for (int j = 0; j < TERMS; j++)
@@ -90,22 +92,35 @@ static inline void add_up(struct span s, const struct vec3 *local, const double 
     }
 }
 
-/* Solves the symmetric system whose upper half and right side stand in `a`; -1 when a term depends
- * on the others.  What is below the diagonal means nothing: two columns are worked on at a time. */
-static int solve(double a[TERMS][COLUMNS], double x[TERMS])
+/* Row i of the factor of the symmetric matrix whose upper half stands in `a`, beside the right
+ * side; -1 when its term depends on those before.  What is below the diagonal means nothing: two
+ * columns are worked on at a time. */
+static inline int factor_row(double a[TERMS][COLUMNS], int i)
 {
-    for (int i = 0; i < TERMS; i++) {
-        double whole = a[i][i];
-        for (int k = 0; k < i; k++)
-            for (int j = i & ~1; j < COLUMNS; j += 2)
-                pair_put(a[i] + j, pair_at(a[i] + j) - pair_both(a[k][i]) * pair_at(a[k] + j));
-        if (!(a[i][i] > INDEPENDENT * whole))
-            return -1;
-        double root = sqrt(a[i][i]);
-        for (int j = i & ~1; j < COLUMNS; j += 2)
-            pair_put(a[i] + j, pair_at(a[i] + j) / pair_both(root));
-        a[i][i] = root;
-    }
+    double whole = a[i][i];
+    pair row[COLUMNS / 2];
+    for (int j = i / 2; j < COLUMNS / 2; j++)
+        row[j] = pair_at(a[i] + 2 * j);
+    for (int k = 0; k < i; k++)
+        for (int j = i / 2; j < COLUMNS / 2; j++)
+            row[j] -= pair_both(a[k][i]) * pair_at(a[k] + 2 * j);
+    double left = row[i / 2][i % 2];
+    if (!(left > INDEPENDENT * whole))
+        return -1;
+    double root = sqrt(left);
+    for (int j = i / 2; j < COLUMNS / 2; j++)
+        pair_put(a[i] + 2 * j, row[j] / pair_both(root));
+    a[i][i] = root;
+    return 0;
+}
+
+/* Solves the system that stands in `a`; -1 when a term depends on the others.  Row by row, so that
+ * each has loops of known length. */
+static inline int solve(double a[TERMS][COLUMNS], double x[TERMS])
+{
+    if (factor_row(a, 0) < 0 || factor_row(a, 1) < 0 || factor_row(a, 2) < 0 ||
+        factor_row(a, 3) < 0 || factor_row(a, 4) < 0 || factor_row(a, 5) < 0)
+        return -1;
     for (int i = TERMS - 1; i >= 0; i--) {
         x[i] = a[i][TERMS];
         for (int j = i + 1; j < TERMS; j++)
@@ -168,7 +183,7 @@ void quadric_local_all(const struct quadric *q, const struct vec3 *point, size_t
         local[i] = quadric_local(q, point[i]);
 }
 
-static inline int fit_sums(const struct vec3 *local, const double *weight, size_t n,
+static inline int fit_sums(const struct vec3 *local, const double *weight, size_t n, bool variances,
                            struct quadric *q)
 {
     double sum[TERMS][COLUMNS], x[TERMS], *c = q->c;
@@ -180,7 +195,8 @@ static inline int fit_sums(const struct vec3 *local, const double *weight, size_
     add_up(s, local, weight, n, sum);
     if (solve(sum, x) < 0)
         return -1;
-    find_variances(sum, s, q);
+    if (variances)
+        find_variances(sum, s, q);
     /* back to u and v: w = x0 + x1 (u - u0) / size + ... */
     double a = x[1] / s.size, b = x[2] / s.size, size2 = s.size * s.size;
     c[3] = x[3] / size2;
@@ -196,14 +212,14 @@ static inline int fit_sums(const struct vec3 *local, const double *weight, size_
 /* Most points have no weights, and need not be multiplied by them. */
 static int fit_local(const struct vec3 *local, const double *weight, size_t n, struct quadric *q)
 {
-    return weight ? fit_sums(local, weight, n, q) : fit_sums(local, NULL, n, q);
+    return weight ? fit_sums(local, weight, n, true, q) : fit_sums(local, NULL, n, true, q);
 }
 
-int quadric_fit_local(const struct vec3 *local, size_t n, struct vec3 origin, struct vec3 guess,
+int quadric_fit_local(const struct vec3 *local, size_t n, const struct quadric *frame,
                       struct quadric *quadric)
 {
-    *quadric = quadric_frame(origin, guess);
-    return fit_local(local, NULL, n, quadric);
+    *quadric = (struct quadric){frame->origin, frame->u, frame->v, frame->w, .tilt = 0};
+    return fit_sums(local, NULL, n, false, quadric);
 }
 
 int quadric_fit_weighted(const struct vec3 *point, const double *weight, size_t n,

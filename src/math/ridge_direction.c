@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "base/array.h"
+#include "math/pair.h"
 
 enum { TRIES = 4, SOME = 512 /* points ranked on the stack */ };
 
@@ -45,8 +46,8 @@ static void select_first(struct ranked *r, size_t n, size_t k)
     }
 }
 
-/* So many parts of the range that the first k are in. */
-enum { PARTS = 64 };
+/* So many parts of the range that the first k are in; counts of those that are beyond it. */
+enum { PARTS = 64, SPREAD = 8 };
 
 /* Points as they lie about a place. */
 struct about {
@@ -66,21 +67,40 @@ struct about {
     struct ranked few_ranked[SOME + 1];
 };
 
+/* The largest of the first k values (not NaN): four at a time, for one would wait for another. */
+static double largest(const double *value, size_t k)
+{
+    pair low = {0, 0}, high = {0, 0};
+    size_t i = 0;
+
+    for (; i + 3 < k; i += 4) {
+        low = pair_greater(pair_at(value + i), low);
+        high = pair_greater(pair_at(value + i + 2), high);
+    }
+    low = pair_greater(high, low);
+    double most = low[0] > low[1] ? low[0] : low[1];
+    for (; i < k; i++)
+        most = value[i] > most ? value[i] : most;
+    return most;
+}
+
 /* The part of the range that the k-th of the values is in; *below: how many are in parts before. */
 static unsigned find_part(const struct about *a, size_t k, size_t *below)
 {
-    unsigned count[PARTS + 1] = {0}, last = 0;
-    double limit = 0; /* k of the values are no larger */
+    unsigned count[PARTS + SPREAD] = {0}, last = 0;
+    const double *value = a->value;
+    unsigned char *restrict to = a->part;
+    size_t n = a->n;
+    double limit = largest(value, k); /* k of the values are no larger */
 
-    for (size_t i = 0; i < k; i++)
-        limit = a->value[i] > limit ? a->value[i] : limit;
     double scale = limit > 0 ? PARTS / limit : 0;
-    for (size_t i = 0; i < a->n; i++) {
-        double part = a->value[i] * scale;
-        a->part[i] = (unsigned char)(int)(part < PARTS ? part : PARTS);
-        count[a->part[i]]++;
+    for (size_t i = 0; i < n; i++) {
+        double part = value[i] * scale;
+        to[i] = (unsigned char)(int)(part < PARTS ? part : PARTS);
     }
-    for (*below = 0; *below + count[last] < k; last++)
+    for (size_t i = 0; i < n; i++) /* of those beyond not all in one count, to wait for it */
+        count[to[i] + to[i] / PARTS * (i % SPREAD)]++;
+    for (*below = 0; last < PARTS && *below + count[last] < k; last++)
         *below += count[last];
     return last;
 }
@@ -90,19 +110,24 @@ static unsigned find_part(const struct about *a, size_t k, size_t *below)
  * means to go through most of them some three times. */
 static void rank_values(const struct about *a, size_t k)
 {
-    size_t below, sure = 0, at_last = 0;
+    size_t below, sure = 0, at_last = 0, n = a->n;
     unsigned last = find_part(a, k, &below);
+    size_t *restrict first = a->first;
+    struct ranked *restrict ranked = a->ranked;
 
-    for (size_t i = 0; i < a->n; i++) {
-        a->first[sure] = i;
-        sure += a->part[i] < last;
-        a->ranked[at_last] = (struct ranked){a->value[i], i};
-        at_last += a->part[i] == last;
+    for (size_t i = 0; i < n; i++) {
+        unsigned part = a->part[i]; /* NOLINT(clang-analyzer-core.*): all are set */
+        first[sure] = i;
+        sure += part < last;
+        ranked[at_last].index = i;
+        at_last += part == last;
     }
+    for (size_t i = 0; i < at_last; i++)
+        ranked[i].distance2 = a->value[ranked[i].index];
     if (below + at_last > k)
-        select_first(a->ranked, at_last, k - below);
+        select_first(ranked, at_last, k - below);
     for (size_t i = below; i < k; i++)
-        a->first[i] = a->ranked[i - below].index;
+        first[i] = ranked[i - below].index;
 }
 
 /* Ranks points by the distance along a way; the k (not 0) first.  The farthest in space of them
@@ -121,10 +146,9 @@ static void rank_along(const struct about *a, struct vec3 way, double aspect, si
     }
     rank_values(a, k);
     for (size_t i = 0; i < k; i++) {
-        if (a->all2[a->first[i]] >= most) {
-            most = a->all2[a->first[i]];
-            farthest = i;
-        }
+        double far2 = all2[a->first[i]];
+        farthest = far2 >= most ? i : farthest;
+        most = far2 >= most ? far2 : most;
     }
     size_t swap = a->first[k - 1];
     a->first[k - 1] = a->first[farthest];
@@ -186,7 +210,8 @@ size_t neighbourhood_along(const struct vec3 *point, size_t n, struct vec3 at, s
 struct finding {
     struct about about;
     size_t some;
-    struct vec3 at, up, way, side;
+    struct vec3 way, side;
+    struct quadric frame;
 };
 
 /* Along direction i: how far the points are off; infinite where they carry no surface. */
@@ -201,8 +226,8 @@ static struct ridge_direction look_along(struct finding *f, int i)
     if (k > 0)
         rank_along(a, rib.way, RIDGE_DIRECTION_LONGER, k);
     for (size_t p = 0; p < k; p++)
-        found[p] = a->local[a->first[p]];
-    if (quadric_fit_local(found, k, f->at, f->up, &rib.q) == 0)
+        found[p] = a->local[a->first[p]]; /* NOLINT(clang-analyzer-core.*): all are ranked */
+    if (quadric_fit_local(found, k, &f->frame, &rib.q) == 0)
         rib.rms = quadric_rms_local(&rib.q, found, k);
     return rib;
 }
@@ -211,17 +236,15 @@ static struct ridge_direction look_along(struct finding *f, int i)
 static bool find_among(const struct vec3 *point, size_t n, struct vec3 at, struct vec3 up,
                        struct vec3 way, size_t some, int tries, struct ridge_direction *rib)
 {
-    struct finding f; /* large: only what is needed is set */
-    struct quadric frame = quadric_frame(at, up);
+    struct finding f;              /* large: only what is needed is set */
     int best = tries % 2 ? -1 : 0; /* so that where none is found the middle has been tried */
 
     f.some = some;
-    f.at = at;
-    f.up = up;
+    f.frame = quadric_frame(at, up);
     f.way = way;
     f.side = vec_cross(up, way);
     about_begin(&f.about, point, n, at);
-    quadric_local_all(&frame, point, n, f.about.local);
+    quadric_local_all(&f.frame, point, n, f.about.local);
     rib->rms = INFINITY;
     for (int i = -tries; i <= tries; i += 2) {
         struct ridge_direction next = look_along(&f, i);

@@ -84,7 +84,7 @@ void side_fit_bend_local(const struct vec3 *local, size_t n, struct side_fit *fi
 {
     struct side_fit bent;
 
-    if (n < 3 * QUADRIC || quadric_fit_local(local, n, fit->q.origin, fit->q.w, &bent.q) < 0)
+    if (n < 3 * QUADRIC || quadric_fit_local(local, n, &fit->q, &bent.q) < 0)
         return;
     bent.rms = left_over(&bent.q, local, n, QUADRIC);
     if (bent.rms < BETTER * fit->rms)
