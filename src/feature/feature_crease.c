@@ -1,12 +1,14 @@
 /* feature_crease - the crease between two vertices, and whether it is sharp; see feature_steps.h.
  */
 #include <stdbool.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "feature_steps.h"
 #include "math/ridge_direction.h"
 #include "base/array.h"
+#include "math/pair.h"
 #include "math/side_fit.h"
 
 enum { CLOSE = 24, STRIP = 48 };
@@ -93,7 +95,7 @@ bool feature_test_sharp(const struct feature_cloud *cloud, const struct side_fit
            !is_rib(&p, cloud, near, n, STRIP, at, along);
 }
 
-enum { MOST = FEATURE_MOST, TURNS = 20, FEWEST = 8, FEWEST_NEAR = 72, QUADRIC = 6 };
+enum { MOST = FEATURE_MOST, TURNS = 20, FEWEST = 8, FEWEST_NEAR = 72, QUADRIC = 6, BLOCK = 8 };
 
 static const double FLAT = 0.99026806874157036; /* cos 8 degrees */
 
@@ -106,9 +108,10 @@ static const double ROUGH = 0.05;
 /* Points about a place, divided between two sheets. */
 struct division {
     struct vec3 point[MOST];
-    struct vec3 local[MOST];  /* the same, in the frame of the sheets */
-    unsigned char side[MOST]; /* on which of the sheets each is */
-    struct vec3 of[2][MOST];  /* these, by sheet */
+    struct vec3 local[MOST]; /* the same, in the frame of the sheets */
+    double u[MOST], v[MOST]; /* of these, each by itself: two fit a register */
+    int64_t second[MOST];    /* 0, or all bits where it is on the second sheet */
+    struct vec3 of[2][MOST]; /* all, by sheet */
     size_t n, count[2];
     size_t asked; /* the points are the so many nearest ones, 0: there are none yet, to ... */
     struct vec3 about;
@@ -133,48 +136,99 @@ static bool fit_planes(struct division *p, const struct side_sums sum[2])
     return true;
 }
 
+/* How far sheet 0, a plane, is above sheet 1, another, over a place of their frame. */
+struct difference {
+    double c0, c1, c2;
+    int64_t turned; /* all bits: where it is above is the side of sheet 0; else 0 */
+};
+
+/* As in struct division. */
+static int64_t is_second(struct difference d, double u, double v)
+{
+    return -(int64_t)(d.c0 + d.c1 * u + d.c2 * v > 0) ^ d.turned;
+}
+
+/* Does one of BLOCK points change sides?  Two at a time: most do not. */
+static bool block_changes(const struct division *p, struct difference d, size_t from)
+{
+    typedef int64_t sides __attribute__((vector_size(16)));
+    const pair c0 = pair_both(d.c0), c1 = pair_both(d.c1), c2 = pair_both(d.c2), zero = {0, 0};
+    const sides turned = {d.turned, d.turned};
+    sides change = {0, 0};
+
+    for (size_t i = from; i < from + BLOCK; i += 2) {
+        sides was;
+        memcpy(&was, p->second + i, sizeof was);
+        sides above = c0 + c1 * pair_at(p->u + i) + c2 * pair_at(p->v + i) > zero;
+        change |= above ^ turned ^ was;
+    }
+    return (change[0] | change[1]) != 0;
+}
+
 /* Divides the points by the line where the two planes meet; a's side of it is sheet 0; the sums of
  * both sides, which only the points change that change sides.  True when some did. */
 static bool divide_by_line(struct division *p, struct vec3 a, struct side_sums sum[2])
 {
-    const double *c = p->sheet[0].q.c, *d = p->sheet[1].q.c;
-    double c0 = c[0] - d[0], c1 = c[1] - d[1], c2 = c[2] - d[2];
-    bool a_above = step_at(p, a) > 0, changed = false;
+    const double *c = p->sheet[0].q.c, *e = p->sheet[1].q.c;
+    struct difference d = {c[0] - e[0], c[1] - e[1], c[2] - e[2], -(int64_t)(step_at(p, a) > 0)};
+    bool changed = false;
 
-    for (size_t i = 0; i < p->n; i++) {
-        bool above = c0 + c1 * p->local[i].x + c2 * p->local[i].y > 0;
-        unsigned char side = above == a_above ? 0 : 1;
-        if (side == p->side[i])
+    for (size_t from = 0; from < p->n; from += BLOCK) {
+        if (!block_changes(p, d, from))
             continue;
-        side_sums_add(&sum[side], 1, p->local[i]);
-        side_sums_add(&sum[1 - side], -1, p->local[i]);
-        p->count[side]++;
-        p->count[1 - side]--;
-        p->side[i] = side;
-        changed = true;
+        for (size_t i = from; i < from + BLOCK && i < p->n; i++) {
+            int64_t second = is_second(d, p->u[i], p->v[i]);
+            if (second == p->second[i])
+                continue;
+            size_t side = second != 0;
+            side_sums_add(&sum[side], 1, p->local[i]);
+            side_sums_add(&sum[1 - side], -1, p->local[i]);
+            p->count[side]++;
+            p->count[1 - side]--;
+            p->second[i] = second;
+            changed = true;
+        }
     }
     return changed;
+}
+
+/* The points in the frame of the sheets; those that fill the last block stand at its origin. */
+static void bring_into_frame(struct division *p)
+{
+    for (int s = 0; s < 2; s++)
+        p->sheet[s].q = quadric_frame(p->origin, p->w);
+    quadric_local_all(&p->sheet[0].q, p->point, p->n, p->local);
+    for (size_t i = 0; i < p->n; i++) {
+        p->u[i] = p->local[i].x;
+        p->v[i] = p->local[i].y;
+    }
+    for (size_t i = p->n; i % BLOCK != 0; i++) {
+        p->u[i] = p->v[i] = 0;
+        p->second[i] = 0;
+    }
+}
+
+static void add_sides(const struct division *p, struct side_sums sum[2])
+{
+    sum[0] = sum[1] = (struct side_sums){.n = 0};
+    for (size_t i = 0; i < p->n; i++)
+        side_sums_add(&sum[p->second[i] != 0], 1, p->local[i]);
 }
 
 /* Fits and divides until nothing changes, or often enough. */
 static bool fit_and_divide(struct division *p, struct vec3 a)
 {
-    struct side_sums sum[2] = {{.n = 0}, {.n = 0}};
+    struct side_sums sum[2];
     bool moves = true;
 
-    for (int s = 0; s < 2; s++)
-        p->sheet[s].q = quadric_frame(p->origin, p->w);
-    quadric_local_all(&p->sheet[0].q, p->point, p->n, p->local);
-    for (size_t i = 0; i < p->n; i++)
-        side_sums_add(&sum[p->side[i]], 1, p->local[i]);
+    bring_into_frame(p);
+    add_sides(p, sum);
     for (int i = 0; i < TURNS && moves; i++) {
         if (!fit_planes(p, sum))
             return false;
         moves = divide_by_line(p, a, sum);
     }
-    sum[0] = sum[1] = (struct side_sums){.n = 0}; /* anew: points that went and came left digits */
-    for (size_t i = 0; i < p->n; i++)
-        side_sums_add(&sum[p->side[i]], 1, p->local[i]);
+    add_sides(p, sum); /* anew: points that went and came left digits */
     return fit_planes(p, sum);
 }
 
@@ -182,8 +236,10 @@ static bool fit_and_divide(struct division *p, struct vec3 a)
 static bool bend_sheets(struct division *p)
 {
     p->count[0] = p->count[1] = 0;
-    for (size_t i = 0; i < p->n; i++)
-        p->of[p->side[i]][p->count[p->side[i]]++] = p->local[i];
+    for (size_t i = 0; i < p->n; i++) {
+        size_t side = p->second[i] != 0;
+        p->of[side][p->count[side]++] = p->local[i];
+    }
     for (int s = 0; s < 2; s++) {
         const struct quadric *q = &p->sheet[s].q;
         if (side_fit_plane_local(p->of[s], p->count[s], q->origin, q->w, &p->sheet[s]) < 0)
@@ -255,8 +311,8 @@ static bool gather_points(const struct feature_cloud *cloud, struct vec3 at, siz
     for (size_t i = 0; i < p->n; i++) {
         struct vec3 q = p->point[i];
         bool first = divided ? (step_at(p, q) > 0) == a_above : vec_dot(vec_sub(q, at), way) <= 0;
-        p->side[i] = first ? 0 : 1;
-        p->count[p->side[i]]++;
+        p->second[i] = -(int64_t)!first;
+        p->count[!first]++;
     }
     return true;
 }
