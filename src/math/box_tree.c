@@ -6,7 +6,7 @@
 
 #include "base/array.h"
 
-enum { LEAF = 8, DEPTH = 64 };
+enum { LEAF = 4, DEPTH = 64 };
 
 /* Nodes [2 i + 1], [2 i + 2] are the halves of node i; a leaf has no more than LEAF items. */
 struct box_tree {
@@ -172,6 +172,13 @@ bool box_tree_each(const struct box_tree *tree, struct vec3 p, double reach, box
     return false;
 }
 
+static double distance2_of(struct vec3 a, struct vec3 b)
+{
+    struct vec3 d = vec_sub(a, b);
+
+    return vec_dot(d, d);
+}
+
 struct vec3 facet_nearest(const struct facet *facet, struct vec3 p)
 {
     const struct vec3 *c = facet->corner;
@@ -179,16 +186,24 @@ struct vec3 facet_nearest(const struct facet *facet, struct vec3 p)
     double uu = vec_dot(u, u), uv = vec_dot(u, v), vv = vec_dot(v, v);
     double det = uu * vv - uv * uv;
     if (det > 1e-14 * uu * vv) { /* else it is a straight piece or a point */
-        double a = (vv * vec_dot(u, w) - uv * vec_dot(v, w)) / det;
-        double b = (uu * vec_dot(v, w) - uv * vec_dot(u, w)) / det;
-        if (a >= 0 && b >= 0 && a + b <= 1)
-            return vec_along(vec_along(c[0], a, u), b, v);
+        double a = vv * vec_dot(u, w) - uv * vec_dot(v, w);
+        double b = uu * vec_dot(v, w) - uv * vec_dot(u, w);
+        if (a >= 0 && b >= 0) {
+            a /= det;
+            b /= det;
+            if (a + b <= 1)
+                return vec_along(vec_along(c[0], a, u), b, v);
+        }
     }
     struct vec3 best = vec_segment_nearest(c[0], c[1], p);
+    double best2 = distance2_of(best, p);
     for (int k = 1; k < 3; k++) {
         struct vec3 q = vec_segment_nearest(c[k], c[(k + 1) % 3], p);
-        if (vec_distance(q, p) < vec_distance(best, p))
+        double d2 = distance2_of(q, p);
+        if (d2 < best2 && sqrt(d2) < sqrt(best2)) {
             best = q;
+            best2 = d2;
+        }
     }
     return best;
 }
@@ -209,8 +224,7 @@ struct box_tree *facets_tree(const struct facets *facets)
 static double facet_distance2(const void *items, size_t item, struct vec3 p)
 {
     const struct facets *facets = items;
-    struct vec3 d = vec_sub(facet_nearest(&facets->item[item], p), p);
-    return vec_dot(d, d);
+    return distance2_of(facet_nearest(&facets->item[item], p), p);
 }
 
 double facets_distance(const struct box_tree *tree, const struct facets *facets, struct vec3 p)
