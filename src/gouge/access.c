@@ -176,24 +176,47 @@ void access_free(struct access *access)
 
 /* ---- the open directions at a place */
 
+/* Holds directions: those no farther from its axis than an angle. */
+struct cone {
+    struct vec3 axis; /* unit */
+    double cosine, sine;
+};
+
 /* Directions by their numbers, and for each box that is looked into those that its points may
- * block: a box in another has some of the other's. */
+ * block: a box in another has some of the other's.  Where points are beside them all they need not
+ * be told apart: that is done after DOUBTFUL points which are not, at each NARROWED-th depth. */
+enum { DOUBTFUL = 16, NARROWED = 3 };
+
 struct search {
     const struct caps *caps;
     const bool *kept; /* points that are looked at; NULL: all */
     struct vec3 centre;
     const struct vec3 *at; /* the directions */
+    struct cone cone;      /* all of them */
     bool *blocked;
     int open;                /* how many are not */
+    int doubtful;            /* points that were not beside all */
     int n[KDTREE_DEPTH + 1]; /* by the depth of the box, from 1 */
     short *some[KDTREE_DEPTH + 1];
+    const short *list[KDTREE_DEPTH + 1]; /* these, or those of the depth above, where all may be */
 };
+
+/* Only if none of the directions is nearer than an angle to `to`, which is so long: most boxes and
+ * points are beside all of them. */
+static bool is_beside(const struct cone *cone, struct vec3 to, double length, double cosine)
+{
+    const double rounding = 1e-7; /* of the root of a small difference */
+    double along = vec_dot(cone->axis, to), across = sqrt(fmax(length * length - along * along, 0));
+
+    return along < length * cone->cosine &&
+           along * cone->cosine + across * cone->sine < length * (cosine - rounding);
+}
 
 /* Of the directions at the depth those, not blocked, that are nearer than an angle to `to`, a
  * unit vector, into the depth below. */
 static int find_within(struct search *s, int depth, struct vec3 to, double cosine)
 {
-    const short *from = s->some[depth];
+    const short *from = s->list[depth];
     short *near = s->some[depth + 1];
     int n = 0;
 
@@ -201,8 +224,17 @@ static int find_within(struct search *s, int depth, struct vec3 to, double cosin
         near[n] = from[i];
         n += vec_dot(s->at[from[i]], to) > cosine && !s->blocked[from[i]];
     }
+    s->list[depth + 1] = near;
     s->n[depth + 1] = n;
     return n;
+}
+
+/* All of the depth may be blocked at the depth below. */
+static bool keep_all(struct search *s, int depth)
+{
+    s->list[depth + 1] = s->list[depth];
+    s->n[depth + 1] = s->n[depth];
+    return true;
 }
 
 static bool may_block(void *context, int depth, struct vec3 middle, struct vec3 half)
@@ -214,11 +246,15 @@ static bool may_block(void *context, int depth, struct vec3 middle, struct vec3 
     if (s->open == 0 || d - around >= s->caps->reach || depth >= KDTREE_DEPTH)
         return false;
     if (around >= d)
-        return find_within(s, depth, vec(0, 0, 1), -2) > 0;
+        return keep_all(s, depth);
     /* the cap and the angle of the ball about the box together, or half a turn */
     struct sine_cosine cap = widest_cap(s->caps, d - around, d + around);
     double sine = around / d, cosine = sqrt(1 - sine * sine);
     double both = cap.cosine <= -cosine ? -2 : cap.cosine * cosine - cap.sine * sine - ROUNDING;
+    if (is_beside(&s->cone, to, d, both))
+        return false;
+    if (s->doubtful < DOUBTFUL || depth % NARROWED != 0)
+        return keep_all(s, depth);
     return find_within(s, depth, vec_scale(1 / d, to), both) > 0;
 }
 
@@ -227,12 +263,15 @@ static void block_by(void *context, int depth, struct vec3 p, size_t index)
     struct search *s = context;
     struct vec3 to = vec_sub(p, s->centre);
     double d = vec_length(to);
-    const short *some = s->some[depth + 1];
+    const short *some = s->list[depth + 1];
 
     if (d >= s->caps->reach || d == 0 || (s->kept && !s->kept[index]))
         return;
-    double most = d * (widest_cap(s->caps, d, d).cosine - ROUNDING);
+    double widest = widest_cap(s->caps, d, d).cosine - ROUNDING, most = d * widest;
     bool any = false;
+    if (is_beside(&s->cone, to, d, widest))
+        return;
+    s->doubtful++;
     for (int i = 0; i < s->n[depth + 1] && !any; i++)
         any = !s->blocked[some[i]] && vec_dot(s->at[some[i]], to) > most;
     if (!any)
@@ -273,6 +312,8 @@ static void block(const struct access *access, const struct caps *caps, struct s
     s->caps = caps;
     s->kept = access->kept;
     s->open = s->n[0];
+    s->doubtful = 0;
+    s->list[0] = s->some[0];
     for (int i = 0; i < s->n[0]; i++)
         s->blocked[s->some[0][i]] = false;
     if (access->options.holder->n == 0 || s->open == 0)
@@ -289,14 +330,18 @@ int access_find(const struct access *access, struct vec3 centre, struct vec3 nor
     const struct sphere_grid *grid = access->options.grid;
     struct search s = new_search(centre, grid->at, grid->n);
     double least = vec_length(normal) == 0 ? -1 : cos(ACCESS_STEEPEST);
-    double nearest = within < PI ? cos(within) : -2;
+    double nearest = within < PI ? cos(within) : -2, farthest = 1;
     enum access_state as = ACCESS_OPEN;
 
     for (int i = 0; i < grid->n; i++) {
         state[i] = ACCESS_BLOCKED;
-        if (vec_dot(grid->at[i], normal) >= least && vec_dot(grid->at[i], rule) >= nearest)
-            s.some[0][s.n[0]++] = (short)i;
+        double along = vec_dot(grid->at[i], rule);
+        if (!(vec_dot(grid->at[i], normal) >= least && along >= nearest))
+            continue;
+        s.some[0][s.n[0]++] = (short)i;
+        farthest = fmin(farthest, along);
     }
+    s.cone = (struct cone){rule, farthest, sqrt(fmax(1 - farthest * farthest, 0))};
     block(access, &access->open, &s);
     if (s.open == 0) {
         as = ACCESS_TIGHT;
@@ -314,7 +359,7 @@ static bool is_free(const struct access *access, const struct caps *caps, struct
 {
     bool blocked = false;
     short first = 0, some = 0;
-    struct search s = {.centre = centre, .at = &axis, .blocked = &blocked};
+    struct search s = {.centre = centre, .at = &axis, .cone = {axis, 1, 0}, .blocked = &blocked};
 
     for (int i = 1; i <= KDTREE_DEPTH; i++)
         s.some[i] = &some;
