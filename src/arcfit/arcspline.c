@@ -101,10 +101,12 @@ void arcspline_pieces(const struct arcspline *spline, const struct reference *re
 
 static const double TURN_SIMPLE = 2; /* radians: no point is beside its end the other way round */
 
-/* Two unit vectors across the path of a row of points at point k. */
-static void unit_across(const struct vec3 *p, size_t n, size_t k, struct vec3 *u, struct vec3 *v)
+/* Two unit vectors across the path of a row of points at point k, or in the middle of what follows
+ * it. */
+static void unit_across(const struct vec3 *p, size_t n, size_t k, bool middle, struct vec3 *u,
+                        struct vec3 *v)
 {
-    size_t before = k > 0 ? k - 1 : k, after = k + 1 < n ? k + 1 : k;
+    size_t before = k > 0 && !middle ? k - 1 : k, after = k + 1 < n ? k + 1 : k;
     struct vec3 t = vec_unit(vec_sub(p[after], p[before]));
     if (vec_dot(t, t) < 0.5)
         t = vec(1, 0, 0);
@@ -112,17 +114,32 @@ static void unit_across(const struct vec3 *p, size_t n, size_t k, struct vec3 *u
     *v = vec_cross(t, *u);
 }
 
+static struct arc_foot foot_of(const struct reference *reference, size_t k, bool middle)
+{
+    const struct vec3 *point = &reference->point[k], *other = &reference->other[k];
+    struct arc_foot foot = {.p = *point, .other = *other};
+
+    if (middle) {
+        foot.p = vec_mix(point[0], point[1], 0.5);
+        foot.other = vec_mix(other[0], other[1], 0.5);
+    }
+    unit_across(reference->point, reference->n, k, middle, &foot.u, &foot.v);
+    unit_across(reference->other, reference->n, k, middle, &foot.s, &foot.w);
+    return foot;
+}
+
 struct arc_feet arc_feet_of(const struct reference *reference, size_t from, size_t to, size_t most)
 {
-    size_t inner = to > from + 1 ? to - from - 1 : 0, n = inner < most ? inner : most;
+    size_t places = to > from ? to - from - 1 : 0;
+    bool halves = to > from && places < most;
+    if (halves)
+        places = 2 * (to - from) - 1;
+    size_t n = places < most ? places : most;
     struct arc_feet feet = {.n = n, .item = mem_alloc(n, sizeof *feet.item)};
     for (size_t i = 0; i < n; i++) {
-        size_t k = from + 1 + (2 * i + 1) * inner / (2 * n);
-        struct arc_foot *at = &feet.item[i];
-        at->p = reference->point[k];
-        at->other = reference->other[k];
-        unit_across(reference->point, reference->n, k, &at->u, &at->v);
-        unit_across(reference->other, reference->n, k, &at->s, &at->w);
+        size_t k = 1 + (2 * i + 1) * places / (2 * n);
+        feet.item[i] = halves ? foot_of(reference, from + k / 2, k % 2 == 1)
+                              : foot_of(reference, from + k, false);
     }
     return feet;
 }

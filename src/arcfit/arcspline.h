@@ -41,7 +41,7 @@ struct arc arcspline_arc(const struct arcspline *spline, size_t i);
 void arcspline_pieces(const struct arcspline *spline, const struct reference *reference,
                       struct pieces *pieces);
 
-/* A point of a reference, and its foot on the spline. */
+/* A place of a reference, and its foot on the spline. */
 struct arc_foot {
     struct vec3 p, other; /* the two points */
     struct vec3 u, v;     /* unit, across the path of p */
@@ -61,7 +61,11 @@ struct arc_feet {
     struct arc_foot *item;
 };
 
-/* At most `most` of the points `from` to `to` of a reference, evenly, both ends left out. */
+/*
+ * At most `most` of the points `from` to `to` of a reference, evenly, both ends left out.  Where
+ * there are not so many, middles between them too: an arc with two or three points is free to leave
+ * the reference from one to the next.
+ */
 struct arc_feet arc_feet_of(const struct reference *reference, size_t from, size_t to, size_t most);
 void arc_feet_free(struct arc_feet *feet);
 

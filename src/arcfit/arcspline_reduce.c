@@ -375,8 +375,10 @@ void arcfit_reduce(const struct reference *reference, const struct deviation *wi
 
 /* ---- where the reference has moved */
 
+enum { MORE = 2 }; /* pieces more there, at most */
+
 bool arcfit_refit(const struct reference *reference, const struct deviation *within, int digits,
-                  size_t from, size_t to, size_t more, struct pieces *pieces)
+                  size_t from, size_t to, enum arcfit_effort effort, struct pieces *pieces)
 {
     struct refit part = {.reference = reference,
                          .within = within,
@@ -391,7 +393,8 @@ bool arcfit_refit(const struct reference *reference, const struct deviation *wit
     part.moved = true;
     good = refit_with(&part, part.n, &some);
     part.moved = false;
-    for (size_t arcs = part.n; arcs <= part.n + more && !good; arcs++)
+    size_t most = effort == ARCFIT_HURRIED ? 0 : part.n + MORE;
+    for (size_t arcs = part.n; arcs <= most && !good; arcs++)
         good = refit_with(&part, arcs, &some);
     if (good)
         replace_pieces(pieces, from, part.n, &some);

@@ -114,7 +114,6 @@ static bool fit_once(struct fit *f, const struct deviation *within, const struct
 
 enum {
     BESIDE = 1,       /* pieces beside what has moved that are fitted anew with it */
-    MORE = 2,         /* pieces more there, at most */
     WINDOW_MOST = 24, /* pieces that are fitted anew at once */
 };
 
@@ -130,7 +129,7 @@ static bool refit_window(struct fit *f, const struct deviation *less, struct arc
         size_t to = w.to + wider[i] < f->pieces.n ? w.to + wider[i] : f->pieces.n;
         if (to - from > WINDOW_MOST || !arcfit_smooth(&f->pieces, from, to))
             return false;
-        if (arcfit_refit(&f->reference, less, PATH_COORDINATE, from, to, MORE, &f->pieces))
+        if (arcfit_refit(&f->reference, less, PATH_COORDINATE, from, to, effort_of(f), &f->pieces))
             return true;
     }
     return false;

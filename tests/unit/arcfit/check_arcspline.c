@@ -109,6 +109,14 @@ START_TEST(points_about_a_circle_are_off_by_their_radius)
         struct vec3 at = feet.item[i].at;
         ck_assert_double_eq_tol(hypot(at.x, at.y), 40, 1e-9); /* the conic is the circle */
     }
+    arc_feet_free(&feet);
+    feet = arc_feet_of(&t, 20, 30, 30); /* fewer points than that: middles between them, too */
+    ck_assert_uint_eq(feet.n, 19);
+    for (size_t i = 0; i < feet.n; i++) {
+        struct vec3 from = t.point[20 + (i + 1) / 2], to = t.point[20 + (i + 2) / 2];
+        ck_assert_double_lt(vec_distance(feet.item[i].p, vec_mix(from, to, 0.5)), 1e-12);
+        ck_assert_double_lt(fabs(vec_dot(feet.item[i].u, vec_sub(to, from))), 1e-9);
+    }
     free(off);
     arc_feet_free(&feet);
     arcspline_free(&c);

@@ -105,7 +105,7 @@ START_TEST(what_still_holds_stays)
     ck_assert_uint_gt(p.n, 10);
     for (size_t i = 0; i < p.n; i++)
         *array_push(&before) = p.item[i];
-    ck_assert(arcfit_refit(&t, &WITHIN, 6, 2, 9, 0, &p));
+    ck_assert(arcfit_refit(&t, &WITHIN, 6, 2, 9, ARCFIT_HURRIED, &p));
     ck_assert_uint_eq(p.n, before.n);
     for (size_t i = 0; i < p.n; i++)
         ck_assert_double_lt(vec_distance(p.item[i].arc.to, before.item[i].arc.to), 2e-6);
@@ -113,11 +113,32 @@ START_TEST(what_still_holds_stays)
         t.point[i].z += 0.005;
         t.other[i].z += 0.005;
     }
-    ck_assert(arcfit_refit(&t, &WITHIN, 6, 2, 9, 0, &p));
+    ck_assert(arcfit_refit(&t, &WITHIN, 6, 2, 9, ARCFIT_HURRIED, &p));
     ck_assert_uint_eq(p.n, before.n);
     trial_assert_chain(&t, &WITHIN, &p);
     array_free(&p);
     array_free(&before);
+    reference_free(&t);
+}
+END_TEST
+
+/* Where it has moved so much that as many do not do, some more are looked for, but in a hurry. */
+START_TEST(more_are_looked_for_without_hurry)
+{
+    struct reference t = trial_wave(401, 0.25, 0.3, 0);
+    struct pieces p = {0};
+    arcfit_beam(&t, &WITHIN, 6, ARCFIT_QUICK, &p);
+    for (size_t i = (size_t)p.item[4].from; i <= (size_t)p.item[6].from; i++) {
+        t.point[i].z += 0.018;
+        t.other[i].z += 0.018;
+    }
+    size_t n = p.n;
+    ck_assert(!arcfit_refit(&t, &WITHIN, 6, 2, 9, ARCFIT_HURRIED, &p));
+    ck_assert_uint_eq(p.n, n);
+    ck_assert(arcfit_refit(&t, &WITHIN, 6, 2, 9, ARCFIT_QUICK, &p));
+    ck_assert_uint_gt(p.n, n);
+    trial_assert_chain(&t, &WITHIN, &p);
+    array_free(&p);
     reference_free(&t);
 }
 END_TEST
@@ -132,6 +153,7 @@ int main(void)
     tcase_add_test(t, from_few_to_many);
     tcase_add_test(t, a_kink_stays);
     tcase_add_test(t, what_still_holds_stays);
+    tcase_add_test(t, more_are_looked_for_without_hurry);
     Suite *s = suite_create("arcspline_reduce");
     suite_add_tcase(s, t);
     SRunner *r = srunner_create(s);

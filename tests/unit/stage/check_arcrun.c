@@ -200,7 +200,7 @@ START_TEST(a_lift_refits_what_it_moved)
         lift_at(&run, 220, 0.006);
         arcrun_fit(&run, &options, &memo, &second, &after);
         size_t same = alike(&first, &second, false) + alike(&first, &second, true);
-        ck_assert_uint_gt(first.item.n, 40);
+        ck_assert_uint_gt(first.item.n, 30);
         ck_assert_uint_gt(same, first.item.n * 2 / 3);
         ck_assert_uint_lt(same, first.item.n); /* it has moved */
         ck_assert_uint_le(second.item.n, first.item.n + 4);
