@@ -208,11 +208,22 @@ static void bring_into_frame(struct division *p)
     }
 }
 
-static void add_sides(const struct division *p, struct side_sums sum[2])
+/* The points by sheet, in their order, and the sums of both: each in registers. */
+static void add_sides(struct division *p, struct side_sums sum[2])
 {
-    sum[0] = sum[1] = (struct side_sums){.n = 0};
-    for (size_t i = 0; i < p->n; i++)
-        side_sums_add(&sum[p->second[i] != 0], 1, p->local[i]);
+    p->count[0] = p->count[1] = 0;
+    for (size_t i = 0; i < p->n; i++) {
+        size_t second = p->second[i] != 0;
+        p->of[0][p->count[0]] = p->of[1][p->count[1]] = p->local[i]; /* to both: no jumps */
+        p->count[0] += 1 - second;
+        p->count[1] += second;
+    }
+    for (int s = 0; s < 2; s++) {
+        struct side_sums side = {.n = 0};
+        for (size_t i = 0; i < p->count[s]; i++)
+            side_sums_add(&side, 1, p->of[s][i]);
+        sum[s] = side;
+    }
 }
 
 /* Fits and divides until nothing changes, or often enough. */
@@ -235,11 +246,6 @@ static bool fit_and_divide(struct division *p, struct vec3 a)
 /* Sheets that are bent where that is better; what they leave. */
 static bool bend_sheets(struct division *p)
 {
-    p->count[0] = p->count[1] = 0;
-    for (size_t i = 0; i < p->n; i++) {
-        size_t side = p->second[i] != 0;
-        p->of[side][p->count[side]++] = p->local[i];
-    }
     for (int s = 0; s < 2; s++) {
         const struct quadric *q = &p->sheet[s].q;
         if (side_fit_plane_local(p->of[s], p->count[s], q->origin, q->w, &p->sheet[s]) < 0)
