@@ -5,7 +5,8 @@
  * A ball sinks between points that are far apart, and rides on the crests of the noise of points
  * that are near.  So the points of a scan that noise spreads are moved to the surfaces of
  * surface_fit.h, one for all points in its middle, and where a sparse scan has edges nearly
- * everywhere to facets that meet in these, if they explain more (upsample_surface.h); there points
+ * everywhere, or facets explain nearly all of it better, to facets that meet in these, if they
+ * explain more (upsample_surface.h); there points
  * are put between, too (upsample.h), and on the facets of steep flanks (steep_facets.h).  Points
  * that noise does not explain (edges, walls, hair) stay as they are.
  */
@@ -23,9 +24,11 @@ struct guard_points_options {
     bool edged;    /* it is known by the sides of edges, which are nearly everywhere (sided,
                           noise.h): points move to facets, too, and edges are looked for in the
                           points as they are */
-    double apart;  /* mm: so far points may be off the surface between them that is no noise, as of
+    double rough; /* mm: what smooth surfaces leave, where it cannot be told from noise and is taken
+                      as none; else 0 */
+    double apart; /* mm: so far points may be off the surface between them that is no noise, as of
                       two sheets half their distance */
-    double vague;  /* mm: a surface between points that is off them by more is vague */
+    double vague; /* mm: a surface between points that is off them by more is vague */
     double effort; /* effort.h */
     int threads;   /* as of parallel_for */
 };

@@ -455,8 +455,12 @@ void edge_flanks_find(struct edge_work *work)
         work->chosen = flank;
         parallel_for(threads, n, continue_flanks, work);
     }
-    free(work->flank);
+    struct edge_flank *flank = work->flank;
     work->flank = work->chosen;
+    work->chosen = flank;
+    edge_flanks_widen(work);
+    free(work->chosen);
+    work->chosen = work->flank;
     if (work->options->fill)
         parallel_for(threads, n, find_ribs, work);
 }

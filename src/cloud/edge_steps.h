@@ -43,6 +43,7 @@ struct edge_flank {
     bool along;       /* it is of neighbours along a rib or wall */
     bool continued;   /* it is a neighbour's, that goes on to the point */
     double spacing, rms;
+    double wide;      /* points that it goes through, by its terms; 0: it was not widened */
     struct quadric q; /* if valid, or of the neighbourhood; faces up */
 };
 
@@ -113,6 +114,12 @@ bool edge_flank_certain(const struct edge_work *work, const struct edge_flank *f
 /* Points of a surface may be off it by this; on average by this. */
 double edge_within(const struct edge_work *work, double spacing);
 double edge_even(const struct edge_work *work, double spacing);
+
+/* ---- edge_wide: under noise the flanks of all points through as many of those about as a plane or
+ * a quadric explains: continued as far as an edge one through a dozen is off by more than the
+ * noise. */
+
+void edge_flanks_widen(struct edge_work *work);
 
 /* ---- edge_along: the surface of a point i that no neighbourhood as wide as long tells: the top of
  * a narrow wall, level across where its points do not tell, or a quadric through neighbours along a

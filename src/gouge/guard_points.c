@@ -34,6 +34,9 @@ static const double DOUBTFUL = 0.3, SUNK = 0.3;
  * may have been smoothed over, and it is kept clear of, too. */
 static const double DIFFERENT = 1;
 
+/* Spacings: smooth surfaces leave more where shapes are as small as points are apart. */
+static const double ROUGH = 0.06;
+
 /* What becomes of a point. */
 struct point_result {
     struct vec3 point;
@@ -48,7 +51,7 @@ struct guard_work {
     struct surface_fit_options fit; /* sigma: noise to take out; 0: none */
     struct upsample fill;
     struct near_lists lists; /* where the scan is not on lines: there others are asked for */
-    bool filled;
+    bool filled, facetted;   /* points are put between; surfaces may be facets */
     struct point_result *result;
 };
 
@@ -119,10 +122,10 @@ static bool find_surface(const struct guard_work *work, size_t i, struct surface
     if (!surface_fit_at(&work->fit, place, guess_normal(work->point_grid, place), hood, fit))
         return false;
     surface->on = (struct upsample_surface){.q = fit->q, .spread = fit->spread};
-    surface->range = work->filled && work->rule->edged &&
-                             upsample_facets_explain(&work->fill, place, &surface->on, &reach)
-                         ? FACETS * reach
-                         : valid_range(fit);
+    surface->range =
+        work->facetted && upsample_facets_explain(&work->fill, place, &surface->on, &reach)
+            ? FACETS * reach
+            : valid_range(fit);
     return true;
 }
 
@@ -219,6 +222,28 @@ static void fill_gaps(void *context, size_t from, size_t to)
         work->result[i].vague = upsample_about(&work->fill, i, &work->result[i].between);
 }
 
+/* Facets explain the noisy points better than one surface at nearly all places, nine of ten: tight
+ * bends of smooth shapes are so at no more than four of ten. */
+static bool are_facets(const struct guard_work *work)
+{
+    enum { PLACES = 300 };
+    const double most = 0.8;
+    size_t n = work->point_grid->n, some = n < PLACES ? n : PLACES, looked = 0, facetted = 0;
+    double reach;
+
+    for (size_t i = 0; i < some; i++) {
+        struct upsample_hood near;
+        struct upsample_surface on;
+        upsample_hood_find(&work->fill, i * n / some, UPSAMPLE_NEAR, &near);
+        upsample_surface_find(&near, &on);
+        if (!(on.spread < HUGE_VAL))
+            continue;
+        looked++;
+        facetted += upsample_facets_explain(&work->fill, near.point[0], &on, &reach);
+    }
+    return (double)facetted > most * (double)looked;
+}
+
 /* What there is to be done; false: nothing.  *sparse, *near: as in the header. */
 static bool choose_work(struct guard_work *work, bool *sparse, size_t *near)
 {
@@ -239,6 +264,7 @@ static bool choose_work(struct guard_work *work, bool *sparse, size_t *near)
     work->filled = *sparse && effort_covers(EFFORT_GUARD_BETWEEN, rule->effort, b->n);
     if (rule->noise > 0)
         work->fit.neighbours = neighbours_of(work, near);
+    work->facetted = work->filled && rule->noise > 0 && (rule->edged || are_facets(work));
     return rule->noise > 0 || work->filled;
 }
 
@@ -277,12 +303,36 @@ static struct guard_points gather(struct guard_work *work)
     return surface;
 }
 
-/* Sharp edges that the scan has no points on. */
+/* What edges would not be resolved if a little of what is left by smooth surfaces were noise: where
+ * no surface is certain as the points are, as of a knurl of five points a side with noise, no edge
+ * is seen at all.  Rough ground has few such points either way. */
+static void suspect_edges(struct edge_points_options edges, struct edge_gaps *gaps)
+{
+    const double little = 0.02, certain = 0.1, many = 0.005; /* spacings; of the points */
+    double n = (double)edges.point_grid->n;
+    struct edge_gaps suspected;
+    struct vec3s none = {0};
+
+    if ((double)gaps->certain > certain * n)
+        return;
+    edges.noise = little * point_grid_spacing(edges.point_grid);
+    edges.fill = false;
+    edge_points(&edges, &none, &suspected);
+    array_free(&none);
+    if ((double)suspected.unknown > many * n)
+        *gaps = suspected;
+}
+
+/* Sharp edges that the scan has no points on.  Where noise is known by the sides of edges these are
+ * looked for in the points as they are, for blunt ones are told by that alone, but by the noise,
+ * too, where that explains most points, as it does not those of rough ground. */
 static void add_edges(const struct guard_work *work, struct guard_points *surface)
 {
+    const double most = 0.75;
     const struct guard_points_options *rule = work->rule;
+    bool explained = (double)surface->moved > most * (double)work->point_grid->n;
     struct edge_points_options edges = {.point_grid = work->point_grid,
-                                        .noise = rule->edged ? 0 : rule->noise,
+                                        .noise = rule->edged && !explained ? 0 : rule->noise,
                                         .along = sqrt(8 * rule->radius * rule->sink),
                                         .sink = rule->sink,
                                         /* flanks of few points are as rough as these */
@@ -292,6 +342,13 @@ static void add_edges(const struct guard_work *work, struct guard_points *surfac
     size_t before = surface->point.n;
 
     surface->edges = edge_points(&edges, &surface->point, &surface->gaps);
+    if (rule->rough > ROUGH * point_grid_spacing(work->point_grid))
+        suspect_edges(edges, &surface->gaps);
+    if (rule->edged && explained) {
+        struct edge_gaps gaps;
+        edges.noise = 0;
+        surface->edges += edge_points(&edges, &surface->point, &gaps);
+    }
     surface->added += surface->point.n - before - surface->edges;
 }
 

@@ -302,13 +302,20 @@ static void say_rough(double sigma, double spacing, const struct guard_read_opti
             sigma, spacing);
 }
 
-/* No noise was found, where what is left by smooth surfaces may be of both. */
-static void say_unknown(const struct believed *found, double least)
+/* What is left by smooth surfaces where no noise was found and it may be of both; else 0. */
+static double rough_of(const struct believed *found, double least)
 {
-    if (!(found->sigma > 0) && !(found->apart > 0) && found->noise.sigma > least)
+    bool unknown = !(found->sigma > 0) && !(found->apart > 0) && found->noise.sigma > least;
+
+    return unknown ? found->noise.sigma : 0;
+}
+
+static void say_unknown(double rough)
+{
+    if (rough > 0)
         say("noise cannot be told from the shape of the scan, which is %.2g mm off smooth "
             "surfaces: taken as none; where it is some, edges among it may not be found (--noise)",
-            found->noise.sigma);
+            rough);
 }
 
 /* How far points of two sheets may be off the surface half way between them for it to stand for
@@ -337,15 +344,17 @@ static struct gouge_check *gouge_of(struct vec3s *points, const struct mesh *mes
     bool removed = noisy && effort_covers(EFFORT_GUARD_NOISE, rule->effort, points->n);
     bool stays = rule->noise < 0 && noisy && !removed; /* points stand out by it alone */
     bool sided = rule->noise < 0 && found.noise.sided;
+    double rough = rule->noise < 0 ? rough_of(&found, rule->tolerance) : 0;
     if (rule->noise < 0) {
         say_rough(found.sigma, spacing, rule);
-        say_unknown(&found, rule->tolerance);
+        say_unknown(rough);
         rule->noise = removed ? found.sigma : 0;
     }
     struct guard_points_options how = {.radius = rule->radius,
                                        .sink = rule->tolerance / 5,
                                        .noise = rule->noise,
                                        .edged = sided && rule->noise > 0,
+                                       .rough = rough,
                                        .apart = apart_of(found.apart, rule),
                                        .vague = rule->tolerance,
                                        .effort = rule->effort,

@@ -372,31 +372,111 @@ static double facets(double x, double y)
     return (cx * cx + cy * cy - 2 * (cx * x + cy * y)) / 43;
 }
 
-/* Where the noise that is known explains facets, and no smooth surface, points are moved to these:
- * a surface that bends is below an edge, and so were one in 28 points by 0.02 mm and more. */
-START_TEST(blunt_edges_stand_in_noise)
+/* Points of them, as noisy; how many are moved, points put between, and what part of all is below
+ * the facets by more than `deep`. */
+static double below_facets(double sigma, double deep, struct guard_points *s, struct vec3s *points)
 {
-    struct vec3s points = {0};
     double below = 0, n = 0;
 
     for (int j = -30; j <= 30; j++)
         for (int i = -30; i <= 30; i++) {
             double x = 0.5 * i + 0.2, y = 0.5 * j + 0.1;
-            *array_push(&points) = vec(x, y, facets(x, y) + gauss(0.01));
+            *array_push(points) = vec(x, y, facets(x, y) + gauss(sigma));
         }
-    edged = true;
-    struct guard_points s = surface_for(&points, 0.01, 2.5);
+    *s = surface_for(points, sigma, 2.5);
+    for (size_t i = 0; i < s->point.n; i++) {
+        struct vec3 p = s->point.item[i];
+        n += is_inside(p, 12);
+        below += is_inside(p, 12) && facets(p.x, p.y) - p.z > deep;
+    }
+    return below / n;
+}
+
+/* Where the noise that is known explains facets, and no smooth surface, points are moved to these:
+ * a surface that bends is below an edge, and so were one in 28 points by 0.02 mm and more.  With
+ * more noise it is by all of the scan that they are told from smooth shapes. */
+START_TEST(blunt_edges_stand_in_noise)
+{
+    struct vec3s points = {0};
+    struct guard_points s;
+
+    edged = _i == 0;
+    double below = below_facets(_i == 0 ? 0.01 : 0.015, 0.02 + 0.008 * _i, &s, &points);
     edged = false;
     ck_assert_uint_gt(s.moved, points.n * 9 / 10);
     ck_assert_uint_gt(s.added, 5 * points.n);
-    for (size_t i = 0; i < s.point.n; i++) {
-        struct vec3 p = s.point.item[i];
-        n += is_inside(p, 12);
-        below += is_inside(p, 12) && facets(p.x, p.y) - p.z > 0.02;
-    }
-    ck_assert_double_lt(below / n, 0.005);
+    ck_assert_double_lt(below, 0.005);
     array_free(&points);
     array_free(&s.point);
+}
+END_TEST
+
+/* A pyramid whose noise is known by the sides of its edges: these are found by the noise, not only
+ * in the points as they are, and a point stands near to each place of them. */
+START_TEST(edges_stand_in_noise_of_sides)
+{
+    const double noise = 0.02;
+    struct vec3s points = {0};
+    size_t bare = 0;
+
+    for (int i = 0; i < 2400; i++) {
+        double x = uniform(-12, 12), y = uniform(-12, 12);
+        *array_push(&points) = vec(x, y, fmax(0, 8 - fmax(fabs(x), fabs(y))) + gauss(noise));
+    }
+    edged = true;
+    struct guard_points s = surface_for(&points, noise, 2.5);
+    edged = false;
+    struct gouge_check *guard = gouge_from_points(s.point.item, s.point.n);
+    for (int i = 0; i < 140; i++) {
+        double t = 0.2 * (i / 4), u = i % 2 ? t : -t, v = i / 2 % 2 ? t : -t;
+        bare += gouge_distance(guard, vec(u, v, 8 - t), HUGE_VAL) > 0.15;
+    }
+    ck_assert_uint_eq(bare, 0);
+    gouge_free(guard);
+    array_free(&points);
+    array_free(&s.point);
+}
+END_TEST
+
+/* Crossed grooves that leave pyramids 2.5 mm wide; a rough ground. */
+static double knurl(double x, double y)
+{
+    double u = x - 2.5 * round(x / 2.5), v = y - 2.5 * round(y / 2.5);
+
+    return 1.25 - fmax(fabs(u), fabs(v));
+}
+
+static double ground(double x, double y)
+{
+    return 0.4 * sin(2 * x) * cos(1.7 * y) + 0.2 * sin(4.3 * x + 2 * y) + gauss(0.06);
+}
+
+/* Sharp edges of five points a side that noise hides, where that is taken as none for it cannot be
+ * told from the shape: they are told, and those of rough ground are not, for it has none. */
+START_TEST(hidden_edges_are_suspected)
+{
+    struct vec3s points = {0};
+    struct error error;
+    struct point_grid point_grid;
+
+    for (int j = -24; j <= 24; j++)
+        for (int i = -24; i <= 24; i++) {
+            double x = 0.5 * i + uniform(-0.25, 0.25), y = 0.5 * j + uniform(-0.25, 0.25);
+            *array_push(&points) = vec(x, y, _i % 2 ? ground(x, y) : knurl(x, y) + gauss(0.02));
+        }
+    ck_assert_int_eq(point_grid_make(points.item, points.n, 0.5, 1, &point_grid, &error), 0);
+    const struct guard_points_options rule = {
+        .radius = 2.5, .sink = 0.002, .rough = _i < 2 ? 0.09 : 0, .vague = VAGUE};
+    struct guard_points s = guard_points_of_scan(&point_grid, &rule);
+    if (_i == 0)
+        ck_assert_uint_gt(s.gaps.unknown, points.n / 200);
+    else
+        ck_assert_uint_eq(s.gaps.unknown, 0);
+    point_grid_free(&point_grid);
+    array_free(&points);
+    array_free(&s.point);
+    array_free(&s.certain);
+    array_free(&s.doubtful);
 }
 END_TEST
 
@@ -414,7 +494,9 @@ int main(void)
     tcase_add_test(tcase, noise_that_is_said_counts);
     tcase_add_test(tcase, a_hole_stays);
     tcase_add_test(tcase, what_is_rough_stays_as_it_is);
-    tcase_add_test(tcase, blunt_edges_stand_in_noise);
+    tcase_add_loop_test(tcase, blunt_edges_stand_in_noise, 0, 2);
+    tcase_add_test(tcase, edges_stand_in_noise_of_sides);
+    tcase_add_loop_test(tcase, hidden_edges_are_suspected, 0, 4);
     suite_add_tcase(suite, tcase);
     SRunner *runner = srunner_create(suite);
     srunner_run_all(runner, CK_NORMAL);
