@@ -12,7 +12,9 @@
  * Distance between two contact points of a ball of radius `radius` that leave a cusp of height h
  * between them, mm, for the surface's curvature across the passes (1/mm, convex positive).  Exact
  * on a circle; sqrt(8 h R / (1 + R k)) to the first order in h, and never more than that.  Where
- * the ball does not fit (1 + R k near 0 or below) it is that of 1 + R k = LEAST.
+ * the ball does not fit (1 + R k near 0 or below) it is that of 1 + R k = LEAST.  Cusps that the
+ * surface leaves lower, as round a hollow, allow its diameter; those above the ball's centre are
+ * taken as up to it.  Always above 0.
  */
 double scallop_step(double h, double radius, double curvature);
 

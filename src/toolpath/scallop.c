@@ -11,9 +11,11 @@ static const double LEAST = 0.05;                /* of 1 + R k */
 double scallop_step(double h, double radius, double curvature)
 {
     double k = fmax(curvature, (LEAST - 1) / radius);
-    double half2 = h * (2 * radius - h) / ((1 + radius * k) * (1 + h * k));
+    double high = fmin(h, radius);
+    double half2 = high * (2 * radius - high) / ((1 + radius * k) * (1 + high * k));
+    double quarter = fmin(half2, 2 / (k * k)); /* of the circle: farther round, its chord is less */
 
-    return 2 * sqrt(half2 * fmax(1 - k * k * half2 / 4, 0));
+    return 2 * sqrt(quarter * (1 - k * k * quarter / 4));
 }
 
 void scallop_equal(double low, double high, double step, struct doubles *height)

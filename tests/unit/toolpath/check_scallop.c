@@ -45,6 +45,22 @@ START_TEST(steps_leave_the_cusp_that_was_asked_for)
 }
 END_TEST
 
+/* A cusp higher than a hollow that the ball hardly fits has room for: the distance was 0, and planes
+ * were put there without end. */
+START_TEST(no_distance_is_none)
+{
+    for (double k = -0.3; k < 2; k += 0.01) {
+        double before = 0;
+        for (double h = 0.01; h < 12; h *= 1.3) {
+            double step = scallop_step(h, 5, k);
+            ck_assert_double_ge(step, before); /* never less for higher cusps */
+            before = step;
+        }
+    }
+    ck_assert_double_eq_tol(scallop_step(1, 5, -0.19), 2 / 0.19, 1e-12); /* the diameter */
+}
+END_TEST
+
 START_TEST(equal_distances_from_border_to_border)
 {
     struct doubles height = {0};
@@ -171,6 +187,7 @@ int main(void)
     Suite *suite = suite_create("scallop");
     TCase *tests = tcase_create("scallop");
     tcase_add_test(tests, steps_leave_the_cusp_that_was_asked_for);
+    tcase_add_test(tests, no_distance_is_none);
     tcase_add_test(tests, equal_distances_from_border_to_border);
     tcase_add_test(tests, cusps_on_a_cylinder);
     tcase_add_test(tests, a_hollow_has_fewer_planes);
