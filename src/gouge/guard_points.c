@@ -34,6 +34,10 @@ static const double DOUBTFUL = 0.3, SUNK = 0.3;
  * may have been smoothed over, and it is kept clear of, too. */
 static const double DIFFERENT = 1;
 
+/* mm: a flank is certain whose points are no farther off it on average, and no wall hangs from one
+ * that is not, however much may be cut off: a larger tolerance would find more walls. */
+static const double SURE = 0.002;
+
 /* Spacings: smooth surfaces leave more where shapes are as small as points are apart. */
 static const double ROUGH = 0.06;
 
@@ -334,7 +338,7 @@ static void add_edges(const struct guard_work *work, struct guard_points *surfac
     struct edge_points_options edges = {.point_grid = work->point_grid,
                                         .noise = rule->edged && !explained ? 0 : rule->noise,
                                         .along = sqrt(8 * rule->radius * rule->sink),
-                                        .sink = rule->sink,
+                                        .sink = fmin(rule->sink, SURE),
                                         /* flanks of few points are as rough as these */
                                         .fill = work->filled,
                                         .threads = rule->threads,

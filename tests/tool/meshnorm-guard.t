@@ -137,4 +137,14 @@ meshnorm -r 3 --avoid --noise 0.02 knurl.ply >knurl.cl 2>err
 hasnt "not where it is given" 'noise cannot be told' err
 meshnorm -r 3 --avoid noisy.ply >knurl.cl 2>err
 hasnt "nor where it is measured" 'noise cannot be told' err
+
+# A larger tolerance finds no edge that a smaller one does not: nine times as many were told.
+cloud2mesh -q -t 2 "$SRC/samples/face_nefertiti_26493.xyz" >face.ply 2>/dev/null
+for e in 0.01 0.05; do
+	meshnorm -r 5 -e $e --scallop 1 face.ply 2>&1 >face.cl |
+		sed -n 's/.* edge not resolved at .*, one of \([0-9]*\) such points.*/\1/p'
+done >edges
+say="$(tr '\n' ' ' <edges)"
+ok "a larger tolerance finds no more edges: $say" awk 'NR == 1 { a = $1 } NR == 2 { b = $1 }
+	END { exit !(a > 0 && b <= 1.1 * a) }' edges
 done_testing
