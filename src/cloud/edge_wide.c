@@ -178,8 +178,8 @@ static void widen_some(void *context, size_t from, size_t to)
         const struct edge_flank *own = &work->flank[i];
         struct edge_flank *chosen = &work->chosen[i], more;
         *chosen = *own;
-        if (!edge_flank_known(own))
-            continue;
+        if (!edge_flank_known(own) || !edge_flank_certain(work, own))
+            continue; /* on models a wide one made many walls of what is rough */
         size_t n =
             point_grid_nearest(work->options->point_grid, wide->point[i], MOST, index, distance2);
         if (!own->valid && !has_rough(work, index, n))

@@ -328,15 +328,12 @@ static void suspect_edges(struct edge_points_options edges, struct edge_gaps *ga
 }
 
 /* Sharp edges that the scan has no points on.  Where noise is known by the sides of edges these are
- * looked for in the points as they are, for blunt ones are told by that alone, but by the noise,
- * too, where that explains most points, as it does not those of rough ground. */
+ * looked for in the points as they are, for blunt ones are told by that alone. */
 static void add_edges(const struct guard_work *work, struct guard_points *surface)
 {
-    const double most = 0.75;
     const struct guard_points_options *rule = work->rule;
-    bool explained = (double)surface->moved > most * (double)work->point_grid->n;
     struct edge_points_options edges = {.point_grid = work->point_grid,
-                                        .noise = rule->edged && !explained ? 0 : rule->noise,
+                                        .noise = rule->edged ? 0 : rule->noise,
                                         .along = sqrt(8 * rule->radius * rule->sink),
                                         .sink = fmin(rule->sink, SURE),
                                         /* flanks of few points are as rough as these */
@@ -348,11 +345,6 @@ static void add_edges(const struct guard_work *work, struct guard_points *surfac
     surface->edges = edge_points(&edges, &surface->point, &surface->gaps);
     if (rule->rough > ROUGH * point_grid_spacing(work->point_grid))
         suspect_edges(edges, &surface->gaps);
-    if (rule->edged && explained) {
-        struct edge_gaps gaps;
-        edges.noise = 0;
-        surface->edges += edge_points(&edges, &surface->point, &gaps);
-    }
     surface->added += surface->point.n - before - surface->edges;
 }
 

@@ -411,33 +411,6 @@ START_TEST(blunt_edges_stand_in_noise)
 }
 END_TEST
 
-/* A pyramid whose noise is known by the sides of its edges: these are found by the noise, not only
- * in the points as they are, and a point stands near to each place of them. */
-START_TEST(edges_stand_in_noise_of_sides)
-{
-    const double noise = 0.02;
-    struct vec3s points = {0};
-    size_t bare = 0;
-
-    for (int i = 0; i < 2400; i++) {
-        double x = uniform(-12, 12), y = uniform(-12, 12);
-        *array_push(&points) = vec(x, y, fmax(0, 8 - fmax(fabs(x), fabs(y))) + gauss(noise));
-    }
-    edged = true;
-    struct guard_points s = surface_for(&points, noise, 2.5);
-    edged = false;
-    struct gouge_check *guard = gouge_from_points(s.point.item, s.point.n);
-    for (int i = 0; i < 140; i++) {
-        double t = 0.2 * (i / 4), u = i % 2 ? t : -t, v = i / 2 % 2 ? t : -t;
-        bare += gouge_distance(guard, vec(u, v, 8 - t), HUGE_VAL) > 0.15;
-    }
-    ck_assert_uint_eq(bare, 0);
-    gouge_free(guard);
-    array_free(&points);
-    array_free(&s.point);
-}
-END_TEST
-
 /* Crossed grooves that leave pyramids 2.5 mm wide; a rough ground. */
 static double knurl(double x, double y)
 {
@@ -495,7 +468,6 @@ int main(void)
     tcase_add_test(tcase, a_hole_stays);
     tcase_add_test(tcase, what_is_rough_stays_as_it_is);
     tcase_add_loop_test(tcase, blunt_edges_stand_in_noise, 0, 2);
-    tcase_add_test(tcase, edges_stand_in_noise_of_sides);
     tcase_add_loop_test(tcase, hidden_edges_are_suspected, 0, 4);
     suite_add_tcase(suite, tcase);
     SRunner *runner = srunner_create(suite);
