@@ -7,8 +7,8 @@
 #include "stage/path_options.h"
 
 /* What a judge finds left by the program for each point that it finds by the path, at most: of
- * fourteen scans it found 0.4 to 1.  Few points scatter: of a gable of 2,401 it found 16 for 10. */
-static const double JUDGED = 1.05, SCATTER = 1.5;
+ * fourteen scans it found 0.4 to 1. */
+static const double JUDGED = 1.05;
 
 /* So much more is no fault to a judge, mm: what places and radii printed may be off. */
 static const double ROUNDED = 0.001;
@@ -19,9 +19,7 @@ static const double FITTED = 2;
 
 static double share(const struct path_judged *judged)
 {
-    double n = (double)judged->n;
-
-    return 100 * ((double)judged->left + fmax(JUDGED * n, n + SCATTER * sqrt(n)));
+    return 100 * ((double)judged->left + JUDGED * (double)judged->n);
 }
 
 /* More than so many times the share that may be left. */
