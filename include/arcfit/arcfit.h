@@ -165,8 +165,8 @@ size_t arcfit_cut(const struct reference *reference, const struct deviation *wit
 /*
  * Fits the pieces [from, to) anew where their part of the reference has moved a little, between the
  * directions of those beside them: as many pieces, from their joints as they are, proven as by
- * arcfit_reduce; or, but in a hurry, spaced anew, or up to two more.  Those finds one in eight,
- * and would take twice as long as all else here.  What does not touch them stays.  False: all stay.
+ * arcfit_reduce; or, but in a hurry, spaced anew, or up to two more: one in eight is found
+ * so, in twice the time of all else here.  What does not touch them stays.  False: all stay.
  */
 bool arcfit_refit(const struct reference *reference, const struct deviation *within, int digits,
                   size_t from, size_t to, enum arcfit_effort effort, struct pieces *pieces);

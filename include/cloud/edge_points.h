@@ -9,9 +9,9 @@
  *      (RANSAC, Fischler and Bolles 1981, but all of them), fitted to these, and bent where that is
  *      better (side_fit.h).  It counts if the flanks of the points on it agree.  A point that none
  *      of these tell gets the level top of a narrow wall, whose points lie along a line, or a
- *      quadric of neighbours along a rib (ridge_direction.h).  Under noise a flank goes through as
- *      many points about as one surface explains: continued to an edge, one through a dozen is off
- *      by one or two noises.
+ *      quadric of neighbours along a rib (ridge_direction.h).  Under noise a flank that is
+ *      certain goes through as many points about as one surface explains: continued to an edge, one
+ *      through a dozen is off by one or two noises.
  *   2. Where the flanks of two neighbours are no continuation of each other and each of the two
  *      lies below the flank of the other, points are put on the curve in which these intersect, and
  *      at a tip where they meet a third flank; no further than REACH spacings from a point of the

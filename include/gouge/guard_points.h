@@ -6,9 +6,9 @@
  * that are near.  So the points of a scan that noise spreads are moved to the surfaces of
  * surface_fit.h, one for all points in its middle, and where a sparse scan has edges nearly
  * everywhere, or facets explain nearly all of it better, to facets that meet in these, if they
- * explain more (upsample_surface.h); there points
- * are put between, too (upsample.h), and on the facets of steep flanks (steep_facets.h).  Points
- * that noise does not explain (edges, walls, hair) stay as they are.
+ * explain more (upsample_surface.h); there points are put between, too (upsample.h), and on the
+ * facets of steep flanks (steep_facets.h).  Points that noise does not explain (edges, walls, hair)
+ * stay as they are.
  */
 #ifndef CLOUDMILL_GUARD_POINTS_H
 #define CLOUDMILL_GUARD_POINTS_H

@@ -423,8 +423,6 @@ bool edge_flank_holds(const struct point_grid *point_grid, double noise, size_t 
     return near.distance2[1] <= apart * apart && fit_flank(&work, &near, spacing, false, &fit);
 }
 
-/* The flanks of all points; on scan lines from neighbours on many of these, and where these do not
- * tell, on few. */
 static void find_ribs(void *context, size_t from, size_t to)
 {
     const struct edge_work *work = context;
@@ -435,6 +433,15 @@ static void find_ribs(void *context, size_t from, size_t to)
             edge_along_find(work, i);
 }
 
+void edge_flanks_take_chosen(struct edge_work *work)
+{
+    struct edge_flank *flank = work->flank;
+
+    work->flank = work->chosen;
+    work->chosen = flank;
+}
+
+/* On scan lines from neighbours on many of these, and where these do not tell, on few. */
 void edge_flanks_find(struct edge_work *work)
 {
     size_t n = work->options->point_grid->n;
@@ -449,15 +456,11 @@ void edge_flanks_find(struct edge_work *work)
         parallel_for(threads, n, confirm_flanks, work);
     }
     parallel_for(threads, n, choose_flanks, work);
+    edge_flanks_take_chosen(work);
     for (int turn = 0; turn < CONTINUED; turn++) {
-        struct edge_flank *flank = work->flank;
-        work->flank = work->chosen;
-        work->chosen = flank;
         parallel_for(threads, n, continue_flanks, work);
+        edge_flanks_take_chosen(work);
     }
-    struct edge_flank *flank = work->flank;
-    work->flank = work->chosen;
-    work->chosen = flank;
     edge_flanks_widen(work);
     free(work->chosen);
     work->chosen = work->flank;

@@ -101,6 +101,9 @@ bool edge_about_next(struct edge_about *about, size_t *k);
  * it). */
 void edge_flanks_find(struct edge_work *work);
 
+/* work->chosen are the flanks, and what these were the room for the next choice. */
+void edge_flanks_take_chosen(struct edge_work *work);
+
 /* The normal of a flank below or above a place, and how far that is above the flank. */
 double edge_flank_above(const struct edge_flank *flank, struct vec3 p, struct vec3 *normal);
 
@@ -115,9 +118,9 @@ bool edge_flank_certain(const struct edge_work *work, const struct edge_flank *f
 double edge_within(const struct edge_work *work, double spacing);
 double edge_even(const struct edge_work *work, double spacing);
 
-/* ---- edge_wide: under noise the flanks of all points through as many of those about as a plane or
- * a quadric explains: continued as far as an edge one through a dozen is off by more than the
- * noise. */
+/* ---- edge_wide: under noise the flanks that are certain through as many points about as a plane, a
+ * quadric or a cubic explains: continued as far as an edge one through a dozen is off by more than
+ * the noise. */
 
 void edge_flanks_widen(struct edge_work *work);
 

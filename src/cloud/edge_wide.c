@@ -178,7 +178,7 @@ static void widen_some(void *context, size_t from, size_t to)
         const struct edge_flank *own = &work->flank[i];
         struct edge_flank *chosen = &work->chosen[i], more;
         *chosen = *own;
-        if (!edge_flank_known(own) || !edge_flank_certain(work, own))
+        if (!edge_flank_certain(work, own))
             continue; /* on models a wide one made many walls of what is rough */
         size_t n =
             point_grid_nearest(work->options->point_grid, wide->point[i], MOST, index, distance2);
@@ -218,14 +218,6 @@ static void choose_some(void *context, size_t from, size_t to)
     }
 }
 
-static void take_chosen(struct edge_work *work)
-{
-    struct edge_flank *flank = work->flank;
-
-    work->flank = work->chosen;
-    work->chosen = flank;
-}
-
 void edge_flanks_widen(struct edge_work *work)
 {
     size_t n = work->options->point_grid->n;
@@ -237,9 +229,9 @@ void edge_flanks_widen(struct edge_work *work)
     parallel_for(work->options->threads, n, find_normals, &wide);
     parallel_for(work->options->threads, n, widen_some, &wide);
     free(wide.normal);
-    take_chosen(work);
+    edge_flanks_take_chosen(work);
     for (int turn = 0; turn < CHOSEN; turn++) {
         parallel_for(work->options->threads, n, choose_some, work);
-        take_chosen(work);
+        edge_flanks_take_chosen(work);
     }
 }

@@ -200,7 +200,7 @@ struct vec3 facet_nearest(const struct facet *facet, struct vec3 p)
     for (int k = 1; k < 3; k++) {
         struct vec3 q = vec_segment_nearest(c[k], c[(k + 1) % 3], p);
         double d2 = distance2_of(q, p);
-        if (d2 < best2 && sqrt(d2) < sqrt(best2)) {
+        if (d2 < best2 && sqrt(d2) < sqrt(best2)) { /* at the same distance the first one stays */
             best = q;
             best2 = d2;
         }
