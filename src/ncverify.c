@@ -32,7 +32,7 @@ struct settings {
     struct machine_options machine;
     const char *map, *path, *page, *holder, *stock;
     struct cli_list part;
-    double radius, tolerance, left, left_share, scallop, band, noise, flute, cell;
+    double radius, tolerance, left, rows, left_share, scallop, band, noise, flute, cell;
     struct tool_options files; /* --tool-file */
     struct tool_shape tool;
     struct stock_options block;
@@ -131,8 +131,10 @@ static void find_limit(struct settings *s, const struct ncread_head *head)
 {
     double tolerance = s->tolerance_given || head->tolerance == 0 ? s->tolerance : head->tolerance;
     double scallop = s->scallop_given ? s->scallop : head->scallop;
+    s->rows = s->left;
     if (s->left_given)
         return;
+    s->rows = scallop + head->mesh;
     s->left = scallop > 0 || s->scallop_given ? scallop + tolerance : HUGE_VAL;
     if (isfinite(s->left))
         note("at most %g mm may be left: a scallop of %g and a tolerance of %g", s->left, scallop,
@@ -551,6 +553,7 @@ int main(int argc, char **argv)
     const struct verify_options options = {.radius = s.radius,
                                            .tolerance = s.tolerance,
                                            .left = s.left,
+                                           .rows = s.rows,
                                            .told = s.tolerance_given ? 0 : USUAL,
                                            .share = s.left_share / 100,
                                            .partial = s.partial,

@@ -2,7 +2,7 @@
  * part_coverage - of every point of a part: is it cut, out of the tool's reach, kept off, or left?
  *
  * Cut is a point on which no more than `limit` is left.  Of the others, out of reach is one that no
- * ball touches (up to half the limit) that is clear of all points, with the tool above it clear, by
+ * ball touches (to within `near`) that is clear of all points, with the tool above it clear, by
  * a tenth of a millimetre, in one of the directions that the machine has.  Kept off is one that
  * only balls touch that are in the part between its points: the surface that faces up goes on over
  * them, past a wall that has too few points to keep them off, or a wall that has none may stand
@@ -32,6 +32,7 @@ enum part_class {
 
 struct part_coverage_options {
     double radius, limit;
+    double near; /* so near to a point a ball has to come that could cut it */
     const struct tool_shape *tool;
     const struct vec3s *axis;    /* unit vectors up the tool that the machine has */
     const struct vec3s *curtain; /* points in the way of ball and tool, and not of the part; NULL:

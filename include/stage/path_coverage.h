@@ -22,9 +22,9 @@ struct path_coverage {
     double spacing;          /* of points on a mesh, mm */
     const struct toolpath_options *rule;
     double tolerance;      /* of the path, mm */
-    double allowed;        /* what may be left, with what the mesh is off the scan, mm */
+    double rows;           /* what rows may leave, with what the mesh is off the scan, mm ... */
+    double allowed;        /* ... and what the path may */
     size_t rounds, strips; /* of rest passes */
-    struct vec3s beside;   /* points of the scan that are not to be cut */
 };
 
 /* Of the points of the scan that guards, of a box or polygons those inside, or without a scan of

@@ -24,7 +24,7 @@ struct path_options {
     double tolerance, limit, depth, noise, play, rate, lean, turn; /* degrees, degrees/mm */
     struct region_polygons polygons; /* of --region, once they are read */
     double said_noise; /* --noise, mm; below zero: not given, and `noise` is as measured */
-    struct vec3s certain, doubtful, curtain;           /* points of the scan of -g (guard_read.h) */
+    struct vec3s certain, doubtful, curtain, believed; /* points of the scan of -g (guard_read.h) */
     double clearance, approach, feed, plunge, spindle; /* clearance NAN: by the part */
     int layers, tool, coolant;
     double effort; /* effort.h */

@@ -94,6 +94,7 @@ struct verify_options {
     double tolerance; /* deepest gouge, mm */
     double share;     /* of the points that may have more than that, 0 to 1 */
     double left;      /* most material left, mm; HUGE_VAL: not judged, ... */
+    double rows;      /* of that, what its rows leave: scallop, and what their mesh is off, mm */
     double told;      /* ... but told where it is more than this, and than the tolerance */
     bool partial;     /* it cuts a part of the scan: the region known, or that it cuts, is judged */
     double band;      /* as of deviation_map, mm */

@@ -30,7 +30,6 @@ enum {
 #define SIGMAS 3         /* ... by so many standard deviations more */
 #define AHEAD 0.75       /* cosine between the normal and the ball's direction, at least */
 #define FREE 0.1         /* mm: less play has no way in for the tool that would be looked for */
-#define SURE 0.5     /* of the limit: nearer than that a ball has to come that could cut a point */
 #define LINE 0.9     /* of the radius: thickness of the middle line that has to come from outside */
 #define FACES_UP 0.5 /* Z of a normal, at least, of what is material below */
 #define OVERHEAD 4   /* radii above the ball's centre that are looked at for it */
@@ -195,10 +194,10 @@ struct look {
 };
 
 /* The ball's centre, as little out along `d` as leaves it clear; false: so far that it would leave
- * more on its point than SURE of the limit. */
+ * more on its point than one that could cut it. */
 static bool ball_clears(const struct reach *r, struct vec3 p, struct vec3 d, struct vec3 *centre)
 {
-    double budget = SURE * r->options->limit;
+    double budget = r->options->near;
     struct vec3 at = vec_along(p, r->options->radius, d);
     double out = kdtree_leave(r->solid_tree, at, d, r->options->radius, budget, NULL);
     *centre = vec_along(at, out, d);
@@ -213,7 +212,7 @@ static bool ball_clears(const struct reach *r, struct vec3 p, struct vec3 d, str
 static bool ball_is_inside(const struct reach *r, size_t i, struct vec3 centre)
 {
     double radius = r->options->radius;
-    double smaller = SURE * r->options->limit + BESIDE_GAP * sqrt(r->area[i]);
+    double smaller = r->options->near + BESIDE_GAP * sqrt(r->area[i]);
     return smaller <= TOO_SPARSE * radius &&
            kdtree_any_beside(r->roof_tree, vec_along(centre, radius, vec(0, 0, 1)),
                              vec_along(centre, OVERHEAD * radius, vec(0, 0, 1)), radius - smaller);

@@ -3,11 +3,8 @@
 
 #include <stdlib.h>
 
-#include "cloud/outliers.h"
+#include "cloud/judged_scan.h"
 #include "cloud/plan_extent.h"
-#include "cloud/rim_points.h"
-#include "cloud/roof.h"
-#include "cloud/steep_facets.h"
 #include "math/kdtree.h"
 #include "math/point_grid.h"
 #include "math/sphere_grid.h"
@@ -60,8 +57,9 @@ struct vec3s coverage_judge_axes(const struct kinematic_chain *chain)
 
 /* ---- the question */
 
-/* What a ball may not be in besides the points, and which of them lie under a roof. */
-static void find_solid(const struct vec3s *place, const struct coverage_judge_options *options,
+/* Moves the places of a scan to where they are without noise.  What a ball may not be in besides
+ * them, and which of them lie under a roof. */
+static void find_solid(struct vec3s *place, const struct coverage_judge_options *options,
                        struct vec3s *curtain, unsigned char *under)
 {
     int threads = options->threads;
@@ -73,10 +71,7 @@ static void find_solid(const struct vec3s *place, const struct coverage_judge_op
     if (point_grid_make(place->item, place->n, spacing > 0 ? spacing : 1, threads, &grid, &error) <
         0)
         return;
-    outliers_under_roof(&grid, threads, under);
-    roof_curtain_asked(&grid, threads, curtain);
-    rim_points_asked(&grid, options->radius, options->noise, threads, curtain);
-    steep_facets_asked(&grid, options->radius, options->noise, threads, curtain);
+    judged_scan_settle(&grid, options->radius, options->noise, threads, under, curtain);
     point_grid_free(&grid);
 }
 
@@ -96,15 +91,16 @@ static struct tool_shape shape_of(const struct holder *holder)
 }
 
 /* Of each place what is asked of it: of those that are, more than the limit is left. */
-static double *left_of(const struct vec3 *point, const double *height, const struct vec3s *place,
-                       const struct coverage_judge_options *options, size_t *of)
+static double *left_of(const struct vec3 *point, const double *height, size_t n,
+                       const struct vec3s *place, const struct coverage_judge_options *options,
+                       size_t *of)
 {
     double *left = mem_alloc(place->n, sizeof *left);
     struct kdtree *tree = kdtree_new_by(place->item, place->n, options->threads);
 
     for (size_t i = 0; i < place->n; i++)
         left[i] = 0;
-    for (size_t i = 0; i < place->n; i++) {
+    for (size_t i = 0; i < n; i++) {
         size_t at;
         if (!(height[i] > 0) || kdtree_nearest(tree, point[i], 1, &at, NULL) == 0)
             continue;
@@ -117,40 +113,40 @@ static double *left_of(const struct vec3 *point, const double *height, const str
 
 /* Of those that were asked for; what is on the others is set to 0. */
 static size_t count_left(double *height, size_t n, const size_t *of, const double *left,
-                         const struct part_coverage *judged, size_t *worst)
+                         const struct part_coverage *judged, size_t places)
 {
     size_t found = 0;
+    bool *is_left = mem_alloc(n + 1, sizeof *is_left);
 
+    for (size_t i = 0; i < n; i++)
+        is_left[i] = false;
+    for (size_t i = 0; i < places; i++)
+        if (left[i] > 0 && judged->of[i] == COVERAGE_LEFT)
+            is_left[of[i]] = true;
     for (size_t i = 0; i < n; i++) {
-        if (left[i] == 0)
-            continue;
-        if (judged->of[i] != COVERAGE_LEFT) {
-            height[of[i]] = 0;
-            continue;
-        }
-        found++;
-        if (*worst == n || height[of[i]] > height[*worst])
-            *worst = of[i];
+        height[i] = is_left[i] ? height[i] : 0;
+        found += is_left[i];
     }
+    free(is_left);
     return found;
 }
 
-/* What lies in the way, which is asked of the points in an order of their own. */
-static size_t ask(const struct vec3 *point, double *height, struct vec3s *place,
-                  const struct coverage_judge_options *options, size_t *worst)
+static size_t ask(const struct vec3 *point, double *height, size_t n, struct vec3s *place,
+                  const struct coverage_judge_options *options)
 {
-    size_t n = place->n, *of = mem_alloc(n, sizeof *of);
+    size_t *of = mem_alloc(place->n, sizeof *of);
     struct vec3s curtain = {0}, axes = coverage_judge_axes(options->chain);
-    unsigned char *under = mem_alloc(n, 1);
+    unsigned char *under = mem_alloc(place->n, 1);
 
-    for (size_t i = 0; i < n; i++)
+    for (size_t i = 0; i < place->n; i++)
         under[i] = 0;
     if (options->scan)
         find_solid(place, options, &curtain, under);
-    double *left = left_of(point, height, place, options, of);
+    double *left = left_of(point, height, n, place, options, of);
     struct tool_shape tool = shape_of(options->holder);
     const struct part_coverage_options how = {.radius = options->radius,
                                               .limit = options->limit,
+                                              .near = options->near,
                                               .tool = &tool,
                                               .axis = &axes,
                                               .curtain = &curtain,
@@ -158,8 +154,8 @@ static size_t ask(const struct vec3 *point, double *height, struct vec3s *place,
                                               .left_only = true,
                                               .threads = options->threads};
     struct part_coverage judged;
-    part_coverage_run(place->item, left, under, n, &how, &judged);
-    size_t found = count_left(height, n, of, left, &judged, worst);
+    part_coverage_run(place->item, left, under, place->n, &how, &judged);
+    size_t found = count_left(height, n, of, left, &judged, place->n);
     part_coverage_free(&judged);
     array_free(&curtain);
     array_free(&axes);
@@ -169,18 +165,12 @@ static size_t ask(const struct vec3 *point, double *height, struct vec3s *place,
     return found;
 }
 
-size_t coverage_judge_left(const struct vec3 *point, double *height, size_t n,
-                           const struct coverage_judge_options *options, size_t *worst)
+size_t coverage_judge_left(const struct vec3 *point, double *height, size_t n, struct vec3s *place,
+                           const struct coverage_judge_options *options)
 {
-    struct vec3s place = {0};
-    size_t asked = 0;
+    bool asked = false;
 
-    *worst = n;
-    for (size_t i = 0; i < n; i++) {
-        *array_push(&place) = point[i];
-        asked += height[i] > 0;
-    }
-    asked = asked > 0 ? ask(point, height, &place, options, worst) : 0;
-    array_free(&place);
-    return asked;
+    for (size_t i = 0; i < n; i++)
+        asked = asked || height[i] > 0;
+    return asked ? ask(point, height, n, place, options) : 0;
 }

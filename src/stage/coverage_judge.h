@@ -3,8 +3,8 @@
  * whether the tool could have cut it (simulate/part_coverage.h): the same question, asked by who
  * makes the path, so that nothing that a path calls out of reach is found to be left.
  *
- * Stages to come widen what may be left, and a ball that comes within half of that is one that
- * could cut: where more may be left fewer points are asked for, and more of them are in reach.
+ * Stages to come widen what may be left, not how near a ball has to come: they make fewer points
+ * ask for it, and the answers stay.
  */
 #ifndef CLOUDMILL_COVERAGE_JUDGE_H
 #define CLOUDMILL_COVERAGE_JUDGE_H
@@ -16,6 +16,7 @@
 struct coverage_judge_options {
     double radius;                       /* of the ball, mm */
     double limit;                        /* what a program may leave, mm */
+    double near;                         /* so near a ball has to come that could cut a point, mm */
     double noise;                        /* of the points, one standard deviation, mm */
     const struct holder *holder;         /* what is above the ball */
     const struct kinematic_chain *chain; /* of the machine: what directions it has */
@@ -24,10 +25,11 @@ struct coverage_judge_options {
 };
 
 /* Of n points those with something left on them (height, mm; 0: not asked) that are judged to be
- * within reach: how many, and the one with most on it (n: there is none).  What is on the others is
- * set to 0. */
-size_t coverage_judge_left(const struct vec3 *point, double *height, size_t n,
-                           const struct coverage_judge_options *options, size_t *worst);
+ * within reach: how many.  What is on the others is set to 0.  `place`: what is in the way, these
+ * points among it, or those of the scan that they are without noise; it is sorted, and of a scan
+ * moved off its noise (cloud/judged_scan.h). */
+size_t coverage_judge_left(const struct vec3 *point, double *height, size_t n, struct vec3s *place,
+                           const struct coverage_judge_options *options);
 
 /* Unit vectors up the tool, evenly over the upper half of the sphere, that the machine's rotary
  * axes reach within their travel; the one at zero is the first. */

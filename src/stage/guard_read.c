@@ -359,6 +359,8 @@ static struct gouge_check *gouge_of(struct vec3s *points, const struct mesh *mes
                                        .vague = rule->tolerance,
                                        .effort = rule->effort,
                                        .threads = rule->threads};
+    for (size_t i = 0; mesh && i < point_grid.n; i++)
+        *array_push(&rule->believed) = point_grid.point[i];
     struct guard_points surface = guard_points_of_scan(&point_grid, &how);
     say_bounded(&surface, rule, point_grid.n);
     if (rule->noise > 0)

@@ -42,7 +42,8 @@ struct guard_read_options {
     int threads;
     struct unmets *unmet;           /* sharp edges that it does not know; NULL: only said */
     struct vec3s certain, doubtful; /* what becomes of it: its points (guard_points.h), ... */
-    struct vec3s curtain;           /* ... and those that hang under its rims (roof.h) */
+    struct vec3s curtain;           /* ... those that hang under its rims (roof.h) ... */
+    struct vec3s believed;          /* ... and with a mesh its points as they are, no outliers */
 };
 
 /*

@@ -96,8 +96,8 @@ static struct gouge_check *bare_guard(const struct vec3s *points, int threads)
     return gouge_new(all, threads);
 }
 
-/* Of a scan what is asked for; the others are beside it. */
-static void keep_region(struct vec3s *points, struct vec3s *beside)
+/* Of a scan what is asked for. */
+static void keep_region(struct vec3s *points)
 {
     struct region region = path_options_points();
     size_t kept = 0;
@@ -105,8 +105,6 @@ static void keep_region(struct vec3s *points, struct vec3s *beside)
     for (size_t i = 0; i < points->n && region_given(&region); i++)
         if (region_holds(&region, points->item[i]))
             points->item[kept++] = points->item[i];
-        else
-            *array_push(beside) = points->item[i];
     points->n = region_given(&region) ? kept : points->n;
 }
 
@@ -128,12 +126,13 @@ struct path_coverage path_coverage_new(const struct mesh *mesh, const struct mes
         c.bare = bare_guard(&points, t->threads);
     c.part = region == mesh || c.scan ? NULL : mesh;
     if (c.scan)
-        keep_region(&points, &c.beside);
+        keep_region(&points);
     c.coverage = coverage_new(points.item, points.n, t->threads);
     c.vertex = kdtree_new_by(mesh->vertex.item, mesh->vertex.n, t->threads);
     array_free(&points);
-    double limit = h + t->lift.tolerance + SIGMAS * noise;
-    c.allowed = limit + (isfinite(mesh->origin.ledger) ? mesh->origin.ledger : 0);
+    c.rows = h + SIGMAS * noise + (isfinite(mesh->origin.ledger) ? mesh->origin.ledger : 0);
+    c.allowed = c.rows + c.tolerance;
+    double limit = h + c.tolerance + SIGMAS * noise;
     c.options = (struct coverage_options){
         .guard = c.bare ? c.bare : t->lift.guard,
         .assumed = c.bare ? t->lift.guard : NULL,
@@ -157,7 +156,6 @@ void path_coverage_free(struct path_coverage *c)
     coverage_free(c->coverage);
     gouge_free(c->bare);
     kdtree_free(c->vertex);
-    array_free(&c->beside);
     array_free(&c->options.axes);
 }
 
@@ -227,17 +225,18 @@ void path_coverage_measure(struct path_coverage *c, const struct toolpath *t)
     coverage_cut(c->coverage, &c->options, &t->ball, &t->ball_end);
 }
 
-/* What who judges a program by the points takes for left: what is beside them is in the way. */
+/* What who judges a program by the points takes for left: of a scan by all of its points. */
 static struct path_verdicts judged_left(const struct path_coverage *c)
 {
     size_t n;
     const struct coverage_point *point = coverage_points(c->coverage, &n);
+    const struct vec3s *believed = &path_options.believed;
     struct vec3s place = {0};
 
-    for (size_t i = 0; i < n; i++)
+    for (size_t i = 0; c->scan && i < believed->n; i++)
+        *array_push(&place) = believed->item[i];
+    for (size_t i = 0; !c->scan && i < n; i++)
         *array_push(&place) = point[i].p;
-    for (size_t i = 0; i < c->beside.n; i++)
-        *array_push(&place) = c->beside.item[i];
     if (c->part)
         add_mesh(c->part, c->spacing, c->options.threads, &place);
     struct path_verdicts verdicts = path_judged(c, &place);

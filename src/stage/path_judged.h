@@ -3,9 +3,9 @@
  * (coverage_judge.h).
  *
  * Scallop and the tolerances of all stages may be left, so that what is left depends on the stages
- * to come: by a larger limit fewer points are asked for, and more of them are within reach.  A path
- * is judged as STAGES with as much tolerance each may leave it, and as it is, where it becomes a
- * program at once; as it is by twice the share, for most paths get a fitter.  Lengths in mm.
+ * to come: by a larger limit fewer points are asked for.  A path is judged as STAGES with as much
+ * tolerance each may leave it, and as it is, where it becomes a program at once; as it is by twice
+ * the share, for most paths get a fitter.  Lengths in mm.
  */
 #ifndef CLOUDMILL_PATH_JUDGED_H
 #define CLOUDMILL_PATH_JUDGED_H
@@ -28,7 +28,7 @@ struct path_verdicts {
                                  fitter's tolerance makes up for; its `worst` is not filled */
 };
 
-/* `place`: all that is in the way, the points that are to be cut before the others. */
-struct path_verdicts path_judged(const struct path_coverage *c, const struct vec3s *place);
+/* `place`: all that is in the way, as of coverage_judge_left. */
+struct path_verdicts path_judged(const struct path_coverage *c, struct vec3s *place);
 
 #endif

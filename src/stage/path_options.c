@@ -426,6 +426,7 @@ int path_options_guard(const struct mesh *mesh, const struct mesh_edges *edges, 
     path_options.certain = rule.certain;
     path_options.doubtful = rule.doubtful;
     path_options.curtain = rule.curtain;
+    path_options.believed = rule.believed;
     return *guard ? 0 : -1;
 }
 

@@ -10,6 +10,7 @@
 #include "verify_judge.h"
 
 #define FLAT 0.0002 /* mm: how straight the ball's centre goes between two places */
+#define SURE 0.5    /* of what rows may leave: a ball that could cut leaves no more */
 #define SIGMAS 1.5  /* of the noise, that are allowed besides the tolerance and what may be left */
 #define STEEP 1.0   /* of the points' spacing: so far a steep flank may be behind its facets */
 #define UNDER 0.1   /* of the radius: less than that and the points' spacing is beside a scan */
@@ -50,6 +51,16 @@ static void roll_steep(struct verdict *v)
     deviation_map_free(&map);
 }
 
+/* So near a ball has to come that could cut a point: by what stages after the rows may leave, no
+ * point is nearer. */
+static double near_of(const struct verdict *v)
+{
+    const struct verify_options *o = &v->options;
+    double rows = isfinite(o->left) ? v->limit - o->left + fmin(o->rows, o->left) : v->limit;
+
+    return SURE * rows;
+}
+
 /* Which points are cut, out of reach (also those `beside`, NULL: none), or left by so much. */
 static void cover_points(const struct verdict *v, const double *left, const unsigned char *beside,
                          struct part_coverage *coverage)
@@ -60,6 +71,7 @@ static void cover_points(const struct verdict *v, const double *left, const unsi
     struct vec3s axis = part_coverage_axes(&v->program.motion->kinematics);
     const struct part_coverage_options reach = {.radius = o->radius,
                                                 .limit = v->limit,
+                                                .near = near_of(v),
                                                 .tool = &o->tool,
                                                 .axis = &axis,
                                                 .curtain = surface ? &surface->curtain : NULL,

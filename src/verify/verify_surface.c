@@ -3,39 +3,13 @@
 #include <stdlib.h>
 
 #include "base/array.h"
-#include "base/parallel.h"
 #include "cloud/believed.h"
-#include "cloud/outliers.h"
+#include "cloud/judged_scan.h"
 #include "cloud/plan_extent.h"
-#include "cloud/rim_points.h"
 #include "cloud/roof.h"
-#include "cloud/settle.h"
 #include "cloud/steep_facets.h"
-#include "math/elementary.h"
 #include "math/point_grid.h"
 #include "verify/verify.h"
-
-struct settle {
-    const struct point_grid *grid;
-    double sigma;
-    struct vec3 *to;
-};
-
-static void settle_points(void *context, size_t from, size_t to)
-{
-    const struct settle *s = context;
-    for (size_t i = from; i < to; i++)
-        s->to[i] = settle_point(s->grid, s->sigma, s->grid->point[i]);
-}
-
-static void settle_all(struct point_grid *grid, double sigma, int threads)
-{
-    struct settle s = {grid, sigma, mem_alloc(grid->n, sizeof *s.to)};
-    parallel_for(threads, grid->n, settle_points, &s);
-    for (size_t i = 0; i < grid->n; i++)
-        grid->point[i] = s.to[i];
-    free(s.to);
-}
 
 /* Outliers go to `outliers`, the others stay in their order. */
 static void part_outliers(struct vec3s *point, const unsigned char *out, struct vec3s *outliers)
@@ -82,14 +56,9 @@ int verify_surface_find(struct vec3s *point, double noise, double radius, int th
     surface->sheets = believed.sheets.places > 0 ? believed.sheets.distance : 0;
     surface->sheets_at = believed.sheets.at;
     surface->under = mem_alloc(point->n, 1);
-    outliers_under_roof(&grid, threads, surface->under);
     surface->spacing = point_grid_spacing(&grid);
     find_roof(&grid, threads, &surface->roof);
-    roof_curtain_asked(&grid, threads, &surface->curtain);
-    if (surface->noise > 0)
-        settle_all(&grid, surface->noise, threads);
-    rim_points_asked(&grid, radius, surface->noise, threads, &surface->curtain);
-    steep_facets_asked(&grid, radius, surface->noise, threads, &surface->curtain);
+    judged_scan_settle(&grid, radius, surface->noise, threads, surface->under, &surface->curtain);
     steep_facets_sure(&grid, radius, surface->noise, threads, &surface->steep);
     point_grid_free(&grid);
     return 0;

@@ -16,11 +16,9 @@ judge_uses="base math $judge"
 judge_data="ncread machine/machine.h
 ncread machine/control.h
 verify cloud/believed.h
-verify cloud/outliers.h
+verify cloud/judged_scan.h
 verify cloud/plan_extent.h
-verify cloud/rim_points.h
 verify cloud/roof.h
-verify cloud/settle.h
 verify cloud/steep_facets.h
 verify io/cloud/cloud.h
 verify io/mesh/

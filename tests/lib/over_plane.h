@@ -51,8 +51,9 @@ static inline struct nc_motion rows(double height, double over)
     return motion;
 }
 
-static inline struct verdict judge(const struct nc_motion *motion, const struct vec3s *part,
-                                   const struct stock_options *stock)
+/* So much may be `left`, of that by `rows`. */
+static inline struct verdict judge_left(const struct nc_motion *motion, const struct vec3s *part,
+                                        const struct stock_options *stock, double left, double rows)
 {
     struct verify_program program = {.file = "rows",
                                      .control = "by hand",
@@ -64,7 +65,8 @@ static inline struct verdict judge(const struct nc_motion *motion, const struct 
                                      .made_for = ""};
     struct verify_options options = {.radius = RADIUS,
                                      .tolerance = 0.01,
-                                     .left = 0.05,
+                                     .left = left,
+                                     .rows = rows,
                                      .band = 1,
                                      .tool = {1, {{0, 10, RADIUS, RADIUS}}},
                                      .stock = stock,
@@ -72,6 +74,12 @@ static inline struct verdict judge(const struct nc_motion *motion, const struct 
                                      .limits = wide,
                                      .threads = 1};
     return verify_run(&program, &options);
+}
+
+static inline struct verdict judge(const struct nc_motion *motion, const struct vec3s *part,
+                                   const struct stock_options *stock)
+{
+    return judge_left(motion, part, stock, 0.05, 0.05);
 }
 
 #endif

@@ -87,4 +87,21 @@ has "is refused with its line" 'bad.cl:[0-9]+: found .*expected UNMET/stage' err
 sed 's/^\$\$-> UNMET.*/$$-> UNMET\/x,) M30 (%/' trough.cl >bad.cl
 ncpost -q -c fanuc -o p.nc bad.cl
 hasnt "no text of a stream leaves its comment" '^[^(]*M30.*UNMET|UNMET[^)]*\).*M30' p.nc
+
+# Who makes a path and who reads the program back judge what is within reach by the same points, and
+# by what rows leave: whatever a fitter does, nothing more comes within reach.  A gable with noise of
+# which the judge took 15 points for left, where 12 may be, and the path had reckoned with 10.
+awk -v seed=31683 'BEGIN {
+	for (x = -12; x <= 12; x += 0.5) for (y = -12; y <= 12; y += 0.5) {
+		u = 0.8 * x - 0.6 * y; v = 0.6 * x + 0.8 * y; a = u < 0 ? -u : u; b = v < 0 ? -v : v
+		z = b < 7 && a < 6.25 ? 5 - 0.8 * a : 0
+		g = -6
+		for (k = 0; k < 12; k++) { seed = (seed * 16807) % 2147483647; g += seed / 2147483647 }
+		printf "%.4f %.4f %.4f\n", x, y, z + 0.01 * g
+	} }' >gable.xyz
+ok "a gable with noise: a mesh" cloud2mesh -q -t 2 -o gable.ply gable.xyz
+status 0 "a path" meshnorm -q -r 2.5 --avoid -g gable.xyz -o gable.cl gable.ply
+status 0 "arcs" biarcfit -q -e 0.01 -g gable.xyz -o arcs.cl gable.cl
+status 0 "a program" ncpost -q -c siemens -o gable.mpf arcs.cl
+status 0 "it is accepted" ncverify -q -r 2.5 -g gable.xyz gable.mpf
 done_testing

@@ -18,7 +18,8 @@ static int class_behind(const struct vec3s *points, const struct vec3s *curtain,
                         const struct verify_kinematics *kinematics)
 {
     struct vec3s axis = part_coverage_axes(kinematics);
-    struct part_coverage_options options = {R, LIMIT, tool, &axis, curtain, false, false, 1};
+    struct part_coverage_options options = {R,       LIMIT, LIMIT / 2, tool, &axis,
+                                            curtain, false, false,     1};
     double *deviation = mem_alloc(points->n, sizeof *deviation);
     struct part_coverage coverage;
     size_t at = 0;
@@ -198,7 +199,8 @@ START_TEST(areas_and_threads)
     for (size_t i = 0; i < points.n; i++)
         deviation[i] = points.item[i].y < 0 ? 0 : 0.5;
     struct part_coverage one, four;
-    struct part_coverage_options options = {R, LIMIT, &alone, &axis, NULL, false, false, 1};
+    struct part_coverage_options options = {R,    LIMIT, LIMIT / 2, &alone, &axis,
+                                            NULL, false, false,     1};
     part_coverage_run(points.item, deviation, NULL, points.n, &options, &one);
     options.threads = 4;
     part_coverage_run(points.item, deviation, NULL, points.n, &options, &four);

@@ -46,7 +46,7 @@ static void make(bool slot)
     path_options.left_share = 0.5;
     path_options.noise = 0;
     path_options.body.ball_only = true;
-    path_options.certain = scan;
+    path_options.certain = path_options.believed = scan;
     path = (struct path){.name = "path"};
     t = (struct toolpath){
         .path = &path,
@@ -69,7 +69,7 @@ static void teardown(void)
     gouge_free(guard);
     mesh_free(&mesh);
     array_free(&scan);
-    path_options.certain = path_options.doubtful = (struct vec3s){0};
+    path_options.certain = path_options.doubtful = path_options.believed = (struct vec3s){0};
 }
 
 /* Rows along x at these y. */
@@ -245,6 +245,7 @@ START_TEST(kept_off_is_left)
     t.lift.guard = guard;
     t.rule.chain = (struct kinematic_chain){.n = 0, .tool = {0, 0, 1}};
     struct path_coverage c = path_coverage_new(&mesh, &mesh, &t);
+    ck_assert_double_eq_tol(c.rows, 0.05, 1e-15);
     ck_assert_double_eq_tol(c.allowed, 0.06, 1e-15);
     ck_assert_double_eq_tol(c.options.near, (0.05 + 0.01 + 2 * 0.01) / 2, 1e-15);
     close_rows();

@@ -48,6 +48,27 @@ START_TEST(faults_of_the_surface)
 }
 END_TEST
 
+/* A hollow that fits the ball but for 0.03 is out of reach where rows may leave 0.05, however much
+ * later stages may, and within reach where rows may leave 0.08. */
+START_TEST(hollow_is_judged_by_what_rows_leave)
+{
+    struct vec3s part = plane();
+    const double sagitta = RADIUS - sqrt(RADIUS * RADIUS - 0.25);
+    size_t middle = part.n / 2;
+    part.item[middle].z = -sagitta - 0.03;
+    struct nc_motion motion = rows(0.2, 5);
+    for (int i = 0; i < 3; i++) {
+        const double left[] = {0.05, 0.08, 0.08}, near[] = {0.05, 0.05, 0.08};
+        struct verdict v = judge_left(&motion, &part, NULL, left[i], near[i]);
+        ck_assert_uint_eq(v.coverage.sum[COVERAGE_OUT_OF_REACH].points, i < 2);
+        ck_assert_uint_eq(v.coverage.sum[COVERAGE_LEFT].points, part.n - (i < 2));
+        verdict_free(&v);
+    }
+    nc_motion_free(&motion);
+    array_free(&part);
+}
+END_TEST
+
 /* 1 mm off all of a block: what is cut is what is gone. */
 START_TEST(stock_is_cut_down_to_the_plane)
 {
@@ -177,6 +198,7 @@ int main(void)
     Suite *suite = suite_create("verify");
     TCase *tcase = tcase_create("verify");
     tcase_add_loop_test(tcase, faults_of_the_surface, 0, (int)(sizeof cases / sizeof *cases));
+    tcase_add_test(tcase, hollow_is_judged_by_what_rows_leave);
     tcase_add_test(tcase, stock_is_cut_down_to_the_plane);
     tcase_add_test(tcase, page_shows_the_worst_points);
     tcase_add_loop_test(tcase, stock_of_an_option, 0, (int)(sizeof stocks / sizeof *stocks));

@@ -1,0 +1,46 @@
+/* judged_scan - see judged_scan.h. */
+#include "cloud/judged_scan.h"
+
+#include <stdlib.h>
+
+#include "base/parallel.h"
+#include "cloud/outliers.h"
+#include "cloud/rim_points.h"
+#include "cloud/roof.h"
+#include "cloud/settle.h"
+#include "cloud/steep_facets.h"
+
+struct settling {
+    const struct point_grid *grid;
+    double sigma;
+    struct vec3 *to;
+};
+
+static void settle_points(void *context, size_t from, size_t to)
+{
+    const struct settling *s = context;
+
+    for (size_t i = from; i < to; i++)
+        s->to[i] = settle_point(s->grid, s->sigma, s->grid->point[i]);
+}
+
+static void settle_all(struct point_grid *grid, double sigma, int threads)
+{
+    struct settling s = {grid, sigma, mem_alloc(grid->n, sizeof *s.to)};
+
+    parallel_for(threads, grid->n, settle_points, &s);
+    for (size_t i = 0; i < grid->n; i++)
+        grid->point[i] = s.to[i];
+    free(s.to);
+}
+
+void judged_scan_settle(struct point_grid *scan, double radius, double noise, int threads,
+                        unsigned char *under, struct vec3s *curtain)
+{
+    outliers_under_roof(scan, threads, under);
+    roof_curtain_asked(scan, threads, curtain);
+    if (noise > 0)
+        settle_all(scan, noise, threads);
+    rim_points_asked(scan, radius, noise, threads, curtain);
+    steep_facets_asked(scan, radius, noise, threads, curtain);
+}
