@@ -32,6 +32,7 @@ struct facets_work {
     const struct vec3 *place;
     double spacing;
     double least;        /* mm: the longest edge of a facet */
+    bool *corner;        /* of each point: facets are looked for about it */
     struct vec3s *found; /* places, of each point */
     uint32_t *facets;    /* of each point, how many */
 };
@@ -138,37 +139,72 @@ static double circle_of(struct uv a, struct uv b)
     return area2 > 0 ? product / area2 : HUGE_VAL;
 }
 
-/* How far the point that makes the facet beyond an edge, or the origin, stands above a facet. */
-static double stands_above(const struct facets_work *work, const struct about *about, struct uv a,
-                           struct uv b, struct vec3 from, struct vec3 normal)
-{
-    size_t k = third_corner(about, b, a);
+/* A corner of a facet, the one before it and the one after it, counter-clockwise from above. */
+struct corner {
+    size_t at, before, after;
+};
 
-    return k == NONE ? -HUGE_VAL
-                     : vec_dot(normal, vec_sub(work->place[about->item[k].index], from));
+static struct uv seen_from(const struct facets_work *work, size_t at, size_t i)
+{
+    struct vec3 way = vec_sub(work->scan->point[i], work->scan->point[at]);
+
+    return (struct uv){way.x, way.y};
 }
 
-/* The facet of point i and two about it is one that keeps a ball off. */
-static bool is_wanted(const struct facets_work *work, const struct about *about, size_t i,
-                      const struct beside *b, const struct beside *c)
+/* How far the point that makes the facet beyond an edge, or the corner, stands above a facet. */
+static double stands_above(const struct facets_work *work, const struct about *about, size_t corner,
+                           struct uv a, struct uv b, struct vec3 normal)
+{
+    size_t k = third_corner(about, a, b);
+
+    return k == NONE
+               ? -HUGE_VAL
+               : vec_dot(normal, vec_sub(work->place[about->item[k].index], work->place[corner]));
+}
+
+/* What is beyond the two edges at a corner of a facet stands up above it. */
+static bool is_hollow_at(const struct facets_work *work, const struct about *about,
+                         const struct corner *corner, struct vec3 normal)
+{
+    const struct uv zero = {0, 0};
+    double hollow = (work->options->sure ? SURELY_HOLLOW : HOLLOW) * work->spacing;
+    struct uv before = seen_from(work, corner->at, corner->before);
+    struct uv after = seen_from(work, corner->at, corner->after);
+
+    return stands_above(work, about, corner->at, zero, before, normal) > hollow ||
+           stands_above(work, about, corner->at, after, zero, normal) > hollow;
+}
+
+/* Each edge as seen from both its ends: from one the point beyond may be too far to be seen, and it
+ * must not matter which is the first. */
+static bool is_hollow(const struct facets_work *work, const struct about *about,
+                      const size_t corner[3], struct vec3 normal, struct about *other)
+{
+    for (int k = 0; k < 3; k++) {
+        struct corner at = {corner[k], corner[(k + 2) % 3], corner[(k + 1) % 3]};
+        if (k > 0 && !find_about(work, at.at, other))
+            continue;
+        if (is_hollow_at(work, k == 0 ? about : other, &at, normal))
+            return true;
+    }
+    return false;
+}
+
+/* The facet of three points, the first with those about it, is one that keeps a ball off. */
+static bool is_wanted(const struct facets_work *work, const struct about *about,
+                      const size_t corner[3], struct about *other)
 {
     const struct steep_facets_options *o = work->options;
-    const struct uv zero = {0, 0};
-    struct vec3 p[3] = {work->place[i], work->place[b->index], work->place[c->index]};
+    struct vec3 p[3] = {work->place[corner[0]], work->place[corner[1]], work->place[corner[2]]};
     struct vec3 normal = vec_cross(vec_sub(p[1], p[0]), vec_sub(p[2], p[0]));
     double low = fmin(p[0].z, fmin(p[1].z, p[2].z));
     double high = fmax(p[0].z, fmax(p[1].z, p[2].z));
-    double hollow = (o->sure ? SURELY_HOLLOW : HOLLOW) * work->spacing;
 
-    if (!(triangle_longest(p) > work->least) || !(high - low > THROWN * o->noise) ||
-        !(normal.z > 0) ||
-        !(hypot(normal.x, normal.y) > (o->sure ? SURELY_STEEP : STEEP) * normal.z) ||
-        circle_of(b->at, c->at) > GAP * work->spacing)
-        return false;
-    normal = vec_unit(normal);
-    return stands_above(work, about, zero, b->at, p[0], normal) <= hollow &&
-           stands_above(work, about, b->at, c->at, p[0], normal) <= hollow &&
-           stands_above(work, about, c->at, zero, p[0], normal) <= hollow;
+    return triangle_longest(p) > work->least && high - low > THROWN * o->noise && normal.z > 0 &&
+           hypot(normal.x, normal.y) > (o->sure ? SURELY_STEEP : STEEP) * normal.z &&
+           !(circle_of(seen_from(work, corner[0], corner[1]),
+                       seen_from(work, corner[0], corner[2])) > GAP * work->spacing) &&
+           !is_hollow(work, about, corner, vec_unit(normal), other);
 }
 
 /* Places on a facet, its edges with them: rows along the longest of these. */
@@ -186,37 +222,72 @@ static void fill_facet(const struct vec3 v[3], double pitch, struct vec3s *to)
     }
 }
 
-/* The facets about point i of which it is the first corner. */
-static void fill_star(const struct facets_work *work, size_t i, const struct about *about)
+/* Facets are looked for about both points, and about the first of them first. */
+static bool is_before(const struct facets_work *work, size_t i, size_t other)
+{
+    return i < other || !work->corner[other];
+}
+
+/* The facet of point i and two about it, if it is to be found about this one. */
+static void take_facet(const struct facets_work *work, const struct about *about,
+                       const size_t corner[3], struct about *other)
+{
+    size_t i = corner[0];
+    double pitch = sqrt(6 * work->options->radius * work->options->sink);
+
+    if (is_before(work, i, corner[1]) && is_before(work, i, corner[2]) &&
+        is_wanted(work, about, corner, other)) {
+        struct vec3 v[3] = {work->place[i], work->place[corner[1]], work->place[corner[2]]};
+        fill_facet(v, pitch, &work->found[i]);
+        work->facets[i]++;
+    }
+}
+
+/* The facets about point i: counter-clockwise from the point nearest to it, which is next to it,
+ * and where they end, at a gap, clockwise, too. */
+static void fill_star(const struct facets_work *work, size_t i, const struct about *about,
+                      struct about *other)
 {
     const struct uv zero = {0, 0};
-    double pitch = sqrt(6 * work->options->radius * work->options->sink);
-    size_t b = 0; /* the nearest is next to it */
+    bool back = false;
+    size_t b = 0;
 
     for (int turn = 0; turn < STAR; turn++) {
-        size_t c = third_corner(about, zero, about->item[b].at);
-        if (c == NONE)
+        struct uv at = about->item[b].at;
+        size_t c = back ? third_corner(about, at, zero) : third_corner(about, zero, at);
+        if (c == NONE && back)
             return;
-        const struct beside *pb = &about->item[b], *pc = &about->item[c];
-        if (i < pb->index && i < pc->index && is_wanted(work, about, i, pb, pc)) {
-            struct vec3 v[3] = {work->place[i], work->place[pb->index], work->place[pc->index]};
-            fill_facet(v, pitch, &work->found[i]);
-            work->facets[i]++;
+        if (c == NONE) {
+            back = true;
+            b = 0;
+            continue;
         }
+        size_t left = about->item[back ? c : b].index, right = about->item[back ? b : c].index;
+        take_facet(work, about, (size_t[]){i, left, right}, other);
         b = c;
         if (b == 0)
             return;
     }
 }
 
-static void find_facets(void *context, size_t from, size_t to)
+static void find_corners(void *context, size_t from, size_t to)
 {
     const struct facets_work *work = context;
     struct about *about = mem_alloc(1, sizeof *about);
 
     for (size_t i = from; i < to; i++)
-        if (is_steep(work, i) && find_about(work, i, about))
-            fill_star(work, i, about);
+        work->corner[i] = is_steep(work, i) && find_about(work, i, about);
+    free(about);
+}
+
+static void find_facets(void *context, size_t from, size_t to)
+{
+    const struct facets_work *work = context;
+    struct about *about = mem_alloc(2, sizeof *about);
+
+    for (size_t i = from; i < to; i++)
+        if (work->corner[i] && find_about(work, i, &about[0]))
+            fill_star(work, i, &about[0], &about[1]);
     free(about);
 }
 
@@ -227,6 +298,7 @@ size_t steep_facets(const struct point_grid *scan, const struct steep_facets_opt
                                .options = options,
                                .place = options->place ? options->place : scan->point,
                                .spacing = point_grid_spacing(scan),
+                               .corner = mem_alloc(scan->n + 1, sizeof *work.corner),
                                .found = mem_alloc(scan->n + 1, sizeof *work.found),
                                .facets = mem_alloc(scan->n + 1, sizeof *work.facets)};
     size_t facets = 0;
@@ -237,6 +309,7 @@ size_t steep_facets(const struct point_grid *scan, const struct steep_facets_opt
         work.found[i] = (struct vec3s){0};
         work.facets[i] = 0;
     }
+    parallel_for(options->threads, scan->n, find_corners, &work);
     parallel_for(options->threads, scan->n, find_facets, &work);
     for (size_t i = 0; i < scan->n; i++) {
         facets += work.facets[i];
@@ -244,6 +317,7 @@ size_t steep_facets(const struct point_grid *scan, const struct steep_facets_opt
             *array_push(to) = work.found[i].item[k];
         array_free(&work.found[i]);
     }
+    free(work.corner);
     free(work.found);
     free(work.facets);
     return facets;

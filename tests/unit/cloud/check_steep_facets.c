@@ -228,6 +228,36 @@ START_TEST(what_is_asked)
 }
 END_TEST
 
+/* Crowns at the edge of what was seen: heights are anything, and a hole is beside. */
+static double crowns(double x, double y)
+{
+    return hypot(x - 4, y + 3) < 3 ? HUGE_VAL : 8 * noisy_uniform() * (x > -6);
+}
+
+/* Facets are the same ones whichever corner is the first: of the scan as its mirror shows it. */
+START_TEST(same_whatever_the_order)
+{
+    struct vec3s scan = {0}, mirrored = {0}, place = {0};
+
+    scan_of(crowns, &scan);
+    size_t facets[4];
+    for (int turn = 0; turn < 4; turn++) {
+        mirrored.n = place.n = 0;
+        for (size_t i = 0; i < scan.n; i++) {
+            struct vec3 p = scan.item[i];
+            *array_push(&mirrored) = vec(turn & 1 ? -p.x : p.x, turn & 2 ? -p.y : p.y, p.z);
+        }
+        facets[turn] = facets_of(&mirrored, SPACING, false, 2, &place);
+    }
+    ck_assert_uint_gt(facets[0], 50);
+    for (int turn = 1; turn < 4; turn++)
+        ck_assert_uint_eq(facets[turn], facets[0]);
+    array_free(&scan);
+    array_free(&mirrored);
+    array_free(&place);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("steep_facets");
@@ -240,6 +270,7 @@ int main(void)
     tcase_add_test(tests, none_where_there_are_enough);
     tcase_add_test(tests, points_on_a_grid);
     tcase_add_test(tests, what_is_asked);
+    tcase_add_test(tests, same_whatever_the_order);
     suite_add_tcase(suite, tests);
     SRunner *runner = srunner_create(suite);
     srunner_run_all(runner, CK_ENV);
