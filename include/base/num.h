@@ -31,6 +31,14 @@ static inline uint64_t num_eight(const char *p)
            (uint64_t)u[7] << 56;
 }
 
+/* The number of eight digits, a byte each, the first one lowest. */
+static inline uint64_t num_of_eight(uint64_t digit)
+{
+    digit = (digit * 10 + (digit >> 8)) & 0x00ff00ff00ff00ff;
+    digit = (digit * 100 + (digit >> 16)) & 0x0000ffff0000ffff;
+    return (digit * 10000 + (digit >> 32)) & 0xffffffff;
+}
+
 /* The number of leading digits among them, and their value, 0 if there are none. */
 static inline int num_digits(uint64_t eight, uint64_t *value)
 {
@@ -38,11 +46,18 @@ static inline int num_digits(uint64_t eight, uint64_t *value)
     uint64_t digit = eight ^ (0x30 * each);
     uint64_t other = ((digit + 0x76 * each) | digit) & (0x80 * each);
     int bits = other ? __builtin_ctzll(other) & 56 : 64;
-    digit = bits ? digit << (64 - bits) : 0; /* leading zeros */
-    digit = (digit * 10 + (digit >> 8)) & 0x00ff00ff00ff00ff;
-    digit = (digit * 100 + (digit >> 16)) & 0x0000ffff0000ffff;
-    *value = (digit * 10000 + (digit >> 32)) & 0xffffffff;
+    *value = num_of_eight(bits ? digit << (64 - bits) : 0); /* leading zeros */
     return bits / 8;
+}
+
+/* Are the first n of them, 1 to 8, digits?  And their value. */
+static inline bool num_so_many_digits(uint64_t eight, int n, uint64_t *value)
+{
+    static const uint64_t each = 0x0101010101010101;
+    uint64_t digit = eight ^ (0x30 * each);
+    uint64_t other = ((digit + 0x76 * each) | digit) & (0x80 * each);
+    *value = num_of_eight(digit << (64 - 8 * n));
+    return other << (64 - 8 * n) == 0;
 }
 
 /* The number of leading digits alone. */
@@ -62,10 +77,12 @@ static inline double num_of_digits(bool negative, uint64_t mantissa, size_t deci
     return negative ? -magnitude : magnitude;
 }
 
+/* 10^0 to 10^8. */
+static const uint64_t num_scale[] = {1, 10, 100, 1000, 10000, 100000, 1000000, 10000000, 100000000};
+
 /* num_plain of any length. */
 static inline const char *num_long(const char *p, double *value)
 {
-    static const uint64_t scale[] = {1, 10, 100, 1000, 10000, 100000, 1000000, 10000000, 100000000};
     bool negative = *p == '-';
     p += negative;
     uint64_t mantissa, more; /* eight digits at a time: how many there are is not guessed */
@@ -78,7 +95,7 @@ static inline const char *num_long(const char *p, double *value)
     if (*p == '.') {
         first = ++p;
         int n = num_digits(num_eight(p), &more);
-        mantissa = mantissa * scale[n] + more;
+        mantissa = mantissa * num_scale[n] + more;
         p += n;
         for (; n == 8 && *p >= '0' && *p <= '9' && p - first < 16; p++)
             mantissa = mantissa * 10 + (uint64_t)(*p - '0');
@@ -134,6 +151,39 @@ static inline const char *num_even(const char *p, double *value)
             mantissa = mantissa * 10 + (uint64_t)(*p - '0');
         decimals = (size_t)(p - first);
         digits += decimals;
+    }
+    if (digits - 1 >= 15 || *p >= 'A') /* as in num_long */
+        return NULL;
+    *value = num_of_digits(negative, mantissa, decimals);
+    return p;
+}
+
+/*
+ * num_even of a number in a column whose numbers mostly have as many digits behind the point:
+ * *behind, 0 before the first one, is how many of them are read at once.  Like num_plain it reads
+ * up to eight characters after the number.
+ */
+static inline const char *num_in_column(const char *p, double *value, int *behind)
+{
+    bool negative = *p == '-';
+    const char *first = p += negative;
+    uint64_t mantissa = 0, more;
+    size_t digits, decimals = 0;
+    for (; *p >= '0' && *p <= '9'; p++)
+        mantissa = mantissa * 10 + (uint64_t)(*p - '0');
+    digits = (size_t)(p - first);
+    if (*p == '.') {
+        first = ++p;
+        if (*behind > 0 && num_so_many_digits(num_eight(p), *behind, &more)) {
+            mantissa = mantissa * num_scale[*behind] + more;
+            p += *behind;
+        }
+        for (; *p >= '0' && *p <= '9'; p++)
+            mantissa = mantissa * 10 + (uint64_t)(*p - '0');
+        decimals = (size_t)(p - first);
+        digits += decimals;
+        if ((decimals < 8 ? (int)decimals : 8) != *behind)
+            *behind = decimals < 8 ? (int)decimals : 8;
     }
     if (digits - 1 >= 15 || *p >= 'A') /* as in num_long */
         return NULL;

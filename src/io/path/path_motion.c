@@ -294,15 +294,18 @@ static inline const char *skip_blanks(const char *s)
     return s;
 }
 
+enum { PLAIN_MOST = 6 };
+
 /* Reads the numbers of a line, from the end of its word; returns the next line, or NULL when there
- * is anything but plain numbers. */
-static const char *plain_numbers(const char *s, size_t most, double *v, size_t *n)
+ * is anything but plain numbers.  behind: of num_in_column, of each column. */
+static const char *plain_numbers(const char *s, int behind[], double *v, size_t *n)
 {
     s = skip_blanks(s);
     if (*s != '/')
         return NULL;
-    for (*n = 0; *n < most; s = skip_blanks(s)) {
-        s = num_even(skip_blanks(s + 1), &v[(*n)++]);
+    for (*n = 0; *n < PLAIN_MOST; s = skip_blanks(s)) {
+        s = num_in_column(skip_blanks(s + 1), &v[*n], &behind[*n]);
+        ++*n;
         if (!s)
             return NULL;
         if (*s != ',' && *(s = skip_blanks(s)) != ',')
@@ -360,15 +363,15 @@ int path_read_plain_gotos(struct path_parse *p)
     const char *end = (s = text) + n;
     size_t first = p->reader.line + 1;
     bool on = false;
-    int result = 0;
+    int result = 0, behind[PLAIN_MOST] = {0};
     while (s < end && result == 0) {
         bool contact = *s == '$' && p->sniffed && strncmp(s, "$$-> CONTCT", 11) == 0;
         double v[6] = {0};
         const char *next = NULL;
         if (contact)
-            next = plain_numbers(s + 11, 6, v, &n);
+            next = plain_numbers(s + 11, behind, v, &n);
         else if (memcmp(s, "GOTO", 4) == 0)
-            next = plain_numbers(s + 4, 6, v, &n);
+            next = plain_numbers(s + 4, behind, v, &n);
         if (!next || (n != 6 && (n != 3 || contact)))
             break;
         p->apt.line = (unsigned)(first + lines++);

@@ -54,13 +54,17 @@ START_TEST(plain_numbers_as_strtod)
         char *end;
         double truth = strtod(text, &end);
         bool number = before + (point ? behind : 0) > 0, exponent = end != text && end > to;
-        for (int even = 0; even < 2; even++) {
+        int as_many = behind < 8 ? behind : 8, other = (int)(next_random() % 9);
+        for (int way = 0; way < 4; way++) {
             double value;
-            const char *p = even ? num_even(text, &value) : num_plain(text, &value);
+            const char *p = way == 0   ? num_plain(text, &value)
+                            : way == 1 ? num_even(text, &value)
+                                       : num_in_column(text, &value, way == 2 ? &as_many : &other);
             if (p ? p != end || memcmp(&value, &truth, sizeof value) != 0
                   : number && !exponent && before + behind < 15 && kind < 6)
                 ck_abort_msg("%s: %.17g", text, value);
         }
+        ck_assert(!point || other == (behind < 8 ? behind : 8));
     }
 }
 END_TEST
