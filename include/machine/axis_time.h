@@ -25,6 +25,7 @@ struct axis_time_place {
     double axis[AXIS_TIME_AXES];
     double way;  /* along it, from the first place on */
     double feed; /* of the way up to here, a second */
+    size_t mark; /* what its maker knows it by */
 };
 
 /* Seconds over n places; step[i]: of those from place i - 1 to i. */
@@ -32,9 +33,13 @@ double axis_time_run(const struct axis_time_limits *limits, const struct axis_ti
                      size_t n, double step[]);
 
 /* The same of a way of millions of places while it is being made, of which those are kept from
- * which the axes cannot stop before the next one.  Starts as all zero but for the limits. */
+ * which the axes cannot stop before the next one.  Starts as all zero but for the limits and, where
+ * somebody asks for each step, who is told its seconds and the mark of the place that it leads to:
+ * in their order, once they are certain. */
 struct axis_time_way {
     struct axis_time_limits limits;
+    void (*step)(void *context, size_t mark, double seconds);
+    void *context;
     size_t n, cap; /* places that are kept: from the second on they count */
     struct axis_time_place *item;
     struct doubles speed; /* at each of them ... */

@@ -93,6 +93,57 @@ static double speed_at(const struct axis_time_limits *limits, const struct rates
     return v;
 }
 
+/* What surely bounds no speed up to this feed: what each axis does for each length of the way, and
+ * how much that changes over each length that it has for it.  Half of the feed and more are asked
+ * about, for the feeds of a program are alike. */
+struct unbound {
+    double feed, slope[AXIS_TIME_AXES], change[AXIS_TIME_AXES];
+    double rounding[AXIS_TIME_AXES]; /* of slopes no steeper */
+};
+
+static struct unbound unbound_at(const struct axis_time_limits *limits, double feed)
+{
+    const double spare = 1 + 1e-6; /* feeds that are alike but for rounding */
+    struct unbound u = {.feed = feed * spare};
+    double square = u.feed * u.feed, cube = square * u.feed;
+
+    for (int k = 0; k < AXIS_TIME_AXES; k++) {
+        double jerk = limits->jerk[k] * limits->smoothing;
+        u.slope[k] = limits->speed[k] / (spare * u.feed);
+        u.change[k] = smaller(limits->acceleration[k] / square, jerk / cube) / spare;
+        u.rounding[k] = 1e-12 * u.slope[k];
+    }
+    return u;
+}
+
+/* Up to a place no axis is too fast. */
+static inline bool is_slow(const struct unbound *u, const struct axis_time_place *to)
+{
+    double length = to->way - to[-1].way;
+
+    for (int k = 0; k < AXIS_TIME_AXES; k++)
+        if (!(fabs(to->axis[k] - to[-1].axis[k]) <= u->slope[k] * length))
+            return false;
+    return length > 0;
+}
+
+/* At a place between steps that are slow none changes too much: the slopes' difference times both
+ * lengths, without a quotient. */
+static inline bool is_even(const struct unbound *u, const struct axis_time_limits *limits,
+                           const struct axis_time_place *at)
+{
+    double before = at->way - at[-1].way, after = at[1].way - at->way, both = before * after;
+    double over = larger((at[1].way - at[-1].way) / 2, limits->smoothing);
+
+    for (int k = 0; k < AXIS_TIME_AXES; k++) {
+        double change =
+            before * (at[1].axis[k] - at->axis[k]) - after * (at->axis[k] - at[-1].axis[k]);
+        if (!(fabs(change) <= (u->change[k] * over - u->rounding[k]) * both))
+            return false;
+    }
+    return true;
+}
+
 /* The fastest a length after (or before) a place where it is v, no more than `most`. */
 static double speed_after(const struct axis_time_limits *limits, const struct rates *r, double v,
                           double length, double most)
@@ -133,21 +184,31 @@ static double step_seconds(const struct axis_time_limits *limits, const struct a
 }
 
 /* The speeds at the places from `first` on but the last, with no more than what was before them in
- * mind: a way that is no slower at the place before bounds nothing. */
+ * mind: a way that is no slower at the place before bounds nothing.  At most places no axis bounds
+ * it, which takes less to be told than the slopes. */
 static void speeds_forth(const struct axis_time_limits *limits,
                          const struct axis_time_place place[], size_t first, size_t n, double v[])
 {
-    struct slopes before = slopes_to(&place[first]);
+    struct unbound u = {0};
+    bool slow = false; /* up to this place */
 
     for (size_t i = first; i + 1 < n; i++) {
-        struct slopes after = slopes_to(&place[i + 1]);
-        struct rates r = rates_between(limits, &place[i], before, after);
-        v[i] = speed_at(limits, &r, smaller(place[i].feed, place[i + 1].feed));
+        double feed = smaller(place[i].feed, place[i + 1].feed);
+        if (!(feed <= u.feed && 2 * feed >= u.feed)) {
+            u = unbound_at(limits, feed);
+            slow = is_slow(&u, &place[i]);
+        }
+        bool before = slow;
+        slow = is_slow(&u, &place[i + 1]);
+        v[i] = feed;
+        if (!before || !slow || !is_even(&u, limits, &place[i])) {
+            struct rates r = rates_at(limits, place, i, n);
+            v[i] = speed_at(limits, &r, feed);
+        }
         if (v[i] > v[i - 1]) {
             struct rates last = rates_at(limits, place, i - 1, n);
             v[i] = speed_after(limits, &last, v[i - 1], place[i].way - place[i - 1].way, v[i]);
         }
-        before = after;
     }
 }
 
@@ -205,6 +266,13 @@ static bool is_settled(const struct axis_time_limits *limits, const struct axis_
     return true;
 }
 
+/* The steps from one place that is kept to another: their seconds stand at their ends. */
+static void tell_steps(const struct axis_time_way *w, size_t from, size_t to)
+{
+    for (size_t i = from + 1; i <= to && w->step; i++)
+        w->step(w->context, w->item[i].mark, w->speed.item[i]);
+}
+
 /* The way up to the last settled place is done with. */
 static void settle(struct axis_time_way *w)
 {
@@ -218,6 +286,7 @@ static void settle(struct axis_time_way *w)
         return;
     double v = w->speed.item[last];
     w->seconds = seconds_back(&w->limits, w->item, n, w->from, last, w->speed.item, w->seconds);
+    tell_steps(w, w->from, last);
     w->speed.item[last] = v;
     w->n -= last - 1;
     w->known -= last - 1;
@@ -248,6 +317,7 @@ double axis_time_end(struct axis_time_way *w)
         speeds_forth(&w->limits, w->item, w->known, w->n, w->speed.item);
         w->speed.item[w->n - 1] = 0;
         sum = seconds_back(&w->limits, w->item, w->n, w->from, w->n - 1, w->speed.item, sum);
+        tell_steps(w, w->from, w->n - 1);
     }
     w->n = w->from = 0;
     w->seconds = 0;

@@ -21,10 +21,10 @@ struct timing {
     struct axis_time_limits limits;
     struct axis_time_way way; /* of the run at feed */
     struct {
-        size_t n, cap;
-        struct axis_time_place *item;
-    } places;             /* for feeds as times: the same, all of it, ... */
-    struct sizes move;    /* ... and of each place the move that leads to it */
+        bool any;         /* of a move ... */
+        size_t move;      /* ... of the plan, ... */
+        double seconds;   /* ... whose steps took so long up to now */
+    } steps;              /* for feeds as times */
     size_t n;             /* places of the run */
     double reached;       /* how far along the way the last of them is */
     double wished;        /* seconds of the run at its feeds */
@@ -111,17 +111,12 @@ static double block_seconds(const struct timing *t, const struct nc_move *move, 
 
 static void add_place(struct timing *t, const double axis[], double way, double feed, size_t move)
 {
-    struct axis_time_place place = {.way = way, .feed = feed};
+    struct axis_time_place place = {.way = way, .feed = feed, .mark = move};
     for (int k = 0; k < AXIS_TIME_AXES; k++)
         place.axis[k] = axis[k];
     t->n++;
     t->reached = way;
-    if (t->plan->ability.feeds != NC_FEEDS_INVERSE) {
-        axis_time_add(&t->way, &place);
-        return;
-    }
-    *array_push(&t->places) = place;
-    *array_push(&t->move) = move;
+    axis_time_add(&t->way, &place);
 }
 
 /* The places of a move at feed: one at its end, and on the way to it where it bends or turns. */
@@ -154,42 +149,38 @@ static void add_move(struct timing *t, size_t index, const struct block_pose *fr
     t->wished += seconds;
 }
 
-/* Each block of the run gets the time that it takes. */
-static void set_inverse(struct timing *t, const double step[])
+/* The block whose steps were added up gets the time that it takes. */
+static void set_inverse(struct timing *t)
 {
     const struct nc_ability *ability = &t->plan->ability;
-    for (size_t i = 1, next; i < t->places.n; i = next) {
-        struct nc_move *move = &t->plan->move.item[t->move.item[i]];
-        double seconds = 0;
-        for (next = i; next < t->places.n && t->move.item[next] == t->move.item[i]; next++)
-            seconds += step[next];
-        double feed = 60 / fmax(seconds, 1e-9);
-        int digits = post_feed_digits(ability, feed);
-        double said = num_round(feed, digits), least = 1 / num_ten[digits];
-        if (feed < move->feed)
-            move->feed = said > 0 ? said : least;
-    }
+    struct nc_move *move = &t->plan->move.item[t->steps.move];
+    double feed = 60 / fmax(t->steps.seconds, 1e-9);
+    int digits = post_feed_digits(ability, feed);
+    double said = num_round(feed, digits), least = 1 / num_ten[digits];
+    if (feed < move->feed)
+        move->feed = said > 0 ? said : least;
+    t->steps.any = false;
+    t->steps.seconds = 0;
 }
 
-/* Seconds of the run. */
-static double run_seconds(struct timing *t)
+static void add_step(void *context, size_t move, double seconds)
 {
-    if (t->plan->ability.feeds != NC_FEEDS_INVERSE)
-        return axis_time_end(&t->way);
-    double *step = mem_alloc(t->places.n, sizeof *step);
-    double seconds = axis_time_run(&t->limits, t->places.item, t->places.n, step);
-    if (t->n > 1)
-        set_inverse(t, step);
-    free(step);
-    return seconds;
+    struct timing *t = context;
+    if (t->steps.any && t->steps.move != move)
+        set_inverse(t);
+    t->steps.any = true;
+    t->steps.move = move;
+    t->steps.seconds += seconds;
 }
 
 static void end_run(struct timing *t)
 {
-    double seconds = run_seconds(t);
+    double seconds = axis_time_end(&t->way);
+    if (t->steps.any)
+        set_inverse(t);
     if (t->n > 1)
         t->plan->total.minutes += fmax(0, seconds - t->wished) / 60;
-    t->n = t->places.n = t->move.n = 0;
+    t->n = 0;
     t->wished = 0;
 }
 
@@ -213,8 +204,8 @@ void post_time(struct nc_plan *plan, const struct machine *machine)
     struct block_pose at = {.a = vec(0, 0, 1)};
     t.way.limits = t.limits;
     if (plan->ability.feeds == NC_FEEDS_INVERSE) {
-        array_reserve(&t.places, plan->move.n + plan->move.n / 2 + 1); /* most moves have one */
-        array_reserve(&t.move, t.places.cap);
+        t.way.step = add_step;
+        t.way.context = &t;
     }
     for (size_t i = 0; i < plan->move.n; i++) {
         const struct nc_move *move = &plan->move.item[i];
@@ -240,6 +231,4 @@ void post_time(struct nc_plan *plan, const struct machine *machine)
     }
     end_run(&t);
     axis_time_free(&t.way);
-    array_free(&t.places);
-    array_free(&t.move);
 }
