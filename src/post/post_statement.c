@@ -286,18 +286,22 @@ struct nc_missing nc_missing(const struct nc_program *p)
     struct nc_tooling now = {
         .number = head->tool, .spindle = head->spindle, .coolant = head->coolant};
     struct nc_missing missing = {0};
-    for (size_t i = 0; i < p->plan->move.n; i++) {
-        const struct nc_move *move = &p->plan->move.item[i];
+    const struct nc_move *move = p->plan->move.item, *end = move + p->plan->move.n;
+    while (move < end) { /* from what changes it on all moves have the same */
+        bool moves = false, cuts = false;
         if (move->kind == NC_TOOL)
             now.number = p->path->tool.item[move->index].number;
-        if (move->kind == NC_TEXT)
+        else if (move->kind == NC_TEXT)
             says_tooling(p->path->text.item[move->index], &now);
         missing.coolant = missing.coolant ||
                           (now.coolant > COOLANT_OFF && !coolant_blocks(p->machine, now.coolant));
-        if (!nc_moves(move))
-            continue;
-        missing.tool = missing.tool || now.number == 0;
-        missing.spindle = missing.spindle || (move->kind != NC_RAPID && !(now.spindle > 0));
+        do {
+            moves |= nc_moves(move);
+            cuts |= nc_moves(move) && move->kind != NC_RAPID;
+            move++;
+        } while (move < end && move->kind != NC_TOOL && move->kind != NC_TEXT);
+        missing.tool = missing.tool || (moves && now.number == 0);
+        missing.spindle = missing.spindle || (cuts && !(now.spindle > 0));
     }
     missing.tool = missing.tool && !p->asked.no_spindle;
     missing.spindle = missing.spindle && !p->asked.no_spindle;
