@@ -180,7 +180,8 @@ static void read_options(struct settings *s, struct cli *cli, int argc, char **a
          CLI_FLAG, &s->partial, 0, 0, 0, NULL},
         {0, "band", "MM",
          "with --partial: points more than this below the ball are outside of\n"
-         "the region cut (default: a quarter of the radius)",
+         "the region cut (default: a quarter of the radius, or twice the\n"
+         "tolerance if that is more)",
          CLI_NUMBER, &s->band, CLI_POSITIVE, 1e4, 0, &s->band_given},
         {0, "accept", NULL,
          "judge the program alone, whatever its head says, as UNMET, that could not\n"
@@ -241,7 +242,7 @@ static void read_options(struct settings *s, struct cli *cli, int argc, char **a
     read_tool_files(s);
 }
 
-/* The ball, and how far below it the region cut reaches. */
+/* The ball, and how far below it the region cut reaches: what is left is beyond the tolerance. */
 static void find_ball(struct settings *s, const struct ncread_head *head)
 {
     if (!s->radius_given && head->ball == 0)
@@ -250,7 +251,7 @@ static void find_ball(struct settings *s, const struct ncread_head *head)
         s->radius = head->ball;
         note("ball: R %g (as the program's head says)", s->radius);
     }
-    s->band = s->band_given ? s->band : s->radius / 4;
+    s->band = s->band_given ? s->band : fmax(s->radius / 4, 2 * s->tolerance);
     if (s->band < s->tolerance)
         die_usage("option --band: found %g, expected more than the tolerance %g", s->band,
                   s->tolerance);
@@ -561,6 +562,7 @@ int main(int argc, char **argv)
                                            .tool = s.tool,
                                            .stock = s.stock ? &s.block : NULL,
                                            .cell = s.cell,
+                                           .digit = ncread_digit(&machine),
                                            .limits = ncread_limits(&machine, tcp),
                                            .time = ncread_time_options(&machine),
                                            .threads = cli.threads};

@@ -108,6 +108,10 @@ bool ncread_head_region(const struct ncread_head *head, struct region *region);
 struct axis_limits ncread_limits(const struct machine *machine, bool tcp);
 struct machine_time_options ncread_time_options(const struct machine *machine);
 
+/* The last digit of lengths in its programs, in their unit, where the machine has a number of
+ * digits of its own; else 0. */
+double ncread_digit(const struct machine *machine);
+
 /* The reader of a control's programs. */
 const struct ncread_dialect *ncread_of(enum control_id control);
 

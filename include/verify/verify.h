@@ -101,6 +101,8 @@ struct verify_options {
     struct tool_shape tool;            /* above the ball; no spans: the ball alone is judged */
     const struct stock_options *stock; /* NULL: none */
     double cell;                       /* of the stock, mm; 0: by its size */
+    double digit;                      /* the last of lengths, where the machine has its own number
+                                          of digits, in the program's unit; 0: the usual one */
     struct axis_limits limits;         /* of the machine */
     struct machine_time_options time;  /* of it; its limits are those */
     int threads;                       /* as of parallel_for */

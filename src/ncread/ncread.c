@@ -77,6 +77,11 @@ static double printed_slack(const struct machine *machine)
     return 0.51 * pow(10, -digits);
 }
 
+double ncread_digit(const struct machine *machine)
+{
+    return machine->digits.linear >= 0 ? pow(10, -machine->digits.linear) : 0;
+}
+
 struct axis_limits ncread_limits(const struct machine *machine, bool tcp)
 {
     struct axis_limits limits = {

@@ -404,13 +404,10 @@ int guard_scan_near(const struct guard_scan *scan, const struct vec3s *place, co
 struct gouge_check *guard_read(struct guard_scan *scan, const struct mesh *mesh, double near,
                                struct guard_read_options *rule, struct error *error)
 {
-    struct gouge_check *guard = gouge_of(&scan->point, mesh, rule, error);
+    struct gouge_check *guard = NULL;
 
-    if (guard &&
-        guard_scan_near(scan, &mesh->vertex, "mesh vertices", near, rule->threads, error) != 0) {
-        gouge_free(guard);
-        guard = NULL;
-    }
+    if (guard_scan_near(scan, &mesh->vertex, "mesh vertices", near, rule->threads, error) == 0)
+        guard = gouge_of(&scan->point, mesh, rule, error);
     array_free(&scan->point);
     return guard;
 }

@@ -83,13 +83,15 @@ static void judge_end(struct verdict *v)
 }
 
 /* As long a way at rapid as its maker counted, or a retract or an approach was taken out, but for
- * the ends of moves, which are rounded.  More may be: some moves of the axes alone are not
- * counted. */
+ * the ends of moves, which are rounded: by the last digit a move.  More may be: some moves of the
+ * axes alone are not counted. */
 static void judge_way(struct verdict *v)
 {
+    const struct nc_motion *motion = v->program.motion;
     double said = v->program.rapid, way = v->axes.rapid_length, off = WAY;
-    for (size_t i = 0; i < v->program.motion->piece.n; i++)
-        off += v->program.motion->piece.item[i].rapid ? ROUNDED : 0;
+    double digit = v->options.digit * nc_motion_degree(motion);
+    for (size_t i = 0; i < motion->piece.n; i++)
+        off += motion->piece.item[i].rapid ? fmax(ROUNDED, digit) : 0;
     if (said - way > off)
         finding_remark(
             v, true,

@@ -90,4 +90,12 @@ for tool in biarcfit bsplfit; do
 	grep 'names no scan' "$TMP/err" >"$TMP/found"
 	empty "$tool: not to who asks for no guard" "$TMP/found"
 done
+
+# Another scan, as one in another unit: that is known before anything is made of its points.
+awk '{ print 1000 * $1, 1000 * $2, 1000 * $3 } END { print 0, 0, 90000 }' scan.xyz >metres.xyz
+for tool in meshnorm planecut; do
+	status 1 "$tool: another scan" $tool -r 3 --scallop 0.1 -g metres.xyz -o out.cl ../mesh.ply
+	has "... is told" 'expected the scan that the mesh was made from' "$TMP/err"
+	hasnt "... at once" 'outlier' "$TMP/err"
+done
 done_testing

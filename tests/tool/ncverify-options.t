@@ -27,6 +27,7 @@ refused "... with a flute" 'found --ball-only with' -g scan.xyz --ball-only --fl
 refused "a stock of no kind" 'option --stock: found .cylinder' -g scan.xyz --stock cylinder good.nc
 refused "a band below the tolerance" 'option --band: found 0.01, expected more than the tolerance 0.1' \
 	-g scan.xyz -e 0.1 --band 0.01 good.nc
+status 0 "a tolerance of half the radius has a band" ncverify -q -g scan.xyz -e 2 good.nc
 refused "a holder that is none" 'option --holder' -g scan.xyz --holder 9 good.nc
 refused "no control for standard input" 'give its control by -c' -r 4 -g scan.xyz -
 

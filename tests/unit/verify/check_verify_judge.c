@@ -368,6 +368,15 @@ static void rapid_of_many(struct verdict *v)
     way(v, 206.7, 206.25);
 }
 
+/* Six moves that are printed with two decimals. */
+static void rapid_of_few_digits(struct verdict *v)
+{
+    v->options.digit = 0.01;
+    for (int i = 0; i < 6; i++)
+        move_to((struct nc_motion *)v->program.motion, vec(20, 0, 30 + i % 2), vec(0, 0, 1), true);
+    way(v, 206.7, 206.54);
+}
+
 static void rapid_more(struct verdict *v)
 {
     way(v, 206.7, 220);
@@ -458,6 +467,7 @@ static const struct {
      "its rapid moves are 206.6 mm long, and 206.7 by its head: a retract or an approach is "
      "missing"},
     {rapid_of_many, false, NULL},
+    {rapid_of_few_digits, false, NULL},
     {rapid_more, false, NULL},
     {rapid_not_said, false, NULL},
     {ends_below_elsewhere, false, NULL},
