@@ -170,6 +170,14 @@ static void read_surfaces(struct mesh *mesh, struct patches *patches, struct pla
     mesh->origin.ledger = NAN; /* points leave the mesh: what it was off is not spent */
 }
 
+/* Faces or slopes that are all that the mesh has. */
+static bool takes_all(const struct mesh_region_options *region, const struct mesh *mesh,
+                      const struct mesh *part)
+{
+    return !region->box && !region->region && part->face.n == mesh->face.n &&
+           mesh_area(part) == mesh_area(mesh);
+}
+
 /* The part of the mesh that is cut; the mesh itself, when all of it is. */
 static const struct mesh *take_region(const struct mesh *mesh, struct mesh *part)
 {
@@ -184,7 +192,11 @@ static const struct mesh *take_region(const struct mesh *mesh, struct mesh *part
     if (part->face.n == 0)
         die("nothing of the mesh is in the region asked for (--box, --region, --faces, --steep)");
     note("region: %zu facets of the mesh's %zu", part->face.n, mesh->face.n);
-    return part;
+    if (!takes_all(&region, mesh, part))
+        return part;
+    if (region.polygons)
+        region_polygons_free(region.polygons);
+    return mesh;
 }
 
 /* Facets of CAD models are as long as the surface is straight: a fit through their corners alone

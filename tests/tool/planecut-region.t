@@ -135,4 +135,19 @@ box 1 "too many planes" -s 0.0001 --up 0,0,1 "would make [0-9]* planes, expected
 status 0 "samples/step.sh" sh "$SRC/samples/step.sh"
 has "its program is accepted" "^verdict *accepted" "$TMP/out"
 
+# Slopes that all of the mesh has are the whole: what holes leave of it is cut and judged, too, and no
+# outline is needed.
+awk 'BEGIN { for (y = -8; y <= 8; y += 0.8) for (x = -8; x <= 8; x += 0.8)
+	printf "%.3f %.3f %.3f\n", x, y, (x * x - y * y) / 60 }' >saddle.xyz
+cloud2mesh -q -t 0.8 --max-gap 1.3 saddle.xyz -o saddle.ply
+planecut -q -r 2 --scallop 0.05 --avoid -o whole.cl saddle.ply
+status 0 "slopes that are all of the part" planecut -q -r 2 --scallop 0.05 --avoid --steep 0:60 \
+	-o slopes.cl saddle.ply
+cmp -s whole.cl slopes.cl
+result $? "are cut as it is"
+ncpost -q -c siemens -o slopes.mpf slopes.cl
+status 0 "... and judged" ncverify -q -g saddle.xyz slopes.mpf
+planecut -q -r 2 --scallop 0.05 --avoid --steep 0:10 -o flat.cl saddle.ply
+cmp -s whole.cl flat.cl
+result $((!$?)) "slopes that some of it has are not"
 done_testing
