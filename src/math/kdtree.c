@@ -13,6 +13,8 @@ enum { SOME = 200 };
  */
 enum { TOP = 8, WORTH = 50000 };
 
+enum { PART = 128 }; /* points that are told apart from a pivot at once */
+
 static void swap_points(struct kd_point *a, struct kd_point *b)
 {
     struct kd_point t = *a;
@@ -24,6 +26,58 @@ static void swap_points(struct kd_point *a, struct kd_point *b)
 static double middle_of(double a, double b, double c)
 {
     return a < b ? (b < c ? b : fmax(a, c)) : (a < c ? a : fmax(b, c));
+}
+
+/* Points of a part that may have to go to the other side of a pivot: how far from where the part
+ * begins, in the order of a look through it. */
+struct strangers {
+    size_t n, at; /* how many, and how many of them have gone */
+    unsigned char by[PART];
+};
+
+/* Those that are not before the pivot in the part from p on, and those that are not after it in
+ * the part from p down: found without a jump, for none is foreseen. */
+static void find_strangers(struct strangers *s, const struct kd_point *p, int axis, double pivot)
+{
+    s->n = s->at = 0;
+    for (int k = 0; k < PART; k++) {
+        s->by[s->n] = (unsigned char)k;
+        s->n += !(p[k].c[axis] < pivot);
+    }
+}
+
+static void find_strangers_down(struct strangers *s, const struct kd_point *p, int axis,
+                                double pivot)
+{
+    s->n = s->at = 0;
+    for (int k = 0; k < PART; k++) {
+        s->by[s->n] = (unsigned char)k;
+        s->n += !(p[-k].c[axis] > pivot);
+    }
+}
+
+/*
+ * Hoare's partition of many points, [*i, *j], part by part (Edelkamp and Weiss 2016): the same
+ * pairs change places in the same order as if they were looked for one by one, as far as both parts
+ * do not meet; *i and *j are where that would go on.
+ */
+static void partition_parts(struct kd_point *p, size_t *i, size_t *j, int axis, double pivot)
+{
+    struct strangers left = {.n = 0}, right = {.n = 0};
+    size_t from = *i, to = *j; /* where the parts begin */
+
+    while (to - from >= 2 * PART) {
+        if (left.at == left.n)
+            find_strangers(&left, &p[from], axis, pivot);
+        if (right.at == right.n)
+            find_strangers_down(&right, &p[to], axis, pivot);
+        while (left.at < left.n && right.at < right.n)
+            swap_points(&p[from + left.by[left.at++]], &p[to - right.by[right.at++]]);
+        from += left.at == left.n ? PART : 0;
+        to -= right.at == right.n ? PART : 0;
+    }
+    *i = left.at < left.n ? from + left.by[left.at] : from;
+    *j = right.at < right.n ? to - right.by[right.at] : to;
 }
 
 /*
@@ -48,6 +102,8 @@ static void select_middle(struct kd_point *p, size_t from, size_t to, size_t mid
             pivot = p[from + (size_t)(chance >> 33) % n].c[axis];
         }
         left -= left < n ? 0 : n;
+        if (n > 4 * PART)
+            partition_parts(p, &i, &j, axis, pivot);
         for (;;) {
             while (p[i].c[axis] < pivot)
                 i++;
