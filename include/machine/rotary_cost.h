@@ -16,6 +16,17 @@
 /* How far both rotary axes together turn between two unit vectors, radians. */
 double rotary_travel(struct vec3 from, struct vec3 to);
 
+/* An axis and how far it leans from Z, for one that is asked about many times; the travel between
+ * two by the shorter of the two ways, and by that with the solution of the same side alone. */
+struct rotary_leaning {
+    struct vec3 axis;
+    double lean; /* radians */
+};
+struct rotary_leaning rotary_leaning_of(struct vec3 axis);
+double rotary_leaning_travel(const struct rotary_leaning *from, const struct rotary_leaning *to);
+double rotary_leaning_travel_one(const struct rotary_leaning *from,
+                                 const struct rotary_leaning *to);
+
 /* The same for a chain of two axes whose one nearest the work turns about `pole`: there it has no
  * direction.  `both`: its travel has both solutions, so that a way through the pole turns
  * nothing. */

@@ -10,18 +10,22 @@ static const double ALIKE = 0.1;  /* radians: directions so much further off are
 static const double JUMP = 12;    /* cost of an axis that can't be come to from the last */
 static const double SUDDEN = 0.6; /* radians between nodes beyond the rule's: lift instead */
 
-static double travel_between(const struct rotary_frame *f, struct vec3 a, struct vec3 b)
+static struct rotary_leaning leaning_of(const struct rotary_frame *f, struct vec3 a)
 {
-    struct vec3 from = vec(vec_dot(a, f->x), vec_dot(a, f->y), vec_dot(a, f->pole));
-    struct vec3 to = vec(vec_dot(b, f->x), vec_dot(b, f->y), vec_dot(b, f->pole));
-    double lean0, lean1, turn;
+    return rotary_leaning_of(vec(vec_dot(a, f->x), vec_dot(a, f->y), vec_dot(a, f->pole)));
+}
 
-    if (f->both)
-        return rotary_travel(from, to);
-    lean0 = atan2(hypot(from.x, from.y), from.z);
-    lean1 = atan2(hypot(to.x, to.y), to.z);
-    turn = atan2(fabs(from.x * to.y - from.y * to.x), from.x * to.x + from.y * to.y);
-    return fabs(lean1 - lean0) + (fmin(lean0, lean1) > 1e-6 ? turn : 0);
+static double travel_between(const struct rotary_frame *f, const struct rotary_leaning *a,
+                             const struct rotary_leaning *b)
+{
+    return f->both ? rotary_leaning_travel(a, b) : rotary_leaning_travel_one(a, b);
+}
+
+void axis_choose_leanings(struct axis_planner *p)
+{
+    p->leaning = mem_alloc((size_t)p->grid.n, sizeof *p->leaning);
+    for (int i = 0; i < p->grid.n; i++)
+        p->leaning[i] = leaning_of(&p->frame, p->grid.at[i]);
 }
 
 void axis_choose_neighbours(struct axis_planner *p, int i)
@@ -33,7 +37,7 @@ void axis_choose_neighbours(struct axis_planner *p, int i)
             continue;
         beside->index[beside->n] = j;
         beside->travel[beside->n++] =
-            (float)travel_between(&p->frame, p->grid.at[i], p->grid.at[j]);
+            (float)travel_between(&p->frame, &p->leaning[i], &p->leaning[j]);
     }
 }
 
@@ -41,6 +45,7 @@ void axis_choose_neighbours(struct axis_planner *p, int i)
 struct step {
     double *cost;
     short *from;
+    struct rotary_leaning rule;
 };
 
 /* The play that the choice of axes has: less by what is spared. */
@@ -65,13 +70,19 @@ static double free_zone(const struct axis_planner *p, const struct node *node)
     return off > axis_choose_play(p) ? off + ALIKE : axis_choose_play(p);
 }
 
-static double off_cost(double zone, const struct node *node, struct vec3 axis, double length)
+/* What it costs to be off the rule, after what it cost to come.  HUGE_VAL: surely more than `most`,
+ * from where a jump leads anywhere: the angle is no less than its chord. */
+static double cost_off(double zone, const struct node *node, struct vec3 axis, double length,
+                       double come, double most)
 {
+    const double rounding = 1e-6;
     double off2 = 2 - 2 * vec_dot(axis, node->rule);
 
     if (off2 <= zone * zone)
-        return zone > 0 ? NEAR * length * off2 / (zone * zone) : 0;
-    return length * (NEAR + FAR * (acos(1 - off2 / 2) - zone));
+        return come + (zone > 0 ? NEAR * length * off2 / (zone * zone) : 0);
+    if (come + length * (NEAR + FAR * (sqrt(off2) - zone)) > most + rounding)
+        return HUGE_VAL;
+    return come + length * (NEAR + FAR * (acos(1 - off2 / 2) - zone));
 }
 
 static int nearest_of_grid(const struct axis_planner *p, struct vec3 axis)
@@ -94,10 +105,10 @@ static void come_from_rule(const struct axis_planner *p, const struct node *befo
 
     for (int k = 0; before->rule_open && k < beside->n; k++) {
         int j = beside->index[k];
-        if (node->state[j] == ACCESS_BLOCKED)
+        if (node->state[j] == ACCESS_BLOCKED || last->cost[p->grid.n] >= now->cost[j])
             continue;
         double cost =
-            last->cost[p->grid.n] + travel_between(&p->frame, before->rule, p->grid.at[j]);
+            last->cost[p->grid.n] + travel_between(&p->frame, &last->rule, &p->leaning[j]);
         if (cost < now->cost[j]) {
             now->cost[j] = cost;
             now->from[j] = (short)p->grid.n;
@@ -113,14 +124,14 @@ static void come_to_rule(const struct axis_planner *p, const struct node *before
     int rule = p->grid.n;
 
     if (before->rule_open) {
-        now->cost[rule] = last->cost[rule] + travel_between(&p->frame, before->rule, node->rule);
+        now->cost[rule] = last->cost[rule] + travel_between(&p->frame, &last->rule, &now->rule);
         now->from[rule] = (short)rule;
     }
     for (int k = 0; k < beside->n; k++) {
         int j = beside->index[k];
-        if (before->state[j] == ACCESS_BLOCKED)
+        if (before->state[j] == ACCESS_BLOCKED || last->cost[j] >= now->cost[rule])
             continue;
-        double cost = last->cost[j] + travel_between(&p->frame, p->grid.at[j], node->rule);
+        double cost = last->cost[j] + travel_between(&p->frame, &p->leaning[j], &now->rule);
         if (cost < now->cost[rule]) {
             now->cost[rule] = cost;
             now->from[rule] = (short)j;
@@ -155,10 +166,11 @@ static int cheapest(const struct step *step, int n)
     return best;
 }
 
-static struct step new_step(const struct axis_planner *p)
+static struct step new_step(const struct axis_planner *p, const struct node *node)
 {
     size_t n = (size_t)p->grid.n + 1;
-    struct step s = {mem_alloc(n, sizeof *s.cost), mem_alloc(n, sizeof *s.from)};
+    struct step s = {mem_alloc(n, sizeof *s.cost), mem_alloc(n, sizeof *s.from),
+                     leaning_of(&p->frame, node->rule)};
 
     for (size_t j = 0; j < n; j++) {
         s.cost[j] = HUGE_VAL;
@@ -181,15 +193,18 @@ static void take_step(const struct axis_planner *p, const struct node *node, boo
         if (node->rule_open)
             come_to_rule(p, node - 1, last, node, now);
     }
-    for (int j = 0; j < n; j++) {
-        bool open = j + 1 < n ? node->state[j] != ACCESS_BLOCKED : node->rule_open;
+    double least = HUGE_VAL;
+    for (int j = n - 1; j >= 0; j--) { /* the rule's first: mostly it is the cheapest */
+        bool rule = j + 1 == n, open = rule ? node->rule_open : node->state[j] != ACCESS_BLOCKED;
         if (!open)
             continue;
         if (start < now->cost[j]) {
             now->cost[j] = start;
             now->from[j] = (short)best;
         }
-        now->cost[j] += off_cost(zone, node, j + 1 < n ? p->grid.at[j] : node->rule, length);
+        now->cost[j] = cost_off(zone, node, rule ? node->rule : p->grid.at[j], length, now->cost[j],
+                                least + JUMP);
+        least = fmin(least, now->cost[j]);
     }
 }
 
@@ -203,7 +218,7 @@ void axis_choose(const struct work *w, size_t from, size_t to)
     for (size_t i = 0; i < to - from; i++) {
         double before = i > 0 ? node[i].along - node[i - 1].along : 0;
         double after = i + 1 < to - from ? node[i + 1].along - node[i].along : 0;
-        step[i] = new_step(p);
+        step[i] = new_step(p, &node[i]);
         take_step(p, &node[i], i == 0, 0.01 + (before + after) / 2, i > 0 ? &step[i - 1] : NULL,
                   &step[i]);
     }

@@ -27,6 +27,7 @@ struct axis_planner *axis_planner_new(const struct axis_planner_options *options
     p->access = access_new(&access);
     p->reached = mem_alloc((size_t)p->grid.n, sizeof *p->reached);
     p->beside = mem_alloc((size_t)p->grid.n, sizeof *p->beside);
+    axis_choose_leanings(p);
     for (int i = 0; i < p->grid.n; i++) {
         p->reached[i] = options->chain.n > 0 && rotary_reaches(&options->chain, p->grid.at[i]);
         axis_choose_neighbours(p, i);
@@ -40,6 +41,7 @@ void axis_planner_free(struct axis_planner *p)
         return;
     access_free(p->access);
     sphere_grid_free(&p->grid);
+    free(p->leaning);
     free(p->reached);
     free(p->beside);
     free(p);

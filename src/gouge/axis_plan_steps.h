@@ -32,7 +32,8 @@ struct axis_planner {
     struct sphere_grid grid;
     struct access *access;
     struct rotary_frame frame;
-    bool *reached; /* by the machine, each direction of the grid */
+    struct rotary_leaning *leaning; /* each direction of the grid, in that frame */
+    bool *reached;                  /* by the machine, each of them */
     struct neighbours *beside;
 };
 
@@ -96,6 +97,9 @@ static inline bool axis_nodes_has_axis(const struct node *node)
 }
 
 /* ---- axis_choose.c */
+
+/* How the directions lean, which the rest asks. */
+void axis_choose_leanings(struct axis_planner *p);
 
 /* The directions that are neighbours of direction i, and what the rotary axes turn to them. */
 void axis_choose_neighbours(struct axis_planner *p, int i);

@@ -5,15 +5,40 @@
 static const double STEP = 5 * PI / 180;
 static const double UPRIGHT = 1e-6; /* radians: an axis that leans less has no direction */
 
+struct rotary_leaning rotary_leaning_of(struct vec3 axis)
+{
+    return (struct rotary_leaning){axis, atan2(hypot(axis.x, axis.y), axis.z)};
+}
+
+/* The angle between the directions of two axes, exact where it is small. */
+static double turn_between(struct vec3 from, struct vec3 to)
+{
+    return atan2(fabs(from.x * to.y - from.y * to.x), from.x * to.x + from.y * to.y);
+}
+
+double rotary_leaning_travel_one(const struct rotary_leaning *from, const struct rotary_leaning *to)
+{
+    double change = fabs(to->lean - from->lean);
+
+    return fmin(from->lean, to->lean) > UPRIGHT ? change + turn_between(from->axis, to->axis)
+                                                : change;
+}
+
+double rotary_leaning_travel(const struct rotary_leaning *from, const struct rotary_leaning *to)
+{
+    double change = fabs(to->lean - from->lean);
+
+    if (from->lean < UPRIGHT || to->lean < UPRIGHT)
+        return change;
+    double turn = turn_between(from->axis, to->axis);
+    return fmin(change + turn, from->lean + to->lean + PI - turn);
+}
+
 double rotary_travel(struct vec3 from, struct vec3 to)
 {
-    double lean0 = atan2(hypot(from.x, from.y), from.z), lean1 = atan2(hypot(to.x, to.y), to.z);
+    struct rotary_leaning a = rotary_leaning_of(from), b = rotary_leaning_of(to);
 
-    if (lean0 < UPRIGHT || lean1 < UPRIGHT)
-        return fabs(lean1 - lean0);
-    /* the angle between the directions, exact where it is small */
-    double turn = atan2(fabs(from.x * to.y - from.y * to.x), from.x * to.x + from.y * to.y);
-    return fmin(fabs(lean1 - lean0) + turn, lean0 + lean1 + PI - turn);
+    return rotary_leaning_travel(&a, &b);
 }
 
 /* Is the angle, or one a whole turn away, within the travel? */

@@ -25,6 +25,15 @@ START_TEST(ways_are_those_of_lean_and_direction)
                                 1e-9);
         ck_assert_double_eq_tol(rotary_travel(vec(0, 0, 1), leaning(0.3, at)), 0.3, 1e-9);
         ck_assert_double_eq(rotary_travel(leaning(0.3, at), leaning(0.3, at)), 0);
+        /* to one side alone: not over the pole */
+        struct rotary_leaning a = rotary_leaning_of(leaning(0.1, at));
+        struct rotary_leaning b = rotary_leaning_of(leaning(0.2, at + 3));
+        ck_assert_double_eq_tol(a.lean, 0.1, 1e-12);
+        ck_assert_double_eq_tol(rotary_leaning_travel(&a, &b), 0.3 + PI - 3, 1e-9);
+        ck_assert_double_eq_tol(rotary_leaning_travel_one(&a, &b), 0.1 + 3, 1e-9);
+        ck_assert(rotary_leaning_travel(&a, &b) == rotary_travel(a.axis, b.axis));
+        b = rotary_leaning_of(vec(0, 0, 1));
+        ck_assert_double_eq_tol(rotary_leaning_travel_one(&a, &b), 0.1, 1e-12);
     }
 }
 END_TEST
