@@ -81,24 +81,29 @@ bool axis_chain_may_have(const struct axis_chain *c, const struct axis_station *
            vec_dot(axis, normal) >= fmin(cos(STEEPEST), vec_dot(s->point->axis, normal));
 }
 
+/* Of a station what its means ask, for they ask it of many: side by side all of it stays near. */
+struct angled {
+    double along;
+    struct rotary_angles angles, sum; /* integrals up to it */
+};
+
 /* The integral of the angles up to a place between the stations i and i + 1. */
-static struct rotary_angles integral_at(const struct axis_chain *c,
-                                        const struct rotary_angles sum[], size_t i, double along)
+static struct rotary_angles integral_at(const struct angled at[], size_t n, size_t i, double along)
 {
-    const struct axis_station *a = &c->at[i], *b = i + 1 < c->n ? a + 1 : a;
+    const struct angled *a = &at[i], *b = i + 1 < n ? a + 1 : a;
     double length = b->along - a->along, by = along - a->along;
     double s = length > 0 ? by / length : 0;
 
     return (struct rotary_angles){
-        sum[i].lean + by * (a->angles.lean + s / 2 * (b->angles.lean - a->angles.lean)),
-        sum[i].turn + by * (a->angles.turn + s / 2 * (b->angles.turn - a->angles.turn))};
+        a->sum.lean + by * (a->angles.lean + s / 2 * (b->angles.lean - a->angles.lean)),
+        a->sum.turn + by * (a->angles.turn + s / 2 * (b->angles.turn - a->angles.turn))};
 }
 
 /* What the threads share that take means. */
 struct averages {
-    const struct axis_chain *chain;
+    const struct angled *at;
+    size_t n;
     double half;
-    const struct rotary_angles *sum; /* integrals up to each station */
     struct rotary_angles *mean;
 };
 
@@ -106,23 +111,22 @@ enum { PIECE = 4096 }; /* stations, which one thread takes */
 
 static void average_piece(const struct averages *a, size_t begin, size_t last)
 {
-    const struct axis_chain *c = a->chain;
-    const struct axis_station *at = c->at;
-    double end = at[c->n - 1].along;
+    const struct angled *at = a->at;
+    double end = at[a->n - 1].along;
 
     for (size_t i = begin, low = begin, high = begin; i < last; i++) {
         double reach = fmin(a->half, fmin(at[i].along, end - at[i].along));
         double from = at[i].along - reach, to = at[i].along + reach;
         while (low > 0 && at[low].along > from)
             low--;
-        while (low + 1 < c->n && at[low + 1].along <= from)
+        while (low + 1 < a->n && at[low + 1].along <= from)
             low++;
         while (high > 0 && at[high].along > to)
             high--;
-        while (high + 1 < c->n && at[high + 1].along <= to)
+        while (high + 1 < a->n && at[high + 1].along <= to)
             high++;
-        struct rotary_angles p = integral_at(c, a->sum, low, from);
-        struct rotary_angles q = integral_at(c, a->sum, high, to);
+        struct rotary_angles p = integral_at(at, a->n, low, from);
+        struct rotary_angles q = integral_at(at, a->n, high, to);
         a->mean[i] = at[i].angles;
         if (reach > 1e-6)
             a->mean[i] = (struct rotary_angles){(q.lean - p.lean) / (2 * reach),
@@ -135,25 +139,27 @@ static void average_pieces(void *context, size_t from, size_t to)
     const struct averages *a = context;
 
     for (size_t k = from; k < to; k++)
-        average_piece(a, k * PIECE,
-                      k + 1 < (a->chain->n + PIECE - 1) / PIECE ? (k + 1) * PIECE : a->chain->n);
+        average_piece(a, k * PIECE, k + 1 < (a->n + PIECE - 1) / PIECE ? (k + 1) * PIECE : a->n);
 }
 
 /* The mean of the angles over `half` mm before and after each station, less near the ends. */
 struct rotary_angles *axis_chain_means(const struct axis_chain *c, double half)
 {
-    struct rotary_angles *sum = mem_alloc(c->n + 1, sizeof *sum);
+    struct angled *at = mem_alloc(c->n + 1, sizeof *at);
     struct rotary_angles *mean = mem_alloc(c->n + 1, sizeof *mean);
-    const struct axis_station *at = c->at;
-    struct averages averages = {c, half, sum, mean};
+    struct averages averages = {at, c->n, half, mean};
 
-    for (size_t i = 0; i + 1 < c->n; i++) {
-        double length = at[i + 1].along - at[i].along;
-        sum[i + 1].lean = sum[i].lean + length * (at[i].angles.lean + at[i + 1].angles.lean) / 2;
-        sum[i + 1].turn = sum[i].turn + length * (at[i].angles.turn + at[i + 1].angles.turn) / 2;
+    for (size_t i = 0; i < c->n; i++) {
+        at[i] = (struct angled){.along = c->at[i].along, .angles = c->at[i].angles};
+        if (i == 0)
+            continue;
+        const struct angled *before = &at[i - 1];
+        double length = at[i].along - before->along;
+        at[i].sum.lean = before->sum.lean + length * (before->angles.lean + at[i].angles.lean) / 2;
+        at[i].sum.turn = before->sum.turn + length * (before->angles.turn + at[i].angles.turn) / 2;
     }
     parallel_for(axis_chain_threads(c), (c->n + PIECE - 1) / PIECE, average_pieces, &averages);
-    free(sum);
+    free(at);
     return mean;
 }
 
