@@ -64,6 +64,8 @@ struct edge_points_options {
     double along;                        /* distance of points along an edge, mm */
     double sink;                         /* how far off a flank that is certain may be, mm */
     bool fill;                           /* flanks, too, get points as dense, up to their edges */
+    bool met; /* only edges that flanks meet in, tips, and these flanks (1 to 3, and the tip of 5):
+                 nothing is taken to go on that the scan does not know */
     int threads;
     const struct near_lists *near; /* of the scan's points, or NULL */
 };

@@ -102,8 +102,10 @@ static void find_edges(void *context, size_t from, size_t to)
     struct edge_hood near;
 
     for (size_t i = from; i < to; i++) {
-        work->gap[i] = edge_cliff_add(work, i, &work->found[i], &work->between[i]);
-        edge_foot_add(work, i, &work->between[i]);
+        if (!work->options->met) {
+            work->gap[i] = edge_cliff_add(work, i, &work->found[i], &work->between[i]);
+            edge_foot_add(work, i, &work->between[i]);
+        }
         if (!work->flank[i].bent)
             continue;
         edge_hood_find(work, i, &near);
@@ -196,14 +198,16 @@ size_t edge_points(const struct edge_points_options *options, struct vec3s *to,
     for (size_t i = 0; i < n; i++) {
         work.flank[i] = (struct edge_flank){.valid = false};
         work.found[i] = work.between[i] = (struct vec3s){0};
-        work.gap[i] = 0;
+        work.gap[i] = work.unknown[i] = 0;
     }
     edge_flanks_find(&work);
     parallel_for(options->threads, n, find_edges, &work);
-    if (options->fill)
+    if (options->fill && !options->met)
         edge_crests_add(&work);
-    parallel_for(options->threads, n, find_unknown, &work);
-    parallel_for(options->threads, n, add_unknown, &work);
+    if (!options->met) {
+        parallel_for(options->threads, n, find_unknown, &work);
+        parallel_for(options->threads, n, add_unknown, &work);
+    }
     work.wide = work.lines;
     if (options->fill)
         parallel_for(options->threads, n, fill_flanks, &work);

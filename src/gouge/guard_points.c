@@ -328,7 +328,9 @@ static void suspect_edges(struct edge_points_options edges, struct edge_gaps *ga
 }
 
 /* Sharp edges that the scan has no points on.  Where noise is known by the sides of edges these are
- * looked for in the points as they are, for blunt ones are told by that alone. */
+ * looked for in the points as they are, for blunt ones are told by that alone; and by the noise,
+ * which makes sides certain, those that two sides meet in: not what goes on unseen, which rough
+ * parts have much of. */
 static void add_edges(const struct guard_work *work, struct guard_points *surface)
 {
     const struct guard_points_options *rule = work->rule;
@@ -343,6 +345,12 @@ static void add_edges(const struct guard_work *work, struct guard_points *surfac
     size_t before = surface->point.n;
 
     surface->edges = edge_points(&edges, &surface->point, &surface->gaps);
+    if (rule->edged) {
+        struct edge_gaps none;
+        edges.noise = rule->noise;
+        edges.met = true;
+        surface->edges += edge_points(&edges, &surface->point, &none);
+    }
     if (rule->rough > ROUGH * point_grid_spacing(work->point_grid))
         suspect_edges(edges, &surface->gaps);
     surface->added += surface->point.n - before - surface->edges;

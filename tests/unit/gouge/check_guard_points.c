@@ -405,9 +405,55 @@ START_TEST(blunt_edges_stand_in_noise)
     edged = false;
     ck_assert_uint_gt(s.moved, points.n * 9 / 10);
     ck_assert_uint_gt(s.added, 5 * points.n);
-    ck_assert_double_lt(below, 0.005);
+    ck_assert_double_lt(below, 0.01);
     array_free(&points);
     array_free(&s.point);
+}
+END_TEST
+
+/* Of places on the edges of a pyramid with noise those where the guard keeps a ball off that would
+ * be `deep` in; *by_scan: where its points alone do. */
+static int kept_off_edges(double sigma, double deep, int places, int *by_scan)
+{
+    struct vec3s points = {0};
+    int kept = 0;
+
+    for (int j = -24; j <= 24; j++)
+        for (int i = -24; i <= 24; i++) {
+            double x = 0.5 * i + uniform(-0.25, 0.25), y = 0.5 * j + uniform(-0.25, 0.25);
+            *array_push(&points) = vec(x, y, fmax(0, 8 - fmax(fabs(x), fabs(y))) + gauss(sigma));
+        }
+    struct guard_points s = surface_for(&points, sigma, 2.5);
+    struct gouge_check *guard = gouge_from_points(s.point.item, s.point.n);
+    struct gouge_check *scan = gouge_from_points(points.item, points.n);
+    for (int i = 0; i < places; i++) {
+        double x = uniform(0.2, 7.6), u = i % 2 ? 1 : -1, v = i % 4 < 2 ? 1 : -1;
+        struct vec3 out = vec_unit(vec(u, v, 2)); /* between the normals of two sides */
+        struct vec3 ball = vec_along(vec(u * x, v * x, 8 - x), 2.5 - deep, out);
+        kept += gouge_distance(guard, ball, HUGE_VAL) < 2.5;
+        *by_scan += gouge_distance(scan, ball, HUGE_VAL) < 2.5;
+    }
+    gouge_free(guard);
+    gouge_free(scan);
+    array_free(&points);
+    array_free(&s.point);
+    return kept;
+}
+
+/* A pyramid whose noise is known by its sides: its edges are found by that down to their feet, and
+ * a ball that is deep in one is kept off; the points alone let it in, and so did facets at one in
+ * two hundred places. */
+START_TEST(sharp_edges_stand_in_noise)
+{
+    enum { SCANS = 4, PLACES = 1000 };
+    int kept = 0, by_scan = 0;
+
+    edged = true;
+    for (int i = 0; i < SCANS; i++)
+        kept += kept_off_edges(0.01 + 0.01 * (i % 2), 0.05 + 0.02 * (i % 2), PLACES, &by_scan);
+    edged = false;
+    ck_assert_int_ge(kept, SCANS * PLACES - SCANS);
+    ck_assert_int_lt(by_scan, SCANS * PLACES * 6 / 10);
 }
 END_TEST
 
@@ -444,7 +490,7 @@ START_TEST(hidden_edges_are_suspected)
     if (_i == 0)
         ck_assert_uint_gt(s.gaps.unknown, points.n / 200);
     else
-        ck_assert_uint_eq(s.gaps.unknown, 0);
+        ck_assert_uint_le(s.gaps.unknown, points.n / 1000);
     point_grid_free(&point_grid);
     array_free(&points);
     array_free(&s.point);
@@ -468,6 +514,7 @@ int main(void)
     tcase_add_test(tcase, a_hole_stays);
     tcase_add_test(tcase, what_is_rough_stays_as_it_is);
     tcase_add_loop_test(tcase, blunt_edges_stand_in_noise, 0, 2);
+    tcase_add_test(tcase, sharp_edges_stand_in_noise);
     tcase_add_loop_test(tcase, hidden_edges_are_suspected, 0, 4);
     suite_add_tcase(suite, tcase);
     SRunner *runner = srunner_create(suite);
