@@ -32,7 +32,9 @@ bool upsample_needed(const struct upsample *fill);
  * where a surface about the place itself is as smooth and certain as the ball asks for: else no
  * hole is filled and no border moves.  Where points about are farther off, as over blunt edges that
  * none of them is on, and it bends down there, a place is put all the same, moved to where they
- * are.  Where its spread is more than noise and the ball's sinking explain, nothing is appended.
+ * are.  Where its quadric's variance and tilt leave it uncertain at a place by 0.7 of the noise,
+ * that is put within four noises of the points nearest to it.  Where its spread is more than noise
+ * and the ball's sinking explain, nothing is appended.
  */
 void upsample_on(const struct upsample *fill, size_t i, struct vec3 p,
                  const struct upsample_surface *surface, struct vec3s *to);

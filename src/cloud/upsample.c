@@ -68,11 +68,12 @@ struct local_surface {
 /* How far a point may be off a surface that is to be used at a place so far from it, mm.  A ball
  * that touches the part there is so far off its tangent plane, twice, that the point stays
  * touched; and a surface that is vague is none. */
-static double allowed(const struct upsample *fill, double distance2)
+static double allowed(const struct upsample *fill, double distance2, bool rough)
 {
     double touched = distance2 / (4 * fill->radius);
+    double shape = fmax(fill->sink, fmin(touched, VAGUE * fill->sink));
 
-    return fmax(fill->sink, fmin(touched, VAGUE * fill->sink)) + SIGMAS * fill->noise;
+    return (rough ? ROUGH : 1) * shape + SIGMAS * fill->noise;
 }
 
 /* Directions in a plane: those furthest to the left and to the right while all are in one half
@@ -217,7 +218,7 @@ static bool is_between(const struct upsample *fill, const struct upsample_hood *
         bool about = far2 <= ABOUT * ABOUT * out2, around = far2 <= beside2 && !fan.around;
         if (!about && !around)
             continue;
-        double least = (on->rough ? ROUGH : 1) * allowed(fill, fmin(far2, ABOUT * out2));
+        double least = allowed(fill, fmin(far2, ABOUT * out2), on->rough);
         bool borne = fabs(on->off[i] - on->off[0]) <= least;
         if (about && !borne)
             return false;
@@ -442,6 +443,41 @@ static bool is_known_at(const struct upsample *fill, const struct upsample_hood 
     return true;
 }
 
+/* Moves a place to within `least` of the plane through the points nearest to it. */
+static struct vec3 moved_near(const struct upsample_hood *near, struct vec3 p, double least)
+{
+    enum { FLAT = 5 };
+    size_t k = near->n < NEAR ? near->n : NEAR, n = 0;
+    struct vec3 nearest[FLAT + 1], mean = {0, 0, 0};
+
+    for (size_t i = 0; i < k; i++) {
+        size_t at = n;
+        for (; at > 0 && vec_distance(near->point[i], p) < vec_distance(nearest[at - 1], p); at--)
+            nearest[at] = nearest[at - 1];
+        nearest[at] = near->point[i];
+        n = n < FLAT ? n + 1 : FLAT;
+    }
+    for (size_t i = 0; i < n; i++)
+        mean = vec_along(mean, 1 / (double)n, nearest[i]);
+    struct vec3 normal = plane_normal(nearest, n);
+    double off = vec_dot(vec_sub(p, mean), normal);
+    return vec_along(p, fmax(-least, fmin(off, least)) - off, normal);
+}
+
+/* A surface of few points on one side of an edge, beside which the others do not count, swings as
+ * it likes between them: where it is not certain to a part of the noise, a place of it is moved as
+ * near to the points about as noise may have thrown these. */
+static struct vec3 place_of(const struct upsample *fill, const struct upsample_hood *near,
+                            const struct upsample_surface *surface, struct vec3 p)
+{
+    const double part = 0.7;
+    struct vec3 d = vec_sub(p, surface->q.origin);
+    double variance = surface->q.variance + surface->q.tilt * vec_dot(d, d);
+
+    return surface->facetted || variance <= part * part ? p
+                                                        : moved_near(near, p, SIGMAS * fill->noise);
+}
+
 /* False: at a place the surface is doubtful, as by an edge. */
 static bool add_between(const struct upsample *fill, const struct upsample_hood *near,
                         struct vec3 p, const struct upsample_surface *surface, bool exact,
@@ -477,7 +513,7 @@ static bool add_between(const struct upsample *fill, const struct upsample_hood 
             measure_off(near, &on);
             on.smooth = smooth && abs(i) <= BRIDGED && abs(j) <= BRIDGED;
             if (is_known_at(fill, near, &on, p, &witness, &at))
-                *array_push(to) = at;
+                *array_push(to) = exact ? at : place_of(fill, near, surface, at);
         }
     }
     return !on.doubted;

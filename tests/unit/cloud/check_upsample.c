@@ -86,6 +86,40 @@ START_TEST(on_a_surface_that_is_given)
 }
 END_TEST
 
+/* A surface through all points near that swings 0.19 mm between them, as one of few may: places on
+ * it are where it is said to be if it is certain, and as near to the points as noise lets them be
+ * if not. */
+START_TEST(on_a_surface_that_swings)
+{
+    const double swing = 0.5, noise = 0.01;
+    struct error error;
+    size_t middle = 0;
+    for (int i = -4; i <= 4; i++)
+        for (int k = -4; k <= 4; k++)
+            *array_push(&scan) = vec(i, k, 0);
+    ck_assert_int_eq(point_grid_make(scan.item, scan.n, 1, 1, &point_grid, &error), 0);
+    while (vec_length(point_grid.point[middle]) > 0)
+        middle++;
+    const struct upsample fill = {
+        .point_grid = &point_grid, .radius = 4, .sink = 0.002, .noise = noise};
+    struct upsample_surface surface = {
+        .q = {.u = {1, 0, 0}, .v = {0, 1, 0}, .w = {0, 0, 1}, .c = {[1] = swing, [6] = -swing}}};
+    for (int certain = 1; certain >= 0; certain--) {
+        double highest = 0;
+        put.n = 0;
+        surface.q.variance = certain ? 0.1 : 0.5;
+        upsample_on(&fill, middle, vec(0, 0, 0), &surface, &put);
+        ck_assert_uint_gt(put.n, 20);
+        for (size_t i = 0; i < put.n; i++)
+            highest = fmax(highest, fabs(put.item[i].z));
+        if (certain)
+            ck_assert_double_gt(highest, 15 * noise);
+        else
+            ck_assert_double_le(highest, 4 * noise + 1e-9);
+    }
+}
+END_TEST
+
 /*
  * No point of a floor beyond its border by more than a part of a neighbourhood, as sure as any
  * surface; none where a cliff falls off, nor in the corner at its foot, but where a neighbourhood
@@ -258,6 +292,7 @@ int main(void)
     tcase_add_checked_fixture(tests, NULL, free_all);
     tcase_add_test(tests, on_the_surface);
     tcase_add_test(tests, on_a_surface_that_is_given);
+    tcase_add_test(tests, on_a_surface_that_swings);
     tcase_add_test(tests, none_beyond_a_border);
     tcase_add_test(tests, far_from_a_point);
     tcase_add_test(tests, dense_enough);
