@@ -24,6 +24,9 @@ static const double ALIKE = 0.97, TURNED = 0.8;
  * bends are known; so many times as much as fewer points it leaves where it is no one surface. */
 static const double OFF = 3, UNEVEN = 1.15, BENT = 0.12, GROWS = 1.3;
 
+/* Of the way to a point below: so steep is a wall. */
+static const double BELOW = 2;
+
 /* Points by terms: a neighbour's flank with so many times as many is the better one. */
 static const double MORE = 1.25;
 
@@ -156,6 +159,20 @@ static bool has_rough(const struct edge_work *work, const uint32_t *index, size_
     return false;
 }
 
+/* A point so far below it that a wall is between, which those nearest to it need not know of: it is
+ * the edge of a top, say, that what is nearest belongs to. */
+static bool has_below(const struct edge_work *work, size_t i)
+{
+    struct edge_about about = edge_about(work, i);
+
+    for (size_t k; edge_about_next(&about, &k);) {
+        struct vec3 p = about.grid->point[k];
+        if (about.from.z - p.z > BELOW * edge_plan_distance(about.from, p))
+            return true;
+    }
+    return false;
+}
+
 static void find_normals(void *context, size_t from, size_t to)
 {
     const struct wide_work *wide = context;
@@ -182,7 +199,7 @@ static void widen_some(void *context, size_t from, size_t to)
             continue; /* on models a wide one made many walls of what is rough */
         size_t n =
             point_grid_nearest(work->options->point_grid, wide->point[i], MOST, index, distance2);
-        if (!own->valid && !has_rough(work, index, n))
+        if (!own->valid && !has_rough(work, index, n) && !has_below(work, i))
             continue;
         for (int form = PLANE; form <= CUBIC; form++) {
             more = *own;
