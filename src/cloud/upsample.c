@@ -12,13 +12,16 @@ enum {
     FEWEST = UPSAMPLE_FEWEST,
     NEAR = UPSAMPLE_NEAR,
     RINGS = 14,
-    BRIDGED = 8, /* rings: no farther in a hole or beyond a border */
+    RINGS_MOST = 40, /* where the scan is sparse for the ball and has few points */
+    BRIDGED = 8,     /* rings: no farther in a hole or beyond a border, or than ... */
     SAMPLE = 1500,
     SECTORS = 32
 };
 
-static const double MUCH = 1.5; /* spread of a neighbourhood by the noise: more is none */
-static const double VAGUE = 5;  /* of the sinking: a surface less certain than this is none */
+static const double OF_ALL = 1.4; /* ... mean distances of points */
+static const double PLACES = 2e7; /* of all points together, but for those of RINGS */
+static const double MUCH = 1.5;   /* spread of a neighbourhood by the noise: more is none */
+static const double VAGUE = 5;    /* of the sinking: a surface less certain than this is none */
 
 /* Of what is allowed, beside a blunt edge: so far off a surface points may be, and surfaces of
  * neighbours off a place. */
@@ -64,6 +67,12 @@ struct local_surface {
     bool rough;   /* an edge may be on it */
     bool doubted; /* it was, at a place */
 };
+
+/* Rings of places about a point, at most. */
+static double most_rings(const struct upsample *fill)
+{
+    return fmax(RINGS, fmin(RINGS_MOST, sqrt(PLACES / (double)fill->point_grid->n)));
+}
 
 /* How far a point may be off a surface that is to be used at a place so far from it, mm.  A ball
  * that touches the part there is so far off its tangent plane, twice, that the point stays
@@ -490,10 +499,12 @@ static bool add_between(const struct upsample *fill, const struct upsample_hood 
     struct witnesses witness;
     size_t last = near->n < FEWEST ? near->n : FEWEST;
     double pitch = 0.75 * gap_of(fill);
-    double reach = fmin(sqrt(near->distance2[last - 1]), RINGS * pitch);
+    double reach = fmin(sqrt(near->distance2[last - 1]), most_rings(fill) * pitch);
     struct vec3 off = vec_sub(p, q->origin);
     double u0 = vec_dot(off, q->u), v0 = vec_dot(off, q->v);
     int rings = (int)triangles_rings(reach, pitch);
+    double far = fmin(OF_ALL * point_grid_spacing(fill->point_grid), reach);
+    int bridged = (int)fmax(BRIDGED, far / pitch);
     struct ways ways;
 
     if (is_hollow(fill, q))
@@ -511,7 +522,7 @@ static bool add_between(const struct upsample *fill, const struct upsample_hood 
             if (!is_nearest(&ways, vec_sub(at, p)))
                 continue;
             measure_off(near, &on);
-            on.smooth = smooth && abs(i) <= BRIDGED && abs(j) <= BRIDGED;
+            on.smooth = smooth && abs(i) <= bridged && abs(j) <= bridged;
             if (is_known_at(fill, near, &on, p, &witness, &at))
                 *array_push(to) = exact ? at : place_of(fill, near, surface, at);
         }

@@ -284,6 +284,29 @@ START_TEST(dense_enough)
 }
 END_TEST
 
+/* Half way between points that are far apart for the ball a place is put, too; but about each of
+ * many points no more than memory has room for. */
+START_TEST(sparse_for_the_ball)
+{
+    static const struct {
+        int n;
+        double radius, least, most;
+    } of[] = {{400, 0.5, 1.2, HUGE_VAL}, {20000, 0.02, 0.2, 0.37}};
+    struct upsample fill = make_fill(of[_i].n, 100);
+    double farthest = 0;
+    fill.radius = of[_i].radius;
+    for (size_t i = 0; i < point_grid.n; i += point_grid.n / 100) {
+        struct vec3 p = point_grid.point[i];
+        put.n = 0;
+        upsample_about(&fill, i, &put);
+        for (size_t k = 0; k < put.n && fabs(p.x) < 30 && fabs(p.y) < 20; k++)
+            farthest = fmax(farthest, vec_distance(put.item[k], p));
+    }
+    ck_assert_double_gt(farthest, of[_i].least);
+    ck_assert_double_lt(farthest, of[_i].most);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("upsample");
@@ -296,6 +319,7 @@ int main(void)
     tcase_add_test(tests, none_beyond_a_border);
     tcase_add_test(tests, far_from_a_point);
     tcase_add_test(tests, dense_enough);
+    tcase_add_loop_test(tests, sparse_for_the_ball, 0, 2);
     tcase_add_test(tests, over_blunt_edges);
     tcase_add_test(tests, up_to_blunt_edges);
     suite_add_tcase(suite, tests);
