@@ -251,6 +251,9 @@ static void find_ball(struct settings *s, const struct ncread_head *head)
         s->radius = head->ball;
         note("ball: R %g (as the program's head says)", s->radius);
     }
+    if (s->radius <= s->tolerance)
+        die_usage("option --radius: found %g, expected more than the tolerance %g", s->radius,
+                  s->tolerance);
     s->band = s->band_given ? s->band : fmax(s->radius / 4, 2 * s->tolerance);
     if (s->band < s->tolerance)
         die_usage("option --band: found %g, expected more than the tolerance %g", s->band,
