@@ -2,11 +2,25 @@
  * one that a scan has no points on. */
 #include "edge_steps.h"
 
-/* In spacings about a foot, half of whose plane is empty: they are wider than those of the scan by
- * the root of two.  Noise spreads heights: there a wall must be higher. */
-static double least_wall(const struct edge_work *work)
+/* Under noise a wall between two levels is higher, in spacings; by its height these are even. */
+static const double LEVELS = 3, UNEVEN = 0.5;
+
+/* Heights from the lowest up to `level`, and those from near[high] on, are of two levels. */
+static bool is_step(const struct vec3s *near, size_t high, double level)
 {
-    return work->options->noise > 0 ? EDGE_FOOT : EDGE_FOOT / sqrt(2);
+    double below = level - fmin(level, near->item[0].z), foot = near->item[high].z;
+
+    return fmax(below, near->item[near->n - 1].z - foot) < UNEVEN * (foot - level);
+}
+
+/* In spacings about a foot, half of whose plane is empty: they are wider than those of the scan by
+ * the root of two.  Noise spreads heights: there a wall must be higher, unless it is a step. */
+static double least_wall(const struct edge_work *work, const struct vec3s *near, size_t high,
+                         double level)
+{
+    if (!(work->options->noise > 0))
+        return EDGE_FOOT / sqrt(2);
+    return is_step(near, high, level) ? LEVELS : EDGE_FOOT;
 }
 
 void edge_wall_add(const struct edge_work *work, struct vec3 at, struct vec3 foot, struct vec3s *to)
@@ -121,14 +135,14 @@ void edge_foot_add(const struct edge_work *work, size_t i, struct vec3s *to)
     struct vec3s near = places_about(work, i, EDGE_REACH * spacing);
 
     for (size_t k = 0; k < near.n; k++) {
-        double step = near.item[k].z - level;
+        double low = level, step = near.item[k].z - low;
         level = fmax(level, near.item[k].z);
         if (!(step > spacing))
             continue;
         struct vec3 rim = near.item[nearest_of(&near, k, p)];
         if (!(step > EDGE_STEEP * edge_plan_distance(rim, p) + spacing))
             continue;
-        if (!(step > least_wall(work) * spacing))
+        if (!(step > least_wall(work, &near, k, low) * spacing))
             break;
         if (is_at_foot(&near, k, p, EDGE_REACH * spacing))
             hang_wall(work, &near, k, p, to);

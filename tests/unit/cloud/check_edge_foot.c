@@ -12,36 +12,61 @@ static double mesa(double x, double y)
     return edge_trial_side(x, y) > 0.07 ? high : 0;
 }
 
-static struct vec3s feet_of(double (*height)(double x, double y))
+static double ramp(double x, double y)
+{
+    return fmax(0, fmin(high, 2 * edge_trial_side(x, y)));
+}
+
+static struct vec3s feet_of(double (*height)(double x, double y), double sigma)
 {
     struct edge_trial trial;
     struct vec3s to = {0};
 
-    edge_trial_make(&trial, height, false, 0);
+    edge_trial_make(&trial, height, false, sigma);
     for (size_t i = 0; i < trial.grid.n; i++)
         edge_foot_add(&trial.work, i, &to);
     edge_trial_free(&trial);
     return to;
 }
 
+/* Beside the rim, amid its height, some are no farther than so many mm. */
+static void check_beside_rim(const struct vec3s *to, double most)
+{
+    for (double x = -6; x <= 6; x += 0.2) {
+        struct vec3 amid = vec(x, x / 4 + 0.07, high / 2);
+        double least = HUGE_VAL;
+        for (size_t k = 0; k < to->n; k++)
+            least = fmin(least, vec_distance(amid, to->item[k]));
+        ck_assert_double_le(least, most);
+    }
+}
+
 START_TEST(wall_over_feet)
 {
     high = 6; /* twelve spacings */
-    struct vec3s to = feet_of(mesa);
+    struct vec3s to = feet_of(mesa, 0);
 
     for (size_t k = 0; k < to.n; k++) {
         double side = edge_trial_side(to.item[k].x, to.item[k].y);
         ck_assert(to.item[k].z > 0 && to.item[k].z < high);
         ck_assert(side < 0.07 && side > -EDGE_REACH * 0.5);
     }
-    /* beside the rim, amid its height, some are no farther than the next points of the floor */
-    for (double x = -6; x <= 6; x += 0.2) {
-        struct vec3 amid = vec(x, x / 4 + 0.07, high / 2);
-        double least = HUGE_VAL;
-        for (size_t k = 0; k < to.n; k++)
-            least = fmin(least, vec_distance(amid, to.item[k]));
-        ck_assert_double_le(least, 0.5);
-    }
+    check_beside_rim(&to, 0.5); /* as the next points of the floor are */
+    array_free(&to);
+}
+END_TEST
+
+/* A wall between two levels is one under noise, too, however low against what it must be where
+ * heights spread: a ramp as steep has none. */
+START_TEST(low_wall_under_noise)
+{
+    high = 2;
+    struct vec3s to = feet_of(mesa, 0.01);
+
+    check_beside_rim(&to, 1.2); /* a foot far from its rim is none of a wall so low */
+    array_free(&to);
+    to = feet_of(ramp, 0.01);
+    ck_assert_uint_eq(to.n, 0);
     array_free(&to);
 }
 END_TEST
@@ -49,7 +74,7 @@ END_TEST
 START_TEST(none_over_others)
 {
     high = 2; /* four spacings: below the least */
-    struct vec3s to = feet_of(_i ? mesa : edge_trial_roof);
+    struct vec3s to = feet_of(_i ? mesa : edge_trial_roof, 0);
 
     ck_assert_uint_eq(to.n, 0);
     array_free(&to);
@@ -62,6 +87,7 @@ int main(void)
     TCase *tests = tcase_create("edge_foot");
     SRunner *runner = srunner_create(suite);
     tcase_add_test(tests, wall_over_feet);
+    tcase_add_test(tests, low_wall_under_noise);
     tcase_add_loop_test(tests, none_over_others, 0, 2);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);
