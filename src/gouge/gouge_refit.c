@@ -15,6 +15,7 @@ static const double ROUNDING = 1e-9; /* mm: more than a place of the ball is off
 static const double USELESS = 0.95;  /* of the depth before: it did not help */
 static const double ROUGHLY = 0.1;   /* of its depth, a holder may move at a deep place unseen */
 static const double ASTRAY = 1.2;    /* times the tolerance, deeper than a fit near the line is */
+static const double SHORT = 1.0 / 8; /* of the tool's reach, a part of a motion may move it */
 static const double NEAR = 0.5;      /* mm: points this near to a place are lifted all the way */
 
 struct walk {
@@ -285,6 +286,26 @@ static void check_near(const struct sweep *s, double from, double to)
     check_half(s, &part, m, part.b, SWEPT_HALVINGS);
 }
 
+/* A part of the motion; a long one by its halves, for on its whole way the tool comes near to more
+ * points than on all of its short parts. */
+static void check_part(const struct sweep *s, double from, double to, int halvings)
+{
+    struct holder_glance glance = glance_at(s, from, to);
+    double most = SHORT * holder_reach(&s->options->holder), middle = (from + to) / 2;
+
+    if (is_found(s->options, s->gouges))
+        return;
+    if (glance.part_moved > most && halvings > 0) {
+        check_part(s, from, middle, halvings - 1);
+        check_part(s, middle, to, halvings - 1);
+        return;
+    }
+    s->near->n = 0;
+    holder_glance_gather(s->options->guard, &glance, s->near);
+    if (s->near->n > 0)
+        check_near(s, from, to);
+}
+
 static void check_holder(const struct gouge_refit_options *options, const struct motion *motion,
                          struct gouge_track *track, struct gouges *gouges)
 {
@@ -294,11 +315,7 @@ static void check_holder(const struct gouge_refit_options *options, const struct
 
     while (from < 1 && !is_found(options, gouges)) {
         double to = motion_next_knot(motion, from);
-        struct holder_glance glance = glance_at(&s, from, to);
-        s.near->n = 0;
-        holder_glance_gather(options->guard, &glance, s.near);
-        if (s.near->n > 0)
-            check_near(&s, from, to);
+        check_part(&s, from, to, HALVINGS);
         from = to;
     }
 }
