@@ -86,7 +86,7 @@ once := io/nurbs/% nurbs/trim_% nurbs/construct nurbs/uv_polygon machine/machine
   mesh/mesh_clip mesh/mesh_repair toolpath/pass_extend toolpath/rest_% base/cli \
   io/path/path_tool io/mesh/ply io/mesh/ply_source toolpath/scallop gouge/link% nurbs/pullback \
   toolpath/passes cloud/sheets cloud/edge_flank cloud/edge_meet cloud/cone_tip curve/edge_curve \
-  curve/run
+  curve/run gouge/gouge_refit
 $(once:%=$(BUILD)/src/%.o): CFLAGS := $(CFLAGS:-O3=-O2)
 # Of these, IGES and STEP files and where rest passes go, also without what makes -O2 longer.
 small := io/nurbs/nurbs_text% machine/machine machine/machine_options machine/template base/cli \
