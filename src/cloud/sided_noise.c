@@ -16,6 +16,10 @@ static const double TWENTIETH = 0.234, TENTH = 0.285, QUARTER = 0.38, TENTH_TWIC
  * and of models without noise 1.6 and more in either. */
 static const double UNEVEN = 1.4, WIDER = 1.45;
 
+/* So many times as much at some of the places tells for all.  In 90 scans of heads and models an
+ * eighth came to 1.13 at most where all had noise, and ended 55 of the 73 that had none. */
+static const double SURELY = 1.4;
+
 /* Variance over twice the points of what of the shape is left: between that of an edge, 2, and of a
  * bend, 8. */
 static const double GROWTH = 4;
@@ -96,14 +100,24 @@ void sided_noise_measure(const struct point_grid *point_grid, const uint32_t *pl
     parallel_for(threads, places, measure_sides, &sided);
 }
 
-double sided_noise_variance(const double *fewer, size_t n, const double *twice, size_t m)
+/* Whether they differ by more than so many times what noise alone may come to. */
+static bool exceeds(const double *fewer, size_t n, const double *twice, size_t m, double times)
 {
-    if (n == 0 || m == 0)
-        return 0;
     double least = fewer[n / 20] / TWENTIETH, tenth = fewer[n / 10] / TENTH;
     double quarter = fewer[n / 4] / QUARTER, wide = twice[m / 10] / TENTH_TWICE;
 
-    if (quarter > UNEVEN * least || wide > WIDER * tenth)
+    return quarter > times * UNEVEN * least || wide > times * WIDER * tenth;
+}
+
+double sided_noise_variance(const double *fewer, size_t n, const double *twice, size_t m)
+{
+    if (n == 0 || m == 0 || exceeds(fewer, n, twice, m, 1))
         return 0;
+    double tenth = fewer[n / 10] / TENTH, wide = twice[m / 10] / TENTH_TWICE;
     return fmax((GROWTH * tenth - wide) / (GROWTH - 1), 0);
+}
+
+bool sided_noise_surely_none(const double *fewer, size_t n, const double *twice, size_t m)
+{
+    return n > 0 && m > 0 && exceeds(fewer, n, twice, m, SURELY);
 }

@@ -9,6 +9,7 @@
 #ifndef CLOUDMILL_CLOUD_SIDED_NOISE_H
 #define CLOUDMILL_CLOUD_SIDED_NOISE_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -22,5 +23,9 @@ void sided_noise_measure(const struct point_grid *point_grid, const uint32_t *pl
 /* Of such variances, in order: that of the noise.  0: what is left is not as noise alone lets it
  * be, or grows with the width as shape does. */
 double sided_noise_variance(const double *fewer, size_t n, const double *twice, size_t m);
+
+/* Of such variances of some hundreds of the places alone: true only where all would not be as noise
+ * alone lets them be, either. */
+bool sided_noise_surely_none(const double *fewer, size_t n, const double *twice, size_t m);
 
 #endif
