@@ -111,6 +111,10 @@ struct vec3 quadric_nearest(const struct quadric *quadric, struct vec3 point);
 /* Unit normal of the surface under or over a point along w, on the side of w. */
 struct vec3 quadric_normal_at(const struct quadric *quadric, struct vec3 point);
 
+/* The same of n points. */
+void quadric_normal_all(const struct quadric *quadric, const struct vec3 *point, size_t n,
+                        struct vec3 *normal);
+
 /* Root mean square of the distances of n points from the surface, to first order. */
 double quadric_rms(const struct quadric *quadric, const struct vec3 *point, size_t n);
 

@@ -36,23 +36,34 @@ struct wide_work {
     struct vec3 *normal; /* of each point's own surface; 0: none is known */
 };
 
-/* Those of n points that are on the flank, `within` on average, and whose own surfaces run as it
- * does. */
-static size_t gather_alike(const struct wide_work *wide, const struct edge_flank *flank,
-                           double within, double bend, const uint32_t *index, size_t n,
-                           struct vec3 *on)
-{
-    struct vec3 from = wide->point[index[0]], own = quadric_normal_at(&flank->q, from);
-    size_t found = 0;
+/* A point and the nearest to it, with the normals of their own surfaces. */
+struct wide_about {
+    size_t n;
+    struct vec3 point[MOST], normal[MOST];
+};
 
+/* Those of the first n points that are on the flank, `within` on average, and whose own surfaces
+ * run as it does. */
+static size_t gather_alike(const struct wide_about *about, const struct edge_flank *flank,
+                           double within, double bend, size_t n, struct vec3 *on)
+{
+    struct vec3 from = about->point[0], own = quadric_normal_at(&flank->q, from), normal[MOST];
+    double off[MOST];
+    size_t near[MOST], some = 0, found = 0;
+
+    quadric_off_all(&flank->q, about->point, n, off);
     for (size_t k = 0; k < n; k++) {
-        struct vec3 p = wide->point[index[k]], to = vec_sub(p, from);
+        struct vec3 p = about->point[k], to = vec_sub(p, from);
         double least = OFF * within + bend * vec_dot(to, to) / flank->spacing;
-        if (fabs(quadric_off(&flank->q, p)) > least)
-            continue;
-        struct vec3 normal = quadric_normal_at(&flank->q, p);
-        if (vec_dot(normal, own) > TURNED && fabs(vec_dot(normal, wide->normal[index[k]])) > ALIKE)
-            on[found++] = p;
+        on[some] = p;
+        near[some] = k;
+        some += fabs(off[k]) <= least;
+    }
+    quadric_normal_all(&flank->q, on, some, normal);
+    for (size_t k = 0; k < some; k++) {
+        double alike = fabs(vec_dot(normal[k], about->normal[near[k]]));
+        on[found] = on[k];
+        found += vec_dot(normal[k], own) > TURNED && alike > ALIKE;
     }
     return found;
 }
@@ -88,17 +99,17 @@ static bool is_coarse(const struct vec3 *on, size_t n, enum edge_form form,
 
 /* The flank through those of n points that are on it, first by the one there is, with room for
  * bends, then by itself; *some: how many; false: they are on none. */
-static bool settle(const struct wide_work *wide, const uint32_t *index, size_t n,
-                   enum edge_form form, struct vec3 *on, size_t *some, struct edge_flank *flank)
+static bool settle(const struct wide_about *about, double noise, size_t n, enum edge_form form,
+                   struct vec3 *on, size_t *some, struct edge_flank *flank)
 {
     enum { TURNS = 3 };
-    double noise = wide->work->options->noise, within = noise;
-    struct vec3 p = wide->point[index[0]];
+    struct vec3 p = about->point[0];
     struct side_fit fit;
+    double within = noise;
 
     for (int turn = 0; turn < TURNS; turn++) {
         double bend = form > PLANE && turn == 0 ? BENT : 0;
-        *some = gather_alike(wide, flank, within, bend, index, n, on);
+        *some = gather_alike(about, flank, within, bend, n, on);
         if (!fit_points(on, *some, quadric_normal_at(&flank->q, p), form, &fit) ||
             (turn > 0 && fit.rms > GROWS * flank->rms))
             return false;
@@ -113,14 +124,13 @@ static bool settle(const struct wide_work *wide, const uint32_t *index, size_t n
 }
 
 /* The same, where it is even and goes through the point. */
-static bool widen(const struct wide_work *wide, const uint32_t *index, size_t n,
+static bool widen(const struct edge_work *work, const struct wide_about *about, size_t n,
                   enum edge_form form, struct edge_flank *flank)
 {
-    const struct edge_work *work = wide->work;
-    struct vec3 on[MOST], p = wide->point[index[0]], normal;
+    struct vec3 on[MOST], p = about->point[0], normal;
     size_t some;
 
-    if (!settle(wide, index, n, form, on, &some, flank))
+    if (!settle(about, work->options->noise, n, form, on, &some, flank))
         return false;
     flank->wide = (double)some / (double)TERMS[form];
     double even = UNEVEN * (1 + 1 / sqrt(2 * (double)some)) * work->options->noise;
@@ -130,16 +140,16 @@ static bool widen(const struct wide_work *wide, const uint32_t *index, size_t n,
 
 /* From the fewest on, as long as these leave no more than fewer have left: noise along z is less
  * across a steep flank, and a bend would be taken for it. */
-static bool widen_most(const struct wide_work *wide, const uint32_t *index, size_t n,
+static bool widen_most(const struct edge_work *work, const struct wide_about *about,
                        enum edge_form form, struct edge_flank *flank)
 {
     const struct edge_flank own = *flank;
     double most = HUGE_VAL;
     bool any = false;
 
-    for (int k = SIZES - 1; k >= 0 && ABOUT[k] <= n; k--) {
+    for (int k = SIZES - 1; k >= 0 && ABOUT[k] <= about->n; k--) {
         struct edge_flank more = own;
-        if (!widen(wide, index, ABOUT[k], form, &more))
+        if (!widen(work, about, ABOUT[k], form, &more))
             continue;
         if (more.rms > most)
             break;
@@ -184,12 +194,23 @@ static void find_normals(void *context, size_t from, size_t to)
     }
 }
 
+static void gather_about(const struct wide_work *wide, const uint32_t *index, size_t n,
+                         struct wide_about *about)
+{
+    about->n = n;
+    for (size_t k = 0; k < n; k++) {
+        about->point[k] = wide->point[index[k]];
+        about->normal[k] = wide->normal[index[k]];
+    }
+}
+
 static void widen_some(void *context, size_t from, size_t to)
 {
     const struct wide_work *wide = context;
     const struct edge_work *work = wide->work;
     uint32_t index[MOST];
     double distance2[MOST];
+    struct wide_about about;
 
     for (size_t i = from; i < to; i++) {
         const struct edge_flank *own = &work->flank[i];
@@ -201,10 +222,11 @@ static void widen_some(void *context, size_t from, size_t to)
             point_grid_nearest(work->options->point_grid, wide->point[i], MOST, index, distance2);
         if (!own->valid && !has_rough(work, index, n) && !has_below(work, i))
             continue;
+        gather_about(wide, index, n, &about);
         for (int form = PLANE; form <= CUBIC; form++) {
             more = *own;
             if (chosen->wide * (double)TERMS[form] < MOST && /* else it has none more */
-                widen_most(wide, index, n, form, &more) && more.wide > chosen->wide)
+                widen_most(work, &about, form, &more) && more.wide > chosen->wide)
                 *chosen = more;
         }
     }

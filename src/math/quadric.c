@@ -488,6 +488,41 @@ struct vec3 quadric_normal_at(const struct quadric *q, struct vec3 point)
     return vec_unit(vec_along(vec_along(q->w, -wu, q->u), -wv, q->v));
 }
 
+/* Of two points, each as quadric_normal_at has it. */
+static inline void normals_two(const struct quadric *q, const struct vec3 point[2], bool cubic,
+                               struct vec3 normal[2])
+{
+    struct vec3 a = quadric_local(q, point[0]), b = quadric_local(q, point[1]);
+    const pair u = {a.x, b.x}, v = {a.y, b.y};
+    const double *c = q->c;
+    pair wu = c[1] + 2 * c[3] * u + c[4] * v, wv = c[2] + 2 * c[5] * v + c[4] * u;
+
+    if (cubic) {
+        wu = wu + u * (3 * c[6] * u + 2 * c[7] * v) + c[8] * v * v;
+        wv = wv + v * (3 * c[9] * v + 2 * c[8] * u) + c[7] * u * u;
+    }
+    pair x = q->w.x + -wu * q->u.x + -wv * q->v.x, y = q->w.y + -wu * q->u.y + -wv * q->v.y;
+    pair z = q->w.z + -wu * q->u.z + -wv * q->v.z, square = x * x + y * y + z * z;
+    pair part = 1 / (pair){sqrt(square[0]), sqrt(square[1])};
+    x *= part;
+    y *= part;
+    z *= part;
+    normal[0] = vec(x[0], y[0], z[0]);
+    normal[1] = vec(x[1], y[1], z[1]);
+}
+
+void quadric_normal_all(const struct quadric *q, const struct vec3 *point, size_t n,
+                        struct vec3 *normal)
+{
+    const bool cubic = is_cubic(q);
+    size_t i = 0;
+
+    for (; i + 1 < n; i += 2)
+        normals_two(q, point + i, cubic, normal + i);
+    if (i < n)
+        normal[i] = quadric_normal_at(q, point[i]);
+}
+
 struct vec3 quadric_nearest(const struct quadric *q, struct vec3 point)
 {
     const double still = 1e-9; /* mm */

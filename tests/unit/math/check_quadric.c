@@ -140,6 +140,30 @@ START_TEST(surely_within_is_within)
 }
 END_TEST
 
+/* Of many points at once distances and normals are what they are of each, to the bit: surfaces of
+ * the second degree and of the third, even and odd numbers of points. */
+START_TEST(all_are_as_each)
+{
+    for (int round = 0; round < 400; round++) {
+        struct quadric q = bent(pow(10, 3 * uniform() - 2));
+        struct vec3 p[9], normal[9];
+        double off[9];
+        size_t n = 1 + (size_t)round % 9;
+        for (int i = 6; i < 10 && round % 2; i++)
+            q.c[i] = 0;
+        for (size_t k = 0; k < n; k++)
+            p[k] = vec(3 * uniform(), 3 * uniform(), 3 * uniform());
+        quadric_off_all(&q, p, n, off);
+        quadric_normal_all(&q, p, n, normal);
+        for (size_t k = 0; k < n; k++) {
+            struct vec3 one = quadric_normal_at(&q, p[k]);
+            ck_assert_double_eq(off[k], quadric_off(&q, p[k]));
+            ck_assert_int_eq(vec_compare(&normal[k], &one), 0);
+        }
+    }
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("quadric");
@@ -150,6 +174,7 @@ int main(void)
     tcase_add_test(tests, cylinder);
     tcase_add_test(tests, lines_carry_no_quadric);
     tcase_add_test(tests, surely_within_is_within);
+    tcase_add_test(tests, all_are_as_each);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);
     int failed = srunner_ntests_failed(runner);
