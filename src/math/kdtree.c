@@ -3,6 +3,7 @@
 
 #include <stdint.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/parallel.h"
 #include "kdtree_parts.h"
@@ -275,7 +276,7 @@ void kdtree_free(struct kdtree *tree)
  * By the planes between the nodes: the distance to a node's cell is carried down and changed in one
  * coordinate at a time (Arya and Mount 1993). */
 
-enum { ON_STACK = 256 };
+enum { ON_STACK = 1024 };
 
 /* So many points about equally far are not sorted by insertion. */
 enum { CROWD = 32 };
@@ -370,14 +371,16 @@ static void sort_heap(struct nearest *s)
  * insertion.  False: they are too many, or many are about equally far. */
 static bool sort_evenly(struct nearest *s)
 {
-    size_t begin[ON_STACK + 1] = {0}, index[ON_STACK], n = s->n;
+    size_t index[ON_STACK], n = s->n;
+    uint32_t begin[ON_STACK + 1];
     double d2[ON_STACK], scale = (double)n / s->distance2[0];
-    unsigned char part[ON_STACK];
+    uint16_t part[ON_STACK];
     if (n > ON_STACK || !(s->distance2[0] > 0) || !isfinite(scale))
         return false;
+    memset(begin, 0, (n + 1) * sizeof *begin);
     for (size_t i = 0; i < n; i++) {
         size_t at = (size_t)(s->distance2[i] * scale);
-        part[i] = (unsigned char)(at < n ? at : n - 1);
+        part[i] = (uint16_t)(at < n ? at : n - 1);
         if (++begin[part[i] + 1] > CROWD)
             return false;
     }

@@ -25,8 +25,21 @@ static const double NARROW = 0.1;
 /* What the fit works in: (u - u0) / size, (v - v0) / size. */
 struct span {
     double u0, v0, size;
-    double width; /* of the neighbourhood as part of its length */
+    bool wide; /* the neighbourhood is no strip */
 };
+
+/* The eigenvalues of the sums are the squares of length and width.  Most neighbourhoods are far
+ * from a strip, and need no roots to tell. */
+static inline bool is_wide(double uu, double vv, double uv)
+{
+    const double surely = 0.976; /* width by length is 0.11 */
+    double mean = (uu + vv) / 2, off = (uu - vv) / 2;
+
+    if (off * off + uv * uv < surely * surely * mean * mean)
+        return true;
+    double half = hypot(off, uv);
+    return mean + half > 0 && sqrt(fmax(mean - half, 0) / (mean + half)) > NARROW;
+}
 
 /* The middle of the neighbourhood and its size. */
 static inline struct span span_of(const struct vec3 *local, const double *weight, size_t n)
@@ -34,7 +47,7 @@ static inline struct span span_of(const struct vec3 *local, const double *weight
     double count = 0, uv = 0;
     pair sum = {0, 0}, square = {0, 0};
     if (n == 0)
-        return (struct span){0, 0, 0, 0};
+        return (struct span){0, 0, 0, false};
     pair first = pair_at(&local[0].x); /* near the middle: no digits are lost */
     for (size_t i = 0; i < n; i++) {
         double part = weight ? weight[i] : 1;
@@ -47,11 +60,8 @@ static inline struct span span_of(const struct vec3 *local, const double *weight
     pair mid = sum / pair_both(count);
     square -= pair_both(count) * mid * mid;
     uv -= count * mid[0] * mid[1];
-    /* the eigenvalues of the sums are the squares of length and width */
-    double mean = (square[0] + square[1]) / 2, half = hypot((square[0] - square[1]) / 2, uv);
     return (struct span){first[0] + mid[0], first[1] + mid[1],
-                         sqrt((square[0] + square[1]) / count),
-                         mean + half > 0 ? sqrt(fmax(mean - half, 0) / (mean + half)) : 0};
+                         sqrt((square[0] + square[1]) / count), is_wide(square[0], square[1], uv)};
 }
 
 /* Sums of the products of all terms with each other and, beside them, with w: the products of two
@@ -190,7 +200,7 @@ static inline int fit_sums(const struct vec3 *local, const double *weight, size_
     if (n < TERMS)
         return -1;
     struct span s = span_of(local, weight, n);
-    if (!(s.width > NARROW))
+    if (!s.wide)
         return -1;
     add_up(s, local, weight, n, sum);
     if (solve(sum, x) < 0)
