@@ -10,8 +10,9 @@
 #include "math/least_planes.h"
 #include "math/quadric.h"
 
-/* The fewest points of a surface, the nearest that are looked at, and those of a cubic. */
-enum { UPSAMPLE_FEWEST = 16, UPSAMPLE_NEAR = 32, UPSAMPLE_FEW = 24 };
+/* The fewest points of a surface, the nearest that are looked at, those of a cubic, and the most
+ * that some are picked of where the nearest are on two lines. */
+enum { UPSAMPLE_FEWEST = 16, UPSAMPLE_NEAR = 32, UPSAMPLE_FEW = 24, UPSAMPLE_LINES = 256 };
 
 /* A neighbourhood, nearest first. */
 struct upsample_hood {
@@ -34,6 +35,12 @@ struct upsample_surface {
 
 /* Through the neighbourhood of point i.  No facets: upsample_facets_find. */
 void upsample_surface_find(const struct upsample_hood *near, struct upsample_surface *surface);
+
+/* The same, or, where these are on two lines of a scan that is on lines, as at its border, which
+ * carry none, through as few points of a wider neighbourhood (up to UPSAMPLE_LINES) that are as far
+ * apart along lines as these are. */
+void upsample_surface_about(const struct upsample *fill, const struct upsample_hood *near,
+                            struct upsample_surface *surface);
 
 /* Through the first k points: of the second or third degree, as leaves less.  Returns the spread,
  * HUGE_VAL: there is none. */

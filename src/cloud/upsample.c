@@ -13,7 +13,7 @@ enum {
     NEAR = UPSAMPLE_NEAR,
     RINGS = 14,
     RINGS_MOST = 40, /* where the scan is sparse for the ball and has few points */
-    BRIDGED = 8,     /* rings: no farther in a hole or beyond a border, or than ... */
+    BRIDGED = 8, /* rings: no farther in a hole or beyond a border, or than the radius, or ... */
     SAMPLE = 1500,
     SECTORS = 32
 };
@@ -295,7 +295,7 @@ static void find_surface(const struct upsample *fill, size_t i, struct upsample_
     struct upsample_hood near;
 
     upsample_hood_find(fill, i, NEAR, &near);
-    upsample_surface_find(&near, surface);
+    upsample_surface_about(fill, &near, surface);
     if (surface->spread < HUGE_VAL)
         upsample_facets_find(fill, i, even_of(fill), surface);
 }
@@ -503,7 +503,7 @@ static bool add_between(const struct upsample *fill, const struct upsample_hood 
     struct vec3 off = vec_sub(p, q->origin);
     double u0 = vec_dot(off, q->u), v0 = vec_dot(off, q->v);
     int rings = (int)triangles_rings(reach, pitch);
-    double far = fmin(OF_ALL * point_grid_spacing(fill->point_grid), reach);
+    double far = fmin(fmax(OF_ALL * point_grid_spacing(fill->point_grid), fill->radius), reach);
     int bridged = (int)fmax(BRIDGED, far / pitch);
     struct ways ways;
 
@@ -548,7 +548,7 @@ double upsample_about(const struct upsample *fill, size_t i, struct vec3s *to)
     upsample_hood_find(fill, i, NEAR, &near);
     if (!may_sink(fill, &near))
         return 0;
-    upsample_surface_find(&near, &surface);
+    upsample_surface_about(fill, &near, &surface);
     if (surface.spread == HUGE_VAL)
         return 0;
     if (!would_sink(fill, &near, surface.spread))

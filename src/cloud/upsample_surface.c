@@ -9,6 +9,9 @@ enum { QUADRIC = 6, CUBIC = 10 };
  * where it is not by chance, in squares of the noise. */
 enum { OF_FACET = 4, CHANCE = 6 };
 
+/* Of how far the points of a neighbourhood are: so far they are apart where each is of a line. */
+static const double ACROSS = 5;
+
 /* Facets leave no more of what a surface does: of noise that of 24 points, with fourteen degrees of
  * freedom, is off by 1.4 times in one case of twenty. */
 static const double ALIKE = 1.3;
@@ -57,6 +60,46 @@ void upsample_surface_find(const struct upsample_hood *near, struct upsample_sur
     surface->spread = spread < HUGE_VAL && near->n >= UPSAMPLE_FEW
                           ? fit_closer(near, UPSAMPLE_FEW, spread, &surface->q)
                           : spread;
+}
+
+/* Of the n nearest points those that are so far apart, the nearest first: on as many lines as along
+ * one of them. */
+static void pick_apart(const struct point_grid *b, const uint32_t *index, const double *distance2,
+                       size_t n, struct upsample_hood *hood)
+{
+    const double apart = sqrt(distance2[n - 1]) / ACROSS;
+
+    hood->n = 0;
+    for (size_t k = 0; k < n && hood->n < UPSAMPLE_NEAR; k++) {
+        struct vec3 p = b->point[index[k]];
+        size_t j = 0;
+        while (j < hood->n && vec_distance(hood->point[j], p) > apart)
+            j++;
+        if (j < hood->n)
+            continue;
+        hood->index[hood->n] = index[k];
+        hood->distance2[hood->n] = distance2[k];
+        hood->point[hood->n++] = p;
+    }
+}
+
+void upsample_surface_about(const struct upsample *fill, const struct upsample_hood *near,
+                            struct upsample_surface *surface)
+{
+    uint32_t index[UPSAMPLE_LINES];
+    double distance2[UPSAMPLE_LINES];
+    struct upsample_hood wide;
+
+    upsample_surface_find(near, surface);
+    for (size_t k = 2 * UPSAMPLE_NEAR; fill->lines && surface->spread == HUGE_VAL; k *= 2) {
+        if (k > UPSAMPLE_LINES)
+            break;
+        size_t n = point_grid_nearest(fill->point_grid, near->point[0], k, index, distance2);
+        if (n < k)
+            break;
+        pick_apart(fill->point_grid, index, distance2, n, &wide);
+        upsample_surface_find(&wide, surface);
+    }
 }
 
 double upsample_surface_fit(const struct upsample_hood *near, size_t k, struct vec3 origin,

@@ -168,6 +168,50 @@ static bool is_link_free(const struct link_options *options, const struct run_po
     return is_free;
 }
 
+/* The axis passes the pole of the rotary axes here: the point stays. */
+static bool is_at_pole(const struct link_options *options, const struct run_point *p)
+{
+    return options->frame && vec_length(vec_cross(options->frame->pole, p->axis)) < 1e-9;
+}
+
+/* The straight motion is clear of ball and whole tool, and turns no faster than it may. */
+static bool is_way_clear(const struct link_options *options, const struct run_point *from,
+                         const struct run_point *to)
+{
+    const struct run straight = {.radius = options->radius};
+
+    return gouge_depth_along(options->lift->guard, from->ball, to->ball, options->lift->offset) <=
+               LINK_FEED * options->lift->tolerance &&
+           is_link_free(options, from, to, &straight, 0);
+}
+
+/* The way turns sharply at a point, and is clear without it. */
+static bool is_spike(const struct link_options *options, const struct run_point *before,
+                     const struct run_point *p, const struct run_point *after)
+{
+    struct vec3 up = vec_sub(p->ball, before->ball), down = vec_sub(p->ball, after->ball);
+    bool turns = vec_distance(before->axis, p->axis) + vec_distance(p->axis, after->axis) > SAME;
+
+    return vec_dot(up, down) > 0 && !(turns && is_at_pole(options, p)) &&
+           is_way_clear(options, before, after);
+}
+
+/* Leaves out spikes of a link from point `first` on: beside a wall, say, that those next to it
+ * touch as deep as they may, one went up to where the ball touches nothing. */
+static void drop_spikes(const struct link_options *options, const struct run_point *from,
+                        const struct run_point *to, struct run *link, size_t first)
+{
+    size_t kept = first;
+
+    for (size_t i = first; i < link->n; i++) {
+        const struct run_point *before = kept > first ? &link->item[kept - 1] : from;
+        const struct run_point *after = i + 1 < link->n ? &link->item[i + 1] : to;
+        if (!is_spike(options, before, &link->item[i], after))
+            link->item[kept++] = link->item[i];
+    }
+    link->n = kept;
+}
+
 bool link_low(const struct link_options *options, const struct run_point *from,
               const struct run_point *to, struct run *link)
 {
@@ -185,30 +229,15 @@ bool link_low(const struct link_options *options, const struct run_point *from,
         size_t fewest = arch[k].turned ? TURNED_PARTS : FEWEST_PARTS;
         for (size_t parts = fewest; parts <= MOST_PARTS; parts *= 4) {
             link->n = n;
-            if (try_arch(options, from, to, &arch[k], parts, link) &&
-                is_link_free(options, from, to, link, n))
-                return true;
+            if (!try_arch(options, from, to, &arch[k], parts, link) ||
+                !is_link_free(options, from, to, link, n))
+                continue;
+            drop_spikes(options, from, to, link, n);
+            return true;
         }
     }
     link->n = n;
     return false;
-}
-
-/* The axis passes the pole of the rotary axes here: the point stays. */
-static bool is_at_pole(const struct link_options *options, const struct run_point *p)
-{
-    return options->frame && vec_length(vec_cross(options->frame->pole, p->axis)) < 1e-9;
-}
-
-/* The straight motion is clear of ball and whole tool, and turns no faster than it may. */
-static bool is_way_clear(const struct link_options *options, const struct run_point *from,
-                         const struct run_point *to)
-{
-    const struct run straight = {.radius = options->radius};
-
-    return gouge_depth_along(options->lift->guard, from->ball, to->ball, options->lift->offset) <=
-               LINK_FEED * options->lift->tolerance &&
-           is_link_free(options, from, to, &straight, 0);
 }
 
 /* The point may be left out between two others: it is no further than `off` beside the straight

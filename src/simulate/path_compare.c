@@ -14,6 +14,7 @@ enum { LINE_STEPS = 4, CURVE_STEPS = 16, DEEPEST = 10 };
 #define EVEN 3e-5    /* radians that it may be off an even turn there */
 #define STILL 0.005  /* mm: a tip that moves no further stands, and the axes turn about it */
 #define SHORT 0.05   /* mm: shorter pieces may be slow, and their inverse time says little, ... */
+#define ROUNDED 6    /* tolerances of the tip: so long a piece by its digits may be half longer */
 #define WAIT (1 / 60.0) /* ... if they take no more than that, minutes */
 
 /* A straight bit of a motion at feed, with the tool axis at its ends. */
@@ -43,6 +44,7 @@ struct walk {
     size_t piece;
     bool combined;
     double radius, feed;
+    double least; /* mm: the time of a shorter piece says little */
     struct stretches *to;
 };
 
@@ -84,8 +86,10 @@ static double tip_feed(const struct walk *w, double length)
     const struct nc_piece *p = &w->motion->piece.item[w->piece];
     if (length <= STILL)
         return 0; /* F counts degrees */
+    if (length <= w->least && (p->inverse || w->combined))
+        return 0; /* it is for what the piece was before it was rounded */
     if (p->inverse)
-        return length > SHORT ? p->feed * length : 0;
+        return p->feed * length;
     if (!w->combined)
         return centre_stands(w) ? 0 : p->feed; /* degrees, too */
     struct axis_follow follow = {w->motion, {0, 0}};
@@ -102,10 +106,15 @@ static double tip_feed(const struct walk *w, double length)
     return way > 0 ? p->feed * length / way : 0;
 }
 
-static void follow(const struct nc_motion *m, double radius, bool combined, struct stretches *to)
+static void follow(const struct nc_motion *m, const struct path_compare_options *options,
+                   bool combined, struct stretches *to)
 {
+    double rounded = ROUNDED * options->tolerance, radius = options->radius;
+
     for (size_t i = 0; i < m->piece.n; i++) {
-        struct walk w = {m, i, combined, radius, 0, to};
+        bool inverse = m->piece.item[i].inverse;
+        double least = inverse ? fmax(SHORT, rounded) : options->tolerance > SHORT ? rounded : 0;
+        struct walk w = {m, i, combined, radius, 0, least, to};
         size_t first = to->n;
         double length = 0;
         if (m->piece.item[i].rapid)
@@ -379,8 +388,8 @@ struct path_compare path_compare_run(const struct nc_motion *program, const stru
                                      const struct path_compare_options *options)
 {
     struct compare c = {.motion = program, .options = options};
-    follow(program, options->radius, (options->limits && options->limits->combined), &c.program);
-    follow(path, options->radius, false, &c.path);
+    follow(program, options, (options->limits && options->limits->combined), &c.program);
+    follow(path, options, false, &c.path);
     c.program_tree = tree_of(&c.program);
     c.path_tree = tree_of(&c.path);
     compare_program(&c, program);

@@ -51,7 +51,7 @@ START_TEST(on_the_surface)
     for (size_t i = 0; i < put.n; i++) {
         struct vec3 p = put.item[i];
         double off = p.z - wave(p.x, p.y);
-        ck_assert_double_gt(hypot(p.x - 5, p.y), 2);
+        ck_assert_double_gt(hypot(p.x - 5, p.y), 1.4);
         if (fabs(p.x) > 35 || fabs(p.y) > 25 || hypot(p.x - 5, p.y) < 5)
             continue;
         worst = fmax(worst, fabs(off));
@@ -248,6 +248,26 @@ START_TEST(up_to_blunt_edges)
 }
 END_TEST
 
+/* No place of the plane z = slope x, so far about the origin along x and y, is farther from those
+ * that were put. */
+static void check_filled(double slope, double wide, double deep, double most)
+{
+    for (double y = -deep; y <= deep; y += 0.1)
+        for (double x = -wide; x <= wide; x += 0.05) {
+            struct vec3 p = vec(x, y, slope * x);
+            double least = HUGE_VAL;
+            for (size_t k = 0; k < put.n; k++)
+                least = fmin(least, vec_distance(put.item[k], p));
+            ck_assert_double_le(least, most);
+        }
+}
+
+/* Points so far apart let the ball sink as far as it may. */
+static double gap_of(const struct upsample *fill)
+{
+    return sqrt(6 * fill->radius * fill->sink);
+}
+
 /* A flank of 72 degrees, scanned 0.5 mm apart from above, but for a hole: places are put as far as
  * the next points are, however many that makes; no ball touches the flank between them. */
 START_TEST(far_from_a_point)
@@ -263,14 +283,46 @@ START_TEST(far_from_a_point)
     struct upsample fill = {.point_grid = &point_grid, .radius = 3, .sink = 0.002};
     for (size_t i = 0; i < point_grid.n; i++)
         upsample_about(&fill, i, &put);
-    for (double y = -1.2; y <= 1.2; y += 0.1)
-        for (double x = -0.4; x <= 0.4; x += 0.05) {
-            struct vec3 p = vec(x, y, steep * x);
-            double least = HUGE_VAL;
-            for (size_t k = 0; k < put.n; k++)
-                least = fmin(least, vec_distance(put.item[k], p));
-            ck_assert_double_le(least, sqrt(6 * fill.radius * fill.sink));
-        }
+    check_filled(steep, 0.4, 1.2, gap_of(&fill));
+}
+END_TEST
+
+/* A hole that the ball is wider than, in a scan that is sparse for it, is filled, though those next
+ * to it know nothing of what is beyond. */
+START_TEST(hole_for_a_small_ball)
+{
+    const double noise = 0.02;
+    struct error error;
+
+    noisy_seed(7 + (unsigned)_i);
+    while (scan.n < 640) {
+        double x = 24 * (noisy_uniform() - 0.5), y = 24 * (noisy_uniform() - 0.5);
+        if (hypot(x, y) > 1.9)
+            *array_push(&scan) = vec(x, y, x + noise * noisy_normal());
+    }
+    ck_assert_int_eq(point_grid_make(scan.item, scan.n, 1, 1, &point_grid, &error), 0);
+    struct upsample fill = {
+        .point_grid = &point_grid, .radius = 2.2, .sink = 0.0025, .noise = noise};
+    for (size_t i = 0; i < point_grid.n; i++)
+        upsample_about(&fill, i, &put);
+    check_filled(1, 0.5, 0.5, 0.7); /* where the ball sinks 0.1 mm; 0.9 without */
+}
+END_TEST
+
+/* Points on a line of a scan's border, eight times as close along it as the next line is: the
+ * nearest are on two lines, which carry no surface. */
+START_TEST(border_of_lines)
+{
+    struct error error;
+
+    for (int j = 0; j <= 8; j++)
+        for (int i = -96; i <= 96; i++)
+            *array_push(&scan) = vec(i / 16.0, j / 2.0 - 0.25, 0.7 * i / 16.0);
+    ck_assert_int_eq(point_grid_make(scan.item, scan.n, 0.18, 1, &point_grid, &error), 0);
+    struct upsample fill = {.point_grid = &point_grid, .radius = 0.5, .sink = 0.002, .lines = true};
+    for (size_t i = 0; i < point_grid.n; i++)
+        upsample_about(&fill, i, &put);
+    check_filled(0.7, 4, 0.2, gap_of(&fill));
 }
 END_TEST
 
@@ -318,6 +370,8 @@ int main(void)
     tcase_add_test(tests, on_a_surface_that_swings);
     tcase_add_test(tests, none_beyond_a_border);
     tcase_add_test(tests, far_from_a_point);
+    tcase_add_loop_test(tests, hole_for_a_small_ball, 0, 8);
+    tcase_add_test(tests, border_of_lines);
     tcase_add_test(tests, dense_enough);
     tcase_add_loop_test(tests, sparse_for_the_ball, 0, 2);
     tcase_add_test(tests, over_blunt_edges);

@@ -88,6 +88,29 @@ START_TEST(no_low_link_over_a_high_wall)
 }
 END_TEST
 
+/* Beside a post that the ball touches less deep than it may half way: it goes past, and does not
+ * climb over it to touch nothing. */
+START_TEST(past_what_it_hardly_touches)
+{
+    struct vec3s post = {0};
+    for (double z = 0; z <= R + 1; z += 0.1)
+        *array_push(&post) = vec(R - 0.0005, 0, z);
+    struct gouge_check *guard = gouge_from_points(post.item, post.n);
+    struct gouge_lift_options rule = {.guard = guard, .offset = R, .tolerance = 0.01};
+    struct run_point from = point_at(-0.3, R), to = point_at(0.3, R);
+    struct run link = {.radius = R};
+    const struct holder none = {0};
+    struct link_options options = {.lift = &rule, .holder = &none, .radius = R, .limit = 2 * R};
+
+    ck_assert(link_low(&options, &from, &to, &link));
+    for (size_t i = 0; i < link.n; i++)
+        ck_assert_double_lt(link.item[i].ball.z, R + 0.1); /* over it: R + 3 */
+    array_free(&link);
+    array_free(&post);
+    gouge_free(guard);
+}
+END_TEST
+
 /* From a row that ends along X to one that begins back along it, 2 mm beside: half round with about
  * the radius that the rows have room for, and no corner at the ends. */
 START_TEST(from_row_to_row_it_turns_with_a_radius)
@@ -664,6 +687,7 @@ int main(void)
     tcase_add_test(tests, one_of_two_in_a_place);
     tcase_add_test(tests, one_too_near_goes_on);
     tcase_add_test(tests, over_a_low_wall_it_is_lifted);
+    tcase_add_test(tests, past_what_it_hardly_touches);
     tcase_add_test(tests, no_low_link_over_a_high_wall);
     tcase_add_test(tests, from_row_to_row_it_turns_with_a_radius);
     tcase_add_test(tests, without_a_guard_it_is_straight);

@@ -40,6 +40,28 @@ START_TEST(the_same_is_the_same)
 }
 END_TEST
 
+/* Its inverse time is the path's: digits that make one piece twice as long make it twice as fast, as
+ * far as the tolerance says that they may. */
+START_TEST(inverse_time_is_as_good_as_digits)
+{
+    struct nc_motion path = row(0, false), program = row(0, false);
+    struct path_compare_options coarse = options;
+
+    for (size_t i = 0; i < 10; i++) {
+        program.piece.item[i].inverse = true;
+        program.piece.item[i].feed = 800 / 2.0 * (i == 4 ? 2 : 1); /* one in a minute */
+    }
+    struct path_compare found = path_compare_run(&program, &path, &coarse);
+    ck_assert_double_eq_tol(found.fast.value, 2, 1e-9);
+    ck_assert_uint_eq(found.fast.piece, 4);
+    coarse.tolerance = 0.4;
+    found = path_compare_run(&program, &path, &coarse);
+    ck_assert_uint_eq(found.fast.count, 0);
+    nc_motion_free(&path);
+    nc_motion_free(&program);
+}
+END_TEST
+
 START_TEST(what_is_off_is_told)
 {
     struct nc_motion path = row(0, false), program = row(0, true);
@@ -256,6 +278,7 @@ int main(void)
     Suite *suite = suite_create("path_compare");
     TCase *tcase = tcase_create("path_compare");
     tcase_add_test(tcase, the_same_is_the_same);
+    tcase_add_test(tcase, inverse_time_is_as_good_as_digits);
     tcase_add_test(tcase, what_is_left_out_is_told_where_it_was_left);
     tcase_add_test(tcase, a_curve_without_tool_centre_point);
     tcase_add_test(tcase, what_is_off_is_told);
