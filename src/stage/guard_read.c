@@ -397,7 +397,7 @@ int guard_scan_near(const struct guard_scan *scan, const struct vec3s *place, co
     return error_at(
         error, scan->source.item[0].name, 0,
         "found %zu of %zu %s further than %.3g mm from the scan, expected the scan that "
-        "the mesh was made from",
+        "the mesh was made from, or a mesh as fine as the ball",
         far, place->n, what, near);
 }
 

@@ -40,8 +40,8 @@ START_TEST(the_same_is_the_same)
 }
 END_TEST
 
-/* Its inverse time is the path's: digits that make one piece twice as long make it twice as fast, as
- * far as the tolerance says that they may. */
+/* Its inverse time is the path's: digits that make one piece twice as long make it twice as fast,
+ * as far as the tolerance says that they may. */
 START_TEST(inverse_time_is_as_good_as_digits)
 {
     struct nc_motion path = row(0, false), program = row(0, false);
