@@ -171,6 +171,14 @@ size_t arcfit_cut(const struct reference *reference, const struct deviation *wit
 bool arcfit_refit(const struct reference *reference, const struct deviation *within, int digits,
                   size_t from, size_t to, enum arcfit_effort effort, struct pieces *pieces);
 
+/*
+ * Searches for the pieces [from, to) anew, as arcfit_beam, from where the first begins in its
+ * direction to where a later one begins, at `to` or as far behind as it takes: a biarc meets it in
+ * its direction.  False: none was met, and all after `from` is new.
+ */
+bool arcfit_again(const struct reference *reference, const struct deviation *within, int digits,
+                  enum arcfit_effort effort, size_t from, size_t to, struct pieces *pieces);
+
 /* No direction jumps between the pieces [from, to). */
 bool arcfit_smooth(const struct pieces *pieces, size_t from, size_t to);
 

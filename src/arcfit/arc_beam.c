@@ -2,6 +2,9 @@
 #include "arc_beam.h"
 
 #include <stdlib.h>
+#include <string.h>
+
+#include "curve/biarc.h"
 
 /* ---- which single arcs can follow the reference, and how far */
 
@@ -195,6 +198,8 @@ struct beam {
     struct sizes heap;          /* of these */
     struct arc_windows windows; /* for use within propose_next */
     size_t stepped;             /* pieces that are no single arcs, where these would not do */
+    const struct pieces *old;   /* a chain to be met (NULL: none), */
+    size_t meet;                /* where this piece of it begins or a later one */
 };
 
 static size_t reach_from(const struct beam *b, size_t at, struct vec3 p, struct vec3 t)
@@ -463,21 +468,121 @@ static void collect_chain(const struct beam *b, size_t node, size_t starts, stru
     array_free(&back);
 }
 
-/* Grows the chains until one is through. */
-static void grow_chains(struct beam *b)
+/* Two pieces from a node to where an old one begins, in its direction; false: they are too far off.
+ */
+static bool try_biarc(const struct beam *b, size_t node, const struct arc_piece *next, double ratio,
+                      struct arc_piece two[2])
 {
-    size_t from = 0;
+    const struct reference *t = b->reference;
+    const struct chain_end *end = &b->done.item[node].end;
+    double start = (double)end->at, middle = start + (next->from - start) * ratio / (1 + ratio);
+    struct biarc biarc;
+
+    if (!biarc_of_ratio(end->p, end->tangent, next->arc.from, next->arc.tangent, ratio, &biarc))
+        return false;
+    double joint = reference_place(t, biarc.joint, middle);
+    if (!(joint > start && joint < next->from))
+        return false;
+    two[0] = arc_piece_of(t, biarc.first, start, joint);
+    two[1] = arc_piece_of(t, biarc.second, joint, next->from);
+    two[0].axis = end->axis;
+    two[0].biarc = true;
+    two[1].axis_to = next->axis;
+    for (int i = 0; i < 2; i++) {
+        struct deviation off = arc_piece_decision(t, &two[i], 4, b->within);
+        if (two[i].arc.angle > TURN_MAX || !deviation_within(&off, b->within))
+            return false;
+    }
+    return true;
+}
+
+/* The node goes on to where an old piece begins, by a biarc as even as may be; false: by none. */
+static bool meet_piece(struct beam *b, size_t node, const struct arc_piece *next)
+{
+    enum { SIDE = 3 };
+    struct arc_piece two[2];
+    bool met = false;
+
+    for (int i = 0; i <= 2 * SIDE && !met; i++) {
+        int step = i % 2 ? -(i + 1) / 2 : i / 2;
+        met = try_biarc(b, node, next, pow(10, (double)step / (2 * SIDE)), two);
+    }
+    for (size_t i = 0; i < 2 && met; i++) {
+        const struct arc *arc = &two[i].arc;
+        struct node to = {.piece = two[i], .before = i ? b->done.n - 1 : node};
+        to.end = (struct chain_end){(size_t)ceil(two[i].to), arc->to, arc_tangent(arc, 1),
+                                    two[i].axis_to};
+        *array_push(&b->done) = to;
+    }
+    return met;
+}
+
+/* One of the nodes [from, to) goes on to the old chain, by no more than it has come in its last
+ * piece and half as much again: as far along that as may be.  *met: at which piece of it. */
+static bool meet_old(struct beam *b, size_t from, size_t to, size_t *met)
+{
+    const double *length = b->reference->length;
+    const struct arc_piece *old = b->old->item;
+
+    for (size_t i = from; i < to; i++) {
+        struct chain_end end = b->done.item[i].end,
+                         before = b->done.item[b->done.item[i].before].end;
+        double most = length[end.at] + 1.5 * (length[end.at] - length[before.at]);
+        size_t first = b->meet, last;
+        while (first < b->old->n && old[first].from < (double)end.at + 1)
+            first++;
+        for (last = first; last < b->old->n && length[(size_t)old[last].from] <= most;)
+            last++;
+        while (last-- > first)
+            if (meet_piece(b, i, &old[last])) {
+                *met = last;
+                return true;
+            }
+    }
+    return false;
+}
+
+/* Grows the chains until one is through, or has met the old one: returns at which piece of that. */
+static size_t grow_chains(struct beam *b)
+{
+    size_t from = 0, met;
     while (!beam_finished(b)) {
         size_t to = b->done.n;
         for (size_t i = from; i < to; i++)
             propose_next(b, i);
         if (keep_best(b) > 0) {
             from = to;
+            if (b->old && !beam_finished(b) && meet_old(b, from, b->done.n, &met))
+                return met;
         } else {
             step_by_biarc(b, from);
             from = b->done.n - 1;
         }
     }
+    return b->old ? b->old->n : 0;
+}
+
+static struct beam beam_of(const struct reference *reference, const struct deviation *within,
+                           int digits, enum arcfit_effort effort)
+{
+    const struct beam_effort *e = &EFFORT[effort];
+    bool still = reference_axis_still(reference, 0, reference->n - 1);
+
+    return (struct beam){.reference = reference,
+                         .within = within,
+                         .digits = digits,
+                         .effort = e,
+                         .width = still ? e->still : e->turning,
+                         .most_turned = cos(TURN_MAX / 2),
+                         .straight = sin(ARCFIT_KINK)};
+}
+
+static void beam_free(struct beam *b)
+{
+    array_free(&b->done);
+    array_free(&b->next);
+    array_free(&b->heap);
+    array_free(&b->windows);
 }
 
 void arcfit_beam(const struct reference *reference, const struct deviation *within, int digits,
@@ -485,15 +590,8 @@ void arcfit_beam(const struct reference *reference, const struct deviation *with
 {
     if (reference->n < 2)
         return;
-    struct beam b = {.reference = reference,
-                     .within = within,
-                     .digits = digits,
-                     .most_turned = cos(TURN_MAX / 2),
-                     .straight = sin(ARCFIT_KINK)};
+    struct beam b = beam_of(reference, within, digits, effort);
     struct pieces biarcs = {0}, arcs = {0};
-    b.effort = &EFFORT[effort];
-    b.width =
-        reference_axis_still(reference, 0, reference->n - 1) ? b.effort->still : b.effort->turning;
     add_starts(&b);
     size_t starts = b.done.n;
     grow_chains(&b);
@@ -503,10 +601,34 @@ void arcfit_beam(const struct reference *reference, const struct deviation *with
     const struct pieces *best = biarcs.n == 0 || arcs.n <= biarcs.n ? &arcs : &biarcs;
     for (size_t i = 0; i < best->n; i++)
         *array_push(pieces) = best->item[i];
-    array_free(&b.done);
-    array_free(&b.next);
-    array_free(&b.heap);
-    array_free(&b.windows);
+    beam_free(&b);
     array_free(&arcs);
     array_free(&biarcs);
+}
+
+bool arcfit_again(const struct reference *reference, const struct deviation *within, int digits,
+                  enum arcfit_effort effort, size_t from, size_t to, struct pieces *pieces)
+{
+    const struct arc_piece *first = &pieces->item[from];
+    struct beam b = beam_of(reference, within, digits, effort);
+    struct pieces all = {0};
+
+    b.old = pieces;
+    b.meet = to;
+    if (from == 0)
+        add_starts(&b);
+    else
+        *array_push(&b.done) = (struct node){
+            .end = {(size_t)ceil(first->from), first->arc.from, first->arc.tangent, first->axis}};
+    size_t starts = b.done.n, met = grow_chains(&b);
+    for (size_t i = 0; i < from; i++)
+        *array_push(&all) = pieces->item[i];
+    collect_chain(&b, b.done.n - 1, starts, &all);
+    for (size_t i = met; i < pieces->n; i++)
+        *array_push(&all) = pieces->item[i];
+    bool joined = met < pieces->n || to == pieces->n;
+    beam_free(&b);
+    array_free(pieces);
+    *pieces = all;
+    return joined;
 }

@@ -117,22 +117,34 @@ enum {
     WINDOW_MOST = 24, /* pieces that are fitted anew at once */
 };
 
-/* The window's pieces fitted anew, with more beside them where these alone find no place; none
- * before `first`. */
+/* The window's pieces fitted anew, with more beside them where these alone find no place (not in a
+ * hurry: then they are searched for); none before `first`. */
 static bool refit_window(struct fit *f, const struct deviation *less, struct arc_moved w,
                          size_t first)
 {
     static const size_t wider[] = {0, 2, 5};
+    enum arcfit_effort effort = effort_of(f);
+    size_t tries = effort == ARCFIT_HURRIED ? 1 : sizeof wider / sizeof *wider;
 
-    for (size_t i = 0; i < sizeof wider / sizeof *wider; i++) {
+    for (size_t i = 0; i < tries; i++) {
         size_t from = w.from > first + wider[i] ? w.from - wider[i] : first;
         size_t to = w.to + wider[i] < f->pieces.n ? w.to + wider[i] : f->pieces.n;
         if (to - from > WINDOW_MOST || !arcfit_smooth(&f->pieces, from, to))
             return false;
-        if (arcfit_refit(&f->reference, less, PATH_COORDINATE, from, to, effort_of(f), &f->pieces))
+        if (arcfit_refit(&f->reference, less, PATH_COORDINATE, from, to, effort, &f->pieces))
             return true;
     }
     return false;
+}
+
+/* A window that has no place, or is too wide, searched for anew: that takes a part of the time of
+ * the whole, where there is no time for other spacings. */
+static bool search_window(struct fit *f, const struct deviation *less, struct arc_moved w)
+{
+    enum arcfit_effort effort = effort_of(f);
+
+    return effort == ARCFIT_HURRIED && w.to > w.from &&
+           arcfit_again(&f->reference, less, PATH_COORDINATE, effort, w.from, w.to, &f->pieces);
 }
 
 /* The pieces of the same part before some of its points moved, with those anew that touch them.
@@ -142,7 +154,7 @@ static bool fit_moved(struct fit *f, const struct arcrun_part *before, const str
 {
     const struct reference *t = &f->reference;
     struct arc_moves windows = {0};
-    bool good = true;
+    bool good = true, anew = false;
 
     f->pieces.n = 0;
     arc_carry(&before->points, now, &before->pieces, BESIDE, &f->pieces, &windows);
@@ -151,9 +163,15 @@ static bool fit_moved(struct fit *f, const struct arcrun_part *before, const str
     first->axis = t->axis[0];
     last->arc.to = t->point[t->n - 1];
     last->axis_to = t->axis[t->n - 1];
-    for (size_t k = windows.n; k-- > 0 && good;) /* those before stay where they are */
-        good = refit_window(f, less, windows.item[k], k > 0 ? windows.item[k - 1].to : 0);
+    for (size_t k = windows.n; k-- > 0 && good;) { /* those before stay where they are */
+        if (refit_window(f, less, windows.item[k], k > 0 ? windows.item[k - 1].to : 0))
+            continue;
+        good = search_window(f, less, windows.item[k]);
+        anew = true;
+    }
     array_free(&windows);
+    if (good && anew && f->options->least > 0)
+        arcfit_lengthen(t, less, PATH_COORDINATE, f->options->least, &f->pieces);
     return good;
 }
 

@@ -158,6 +158,49 @@ START_TEST(lines_and_single_intervals)
 }
 END_TEST
 
+/* Where some points of a wave are lifted the pieces about these are found anew, from the start, in
+ * the middle and to the end: those before stay, those behind where the old ones are met again, and
+ * the chain is one. */
+static void assert_again(size_t from, size_t to, size_t *stayed)
+{
+    struct reference t = trial_wave(401, 0.25, 0.3, 0);
+    struct pieces p = {0}, old = {0};
+    arcfit_beam(&t, &WITHIN, 6, ARCFIT_HURRIED, &p);
+    to = to < p.n ? to : p.n;
+    for (size_t i = 0; i < p.n; i++)
+        *array_push(&old) = p.item[i];
+    size_t first = (size_t)ceil(p.item[from].to), last = (size_t)p.item[to - 1].from;
+    for (size_t i = first; i <= last; i++) {
+        double lift = 0.05 * sin(PI * (double)(i - first) / (double)(last - first + 1));
+        t.point[i].z += lift;
+        t.other[i].z += lift;
+    }
+    ck_assert(arcfit_again(&t, &WITHIN, 6, ARCFIT_HURRIED, from, to, &p));
+    trial_assert_chain(&t, &WITHIN, &p);
+    for (size_t i = 0; i < from; i++)
+        ck_assert_double_eq(vec_distance(p.item[i].arc.to, old.item[i].arc.to), 0);
+    for (*stayed = 0; *stayed < old.n - from; ++*stayed)
+        if (vec_distance(p.item[p.n - 1 - *stayed].arc.from,
+                         old.item[old.n - 1 - *stayed].arc.from) > 0)
+            break;
+    ck_assert_uint_le(p.n, old.n + 8);
+    array_free(&old);
+    array_free(&p);
+    reference_free(&t);
+}
+
+START_TEST(a_part_is_found_anew)
+{
+    size_t stayed;
+    assert_again(0, 5, &stayed);
+    ck_assert_uint_gt(stayed, 4);
+    assert_again(3, 9, &stayed);
+    ck_assert_uint_gt(stayed, 4);
+    assert_again(6, 1000, &stayed);
+    ck_assert_uint_eq(stayed, 0);
+}
+END_TEST
+
 int main(void)
 {
     TCase *t = tcase_create("arc_beam");
@@ -170,6 +213,7 @@ int main(void)
     tcase_add_test(t, a_wave_takes_a_third_less_than_biarcs);
     tcase_add_test(t, the_far_end_of_the_lever_is_kept_too);
     tcase_add_test(t, lines_and_single_intervals);
+    tcase_add_test(t, a_part_is_found_anew);
     Suite *s = suite_create("arc_beam");
     suite_add_tcase(s, t);
     SRunner *r = srunner_create(s);
