@@ -210,6 +210,15 @@ static void set_tolerance(const struct mesh *mesh)
         path_options.tolerance = TOLERANCE;
 }
 
+/* Of a part that has no outline nobody knows what of it is to be cut: the head says no scallop. */
+static void promise_nothing(void)
+{
+    say("what is asked for has no outline, being narrow, rough, or over itself: what stays of it "
+        "is "
+        "not measured, and the head promises no scallop");
+    path_options.scallop = 0;
+}
+
 int main(int argc, char **argv)
 {
     struct cli cli = {.tool = "planecut",
@@ -258,6 +267,8 @@ int main(int argc, char **argv)
     if (promised || (region == &mesh && (path_options.guarded || mesh.normals_made)))
         coverage = path_coverage_new(&mesh, region, &t);
     t.coverage = coverage.coverage;
+    if (scallop > 0 && path_options.guarded && !coverage.coverage)
+        promise_nothing();
     path_options_begin(&mesh, "planecut", cli.output, &t);
     planes.region = region != &mesh;
     plane_passes_run_out(&planes, &mesh);

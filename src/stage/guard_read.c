@@ -23,8 +23,9 @@
 /* Of the radius: points that hang down are so far apart. */
 static const double CURTAIN = 0.25;
 
-/* Points on the facets of a mesh: so far apart, by the radius; so many at most. */
-static const double FACETS = 0.25, MOST_OF_FACETS = 1e6;
+/* Points on the facets of a mesh: so far apart, by the radius; so many at most; close ones let a
+ * ball sink by so much, mm. */
+static const double FACETS = 0.25, MOST_OF_FACETS = 1e6, SINK = 0.002;
 
 /* Appends a file's points; says what was left out of them. */
 static int read_file(const char *name, struct vec3s *points, struct error *error)
@@ -70,8 +71,10 @@ static int add_facets(const char *name, double radius, struct guard_scan *scan, 
         return -1;
     if (scan->source.placed)
         transform_points(&scan->source.place, mesh.vertex.item, mesh.vertex.n);
-    double spacing = fmax(FACETS * radius, sqrt(2 * mesh_area(&mesh) / MOST_OF_FACETS));
+    double least = sqrt(2 * mesh_area(&mesh) / MOST_OF_FACETS);
+    double spacing = fmax(FACETS * radius, least), part = 0.65; /* triangle_points.h */
     fill_facets(&mesh, spacing, &scan->point);
+    fill_facets(&mesh, fmax(sqrt(2 * radius * SINK) / part, least), &scan->facet);
     if (scan->point.n > before)
         say("%s: a mesh: guarded by %zu points on its facets, too, %.3g mm apart at most", name,
             scan->point.n - before, spacing);
@@ -154,6 +157,7 @@ int guard_scan_read(const struct guard_choice *choice, const struct scan_sources
 void guard_scan_free(struct guard_scan *scan)
 {
     array_free(&scan->point);
+    array_free(&scan->facet);
     scan_sources_free(&scan->source);
 }
 
@@ -328,10 +332,11 @@ static double apart_of(double apart, const struct guard_read_options *rule)
 }
 
 /* NULL: more points than can be sorted. */
-static struct gouge_check *gouge_of(struct vec3s *points, const struct mesh *mesh,
+static struct gouge_check *gouge_of(const struct guard_scan *scan, const struct mesh *mesh,
                                     struct guard_read_options *rule, struct error *error)
 {
     const double little = 0.1; /* of the tolerance */
+    const struct vec3s *points = &scan->point;
     double spacing = spacing_of(points);
     struct point_grid point_grid;
 
@@ -381,6 +386,8 @@ static struct gouge_check *gouge_of(struct vec3s *points, const struct mesh *mes
         add_edges(mesh, sqrt(8 * rule->radius * how.sink), &point_grid, &surface.point);
     add_rim(&point_grid, rule, how.sink, &surface.point);
     add_curtain(&point_grid, rule, &surface.point);
+    for (size_t i = 0; !(rule->noise > 0) && i < scan->facet.n; i++)
+        *array_push(&surface.point) = scan->facet.item[i];
     point_grid_free(&point_grid);
     rule->certain = surface.certain;
     rule->doubtful = surface.doubtful;
@@ -407,13 +414,14 @@ struct gouge_check *guard_read(struct guard_scan *scan, const struct mesh *mesh,
     struct gouge_check *guard = NULL;
 
     if (guard_scan_near(scan, &mesh->vertex, "mesh vertices", near, rule->threads, error) == 0)
-        guard = gouge_of(&scan->point, mesh, rule, error);
+        guard = gouge_of(scan, mesh, rule, error);
     array_free(&scan->point);
+    array_free(&scan->facet);
     return guard;
 }
 
 struct gouge_check *guard_read_scan(struct guard_scan *scan, struct guard_read_options *rule,
                                     struct error *error)
 {
-    return gouge_of(&scan->point, NULL, rule, error);
+    return gouge_of(scan, NULL, rule, error);
 }

@@ -14,6 +14,7 @@
 /* The scan that guards. */
 struct guard_scan {
     struct vec3s point;         /* of all its files, placed, mm; none: no scan guards */
+    struct vec3s facet;         /* of those that are meshes: close points of their facets */
     struct scan_sources source; /* what a stream is to name: also where it can't be had */
 };
 
@@ -23,7 +24,8 @@ struct guard_scan {
  * read, or is not what it was (number and hash of its points), this is said, with what guards
  * `instead`, and there are no points; but for a piped one it is unmet, and said under -q, too.
  * Of a file that is a mesh its facets stand for what is between its corners: where they are large
- * for a ball of this radius (mm; 0: not known) points on them are added.
+ * for a ball of this radius (mm; 0: not known) points on them are added, and close ones are kept
+ * beside them, for a ball sinks between corners at the mesh's border.
  * -1: a file of -g can't be read or has no points.
  */
 int guard_scan_read(const struct guard_choice *choice, const struct scan_sources *named,
@@ -47,7 +49,8 @@ struct guard_read_options {
 };
 
 /*
- * The gouge check of the scan's points, which are freed, and of the mesh's sharp edges.  NULL if
+ * The gouge check of the scan's points, which are freed, and of the mesh's sharp edges; where no
+ * noise is taken out, of the facets of a scan that is a mesh, too, as they are.  NULL if
  * there are too many points, or if the mesh is clearly elsewhere: more than half of its vertices
  * further than `near` mm from every point of the scan.  rule->noise becomes what was taken out.
  */
