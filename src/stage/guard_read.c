@@ -25,7 +25,7 @@ static const double CURTAIN = 0.25;
 
 /* Points on the facets of a mesh: so far apart, by the radius; so many at most; close ones let a
  * ball sink by so much, mm. */
-static const double FACETS = 0.25, MOST_OF_FACETS = 1e6, SINK = 0.002;
+static const double FACETS = 0.25, MOST_OF_FACETS = 1e6, MOST_CLOSE = 4e6, SINK = 0.002;
 
 /* Appends a file's points; says what was left out of them. */
 static int read_file(const char *name, struct vec3s *points, struct error *error)
@@ -71,10 +71,12 @@ static int add_facets(const char *name, double radius, struct guard_scan *scan, 
         return -1;
     if (scan->source.placed)
         transform_points(&scan->source.place, mesh.vertex.item, mesh.vertex.n);
-    double least = sqrt(2 * mesh_area(&mesh) / MOST_OF_FACETS);
-    double spacing = fmax(FACETS * radius, least), part = 0.65; /* triangle_points.h */
+    double area = mesh_area(&mesh), part = 0.65; /* triangle_points.h */
+    double spacing = fmax(FACETS * radius, sqrt(2 * area / MOST_OF_FACETS));
+    double close = fmax(sqrt(2 * radius * SINK) / part, sqrt(2 * area / MOST_CLOSE));
     fill_facets(&mesh, spacing, &scan->point);
-    fill_facets(&mesh, fmax(sqrt(2 * radius * SINK) / part, least), &scan->facet);
+    fill_facets(&mesh, close, &scan->facet);
+    scan->meshes++;
     if (scan->point.n > before)
         say("%s: a mesh: guarded by %zu points on its facets, too, %.3g mm apart at most", name,
             scan->point.n - before, spacing);
@@ -331,22 +333,24 @@ static double apart_of(double apart, const struct guard_read_options *rule)
     return apart <= most * rule->tolerance ? apart : 0;
 }
 
-/* NULL: more points than can be sorted. */
-static struct gouge_check *gouge_of(const struct guard_scan *scan, const struct mesh *mesh,
-                                    struct guard_read_options *rule, struct error *error)
+static void add_places(struct vec3s *to, const struct vec3 *place, size_t n)
+{
+    array_reserve(to, to->n + n);
+    for (size_t i = 0; i < n; i++)
+        *array_push(to) = place[i];
+}
+
+/* A scan's surface, less the noise of its points, of which outliers are left out. */
+static struct guard_points surface_of_scan(struct point_grid *grid, double spacing,
+                                           struct guard_read_options *rule)
 {
     const double little = 0.1; /* of the tolerance */
-    const struct vec3s *points = &scan->point;
-    double spacing = spacing_of(points);
-    struct point_grid point_grid;
-
-    if (point_grid_make(points->item, points->n, spacing, rule->threads, &point_grid, error) < 0)
-        return NULL;
-    struct believed found = believe(&point_grid, rule->noise, rule->threads);
+    size_t points = grid->n;
+    struct believed found = believe(grid, rule->noise, rule->threads);
     bool noisy = found.sigma > little * rule->tolerance;
     if (rule->noise < 0 && noisy)
-        effort_say(EFFORT_GUARD_NOISE, rule->effort, points->n);
-    bool removed = noisy && effort_covers(EFFORT_GUARD_NOISE, rule->effort, points->n);
+        effort_say(EFFORT_GUARD_NOISE, rule->effort, points);
+    bool removed = noisy && effort_covers(EFFORT_GUARD_NOISE, rule->effort, points);
     bool stays = rule->noise < 0 && noisy && !removed; /* points stand out by it alone */
     bool sided = rule->noise < 0 && found.noise.sided;
     double rough = rule->noise < 0 ? rough_of(&found, rule->tolerance) : 0;
@@ -364,30 +368,61 @@ static struct gouge_check *gouge_of(const struct guard_scan *scan, const struct 
                                        .vague = rule->tolerance,
                                        .effort = rule->effort,
                                        .threads = rule->threads};
-    for (size_t i = 0; mesh && i < point_grid.n; i++)
-        *array_push(&rule->believed) = point_grid.point[i];
-    struct guard_points surface = guard_points_of_scan(&point_grid, &how);
-    say_bounded(&surface, rule, point_grid.n);
+    struct guard_points surface = guard_points_of_scan(grid, &how);
+    say_bounded(&surface, rule, grid->n);
     if (rule->noise > 0)
         say("noise of %.2g mm taken out of the scan that guards (%zu of %zu points moved)",
-            rule->noise, surface.moved, point_grid.n);
+            rule->noise, surface.moved, grid->n);
     if (surface.vague > 0)
         say("the scan is too sparse at %zu points for a tolerance of %g: the surface between them "
             "is "
             "uncertain, at worst by %.3f mm at %.3f %.3f %.3f",
             surface.vague, rule->tolerance, surface.worst, surface.at.x, surface.at.y,
             surface.at.z);
-    note("guarded by %zu points of the scan and %zu inserted between them", point_grid.n,
-         surface.added);
+    note("guarded by %zu points of the scan and %zu inserted between them", grid->n, surface.added);
     if (surface.edges > 0)
         note("and by %zu points on sharp edges that its surfaces meet in", surface.edges);
-    say_edges(&surface.gaps, point_grid.n, stays ? NULL : rule->unmet);
-    if (mesh)
-        add_edges(mesh, sqrt(8 * rule->radius * how.sink), &point_grid, &surface.point);
-    add_rim(&point_grid, rule, how.sink, &surface.point);
+    say_edges(&surface.gaps, grid->n, stays ? NULL : rule->unmet);
+    return surface;
+}
+
+/* That of meshes: their corners, and close points of their facets, which are the part as they
+ * are. */
+static struct guard_points surface_of_facets(const struct point_grid *grid,
+                                             const struct guard_scan *scan,
+                                             struct guard_read_options *rule)
+{
+    struct guard_points surface = {.sparse = false};
+
+    rule->noise = 0;
+    add_places(&surface.certain, grid->point, grid->n);
+    add_places(&surface.point, grid->point, grid->n);
+    add_places(&surface.point, scan->facet.item, scan->facet.n);
+    note("guarded by the facets of a mesh: %zu points", surface.point.n);
+    return surface;
+}
+
+/* NULL: more points than can be sorted. */
+static struct gouge_check *gouge_of(const struct guard_scan *scan, const struct mesh *mesh,
+                                    struct guard_read_options *rule, struct error *error)
+{
+    const struct vec3s *points = &scan->point;
+    bool faceted = scan->meshes == scan->source.n && !(rule->noise > 0);
+    double spacing = spacing_of(points), sink = rule->tolerance / 5;
+    struct point_grid point_grid;
+
+    if (point_grid_make(points->item, points->n, spacing, rule->threads, &point_grid, error) < 0)
+        return NULL;
+    struct guard_points surface = faceted ? surface_of_facets(&point_grid, scan, rule)
+                                          : surface_of_scan(&point_grid, spacing, rule);
+    if (mesh) {
+        add_places(&rule->believed, point_grid.point, point_grid.n);
+        add_edges(mesh, sqrt(8 * rule->radius * sink), &point_grid, &surface.point);
+    }
+    add_rim(&point_grid, rule, sink, &surface.point);
     add_curtain(&point_grid, rule, &surface.point);
-    for (size_t i = 0; !(rule->noise > 0) && i < scan->facet.n; i++)
-        *array_push(&surface.point) = scan->facet.item[i];
+    if (!faceted)
+        add_places(&surface.point, scan->facet.item, scan->facet.n);
     point_grid_free(&point_grid);
     rule->certain = surface.certain;
     rule->doubtful = surface.doubtful;

@@ -15,6 +15,7 @@
 struct guard_scan {
     struct vec3s point;         /* of all its files, placed, mm; none: no scan guards */
     struct vec3s facet;         /* of those that are meshes: close points of their facets */
+    size_t meshes;              /* so many of them */
     struct scan_sources source; /* what a stream is to name: also where it can't be had */
 };
 
@@ -49,8 +50,9 @@ struct guard_read_options {
 };
 
 /*
- * The gouge check of the scan's points, which are freed, and of the mesh's sharp edges; where no
- * noise is taken out, of the facets of a scan that is a mesh, too, as they are.  NULL if
+ * The gouge check of the scan's points, which are freed, and of the mesh's sharp edges.  Of a
+ * scan whose files are all meshes its facets are the part, as they are: nothing is looked for
+ * between them, nor noise.  NULL if
  * there are too many points, or if the mesh is clearly elsewhere: more than half of its vertices
  * further than `near` mm from every point of the scan.  rule->noise becomes what was taken out.
  */

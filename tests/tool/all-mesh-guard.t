@@ -98,4 +98,15 @@ hasnt "with no scallop promised" '^\$\$-> SCALLOP' flanks.cl
 ncpost -q -c siemens -o flanks.mpf flanks.cl
 status 0 "ncverify accepts them by the facets" ncverify -q --partial -g wave.ply flanks.mpf
 
+# A mesh through points as they are, with noise: its facets are the part. What was put between its
+# corners for noise kept the ball off, and where noise was taken out the ball went into the facets.
+awk -v s=3 'function u() { s = (s * 16807) % 2147483647; return s / 2147483647 }
+	BEGIN { for (i = 0; i < 400; i++) { x = 24 * u() - 12; y = 24 * u() - 12
+		printf "%.4f %.4f %.4f\n", x, y, 0.06 * x * y + 0.1 * (u() + u() + u() - 1.5) } }' >rough.xyz
+cloud2mesh -q -t 2 --noise 0 -o rough.ply rough.xyz 2>/dev/null
+status 0 "meshnorm guards by a rough mesh" meshnorm -v -r 6 --avoid -g rough.ply -o rough.cl rough.ply
+has "by its facets alone" '^meshnorm: guarded by the facets of a mesh: [0-9]+ points' "$TMP/err"
+status 0 "biarcfit, too" biarcfit -q -e 0.01 -o rough.arcs rough.cl
+ncpost -q -c siemens -o rough.mpf rough.arcs
+status 0 "ncverify accepts it" ncverify -q -g rough.ply rough.mpf
 done_testing
