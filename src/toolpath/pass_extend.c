@@ -21,10 +21,18 @@ static struct contact contact_ahead(const struct border_surface_plane *plane, st
     return (struct contact){vec_along(c.p, distance, forward), c.n};
 }
 
-/* The last place before the border of the scan, less than a step on. */
+/* How far on one place is from another along the plane. */
+static double on_by(const struct border_surface_plane *plane, struct vec3 from, struct vec3 to,
+                    double way)
+{
+    return vec_dot(vec_sub(to, from), plane->along) * way;
+}
+
+/* The last place before the border of the scan, or `stop`, less than a step on: none that the
+ * surface moves back. */
 static void follow_to_border(const struct border_surface *b,
                              const struct border_surface_plane *plane, struct contact c, double way,
-                             struct contacts *run)
+                             double stop, struct contacts *run)
 {
     struct contact last = c;
     double on = 0, off = border_surface_step(b);
@@ -32,7 +40,8 @@ static void follow_to_border(const struct border_surface *b,
     for (int i = 0; i < HALVINGS; i++) {
         double middle = (on + off) / 2;
         struct contact next = contact_ahead(plane, c, way, middle);
-        if (border_surface_move(b, plane, &next)) {
+        if (border_surface_move(b, plane, &next) && on_by(plane, last.p, next.p, way) > 0 &&
+            (vec_dot(next.p, plane->along) - stop) * way < 0) {
             on = middle;
             last = next;
         } else {
@@ -53,11 +62,10 @@ static void follow_scan(const struct border_surface *b, const struct border_surf
     for (;;) {
         struct contact next = contact_ahead(plane, c, way, border_surface_step(b));
         if (!border_surface_move(b, plane, &next)) {
-            follow_to_border(b, plane, c, way, run);
+            follow_to_border(b, plane, c, way, stop, run);
             return;
         }
-        double on = vec_dot(vec_sub(next.p, c.p), plane->along) * way;
-        if (on < LEAST * border_surface_step(b) ||
+        if (on_by(plane, c.p, next.p, way) < LEAST * border_surface_step(b) ||
             (vec_dot(next.p, plane->along) - stop) * way >= 0)
             return;
         if (!border_surface_beside(b, next.p)) {

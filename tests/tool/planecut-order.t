@@ -18,4 +18,19 @@ awk -F'[/,]' '/^RAPID/ { rapid = 1 }
 	END { printf "%d %d\n", n, far + 0.5 }' plates.cl >jumps
 ok "are cut one after the other, each from where it is near" test "2 30" = "$(cat jumps)"
 
+# A cone's stump on a plate, sparse, with two holes: rows go on to the border of the scan and meet
+# there, each point of them farther on than the one before. Where a strip grew past the end of the
+# next one the row went 0.7 mm back and forth.
+awk -v s=1 'function u() { s = (s * 16807) % 2147483647; return s / 2147483647 }
+	BEGIN { for (i = 0; i < 500; i++) { x = 24 * u() - 12; y = 14 * u() - 7; z = 4 - sqrt(x * x + y * y)
+		if (sqrt((x - 7) ^ 2 + (y - 3) ^ 2) < 2.5 || sqrt((x + 8) ^ 2 + (y + 2) ^ 2) < 2) continue
+		printf "%.4f %.4f %.4f\n", x, y, (z > 0 ? 0 : (z < -3 ? -3 : z)) } }' >stump.xyz
+cloud2mesh -q -a 20 -o stump.ply stump.xyz 2>/dev/null
+planecut -q -r 0.5 --avoid -s 0.125 -g stump.xyz -o stump.cl stump.ply 2>/dev/null
+awk -F'[/,]' '/PASS/ { n = 0 } /CONTCT/ { x = $2 + 0
+		if (n > 1 && (x - a) * (a - b) < 0 && (x - a) ^ 2 > 0.01 && (a - b) ^ 2 > 0.01) back++
+		b = a; a = x; n++; all++ }
+	END { print back + 0, (all > 1000) }' stump.cl >back
+ok "rows that are grown to the border of a scan do not go back" test "0 1" = "$(cat back)"
+
 done_testing
