@@ -17,7 +17,7 @@ static const double TWENTIETH = 0.234, TENTH = 0.285, QUARTER = 0.38, TENTH_TWIC
 static const double UNEVEN = 1.4, WIDER = 1.45;
 
 /* So many times as much at some of the places tells for all.  In 90 scans of heads and models an
- * eighth came to 1.13 at most where all had noise, and ended 55 of the 73 that had none. */
+ * eighth came to 1.12 at most where all had noise, and ended 55 of the 73 that had none. */
 static const double SURELY = 1.4;
 
 /* Variance over twice the points of what of the shape is left: between that of an edge, 2, and of a
