@@ -13,7 +13,7 @@ enum {
     NEAR = UPSAMPLE_NEAR,
     RINGS = 14,
     RINGS_MOST = 40, /* where the scan is sparse for the ball and has few points */
-    BRIDGED = 8, /* rings: no farther in a hole or beyond a border, or than the radius, or ... */
+    BRIDGED = 8,     /* rings: no farther beyond a border, or in a hole than the radius, or ... */
     SAMPLE = 1500,
     SECTORS = 32
 };
@@ -64,6 +64,7 @@ struct local_surface {
     double off[NEAR];
     bool exact;   /* points are where the surface is, not beside it by noise */
     bool smooth;  /* as the ball asks for, beside it too */
+    bool beyond;  /* so near it a place may be beyond a border */
     bool rough;   /* an edge may be on it */
     bool doubted; /* it was, at a place */
 };
@@ -359,9 +360,10 @@ static bool is_at_border(const struct point_grid *b, struct vec3 p, double reach
     return !fan.around;
 }
 
-/* The points nearest to p surround it on a surface, or the scan ends there. */
+/* The points nearest to p surround it on a surface, or, where it may be beyond, the scan ends
+ * there. */
 static bool is_open(const struct upsample *fill, const struct upsample_hood *near,
-                    const struct quadric *q, struct vec3 p)
+                    const struct quadric *q, struct vec3 p, bool beyond)
 {
     double far2 = near->distance2[near->n - 1];
     struct fan fan = {.n = 0};
@@ -370,7 +372,7 @@ static bool is_open(const struct upsample *fill, const struct upsample_hood *nea
         struct vec3 beside = vec_sub(near->point[k], p);
         fan_add(&fan, vec_dot(beside, q->u), vec_dot(beside, q->v));
     }
-    return fan.around || (near->distance2[0] <= BEYOND * BEYOND * far2 &&
+    return fan.around || (beyond && near->distance2[0] <= BEYOND * BEYOND * far2 &&
                           is_at_border(fill->point_grid, p, fmax(fill->radius, sqrt(far2))));
 }
 
@@ -391,7 +393,7 @@ static bool is_bridged(const struct upsample *fill, const struct local_surface *
     double spread =
         upsample_surface_fit(&near, NEAR, *p, quadric_normal_at(&on->surface->q, *p), &q);
     if (spread * fmax(1, sqrt(q.variance)) > much || is_hollow(fill, &q) ||
-        !is_open(fill, &near, &q, *p))
+        !is_open(fill, &near, &q, *p, on->beyond))
         return false;
     if (!on->exact) /* it goes through more points */
         return fabs(quadric_distance(&q)) <= much;
@@ -503,8 +505,9 @@ static bool add_between(const struct upsample *fill, const struct upsample_hood 
     struct vec3 off = vec_sub(p, q->origin);
     double u0 = vec_dot(off, q->u), v0 = vec_dot(off, q->v);
     int rings = (int)triangles_rings(reach, pitch);
-    double far = fmin(fmax(OF_ALL * point_grid_spacing(fill->point_grid), fill->radius), reach);
-    int bridged = (int)fmax(BRIDGED, far / pitch);
+    double beyond = fmin(OF_ALL * point_grid_spacing(fill->point_grid), reach);
+    double wide = fmin(fmax(beyond, fill->radius), reach);
+    int border = (int)fmax(BRIDGED, beyond / pitch), hole = (int)fmax(BRIDGED, wide / pitch);
     struct ways ways;
 
     if (is_hollow(fill, q))
@@ -522,7 +525,8 @@ static bool add_between(const struct upsample *fill, const struct upsample_hood 
             if (!is_nearest(&ways, vec_sub(at, p)))
                 continue;
             measure_off(near, &on);
-            on.smooth = smooth && abs(i) <= bridged && abs(j) <= bridged;
+            on.smooth = smooth && abs(i) <= hole && abs(j) <= hole;
+            on.beyond = abs(i) <= border && abs(j) <= border;
             if (is_known_at(fill, near, &on, p, &witness, &at))
                 *array_push(to) = exact ? at : place_of(fill, near, surface, at);
         }
