@@ -213,9 +213,8 @@ static void set_tolerance(const struct mesh *mesh)
 /* Of a part that has no outline nobody knows what of it is to be cut: the head says no scallop. */
 static void promise_nothing(void)
 {
-    say("what is asked for has no outline, being narrow, rough, or over itself: what stays of it "
-        "is "
-        "not measured, and the head promises no scallop");
+    say("what is asked for has no outline, being narrow, rough, or over itself: "
+        "what stays of it is not measured, and the head promises no scallop");
     path_options.scallop = 0;
 }
 

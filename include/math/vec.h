@@ -32,6 +32,9 @@ struct vec3s {
     struct vec3 *item;
 };
 
+/* Appends n points. */
+void vec3s_add(struct vec3s *to, const struct vec3 *point, size_t n);
+
 static inline struct vec3 vec(double x, double y, double z)
 {
     return (struct vec3){x, y, z};

@@ -2,7 +2,6 @@
 #include "arc_beam.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 #include "curve/biarc.h"
 

@@ -91,12 +91,12 @@ void upsample_surface_about(const struct upsample *fill, const struct upsample_h
     struct upsample_hood wide;
 
     upsample_surface_find(near, surface);
-    for (size_t k = 2 * UPSAMPLE_NEAR; fill->lines && surface->spread == HUGE_VAL; k *= 2) {
-        if (k > UPSAMPLE_LINES)
-            break;
+    if (!fill->lines)
+        return;
+    for (size_t k = 2 * UPSAMPLE_NEAR; surface->spread == HUGE_VAL && k <= UPSAMPLE_LINES; k *= 2) {
         size_t n = point_grid_nearest(fill->point_grid, near->point[0], k, index, distance2);
         if (n < k)
-            break;
+            return;
         pick_apart(fill->point_grid, index, distance2, n, &wide);
         upsample_surface_find(&wide, surface);
     }

@@ -1,6 +1,15 @@
 /* vec - see vec.h. */
 #include "math/vec.h"
 
+#include "base/array.h"
+
+void vec3s_add(struct vec3s *to, const struct vec3 *point, size_t n)
+{
+    array_reserve(to, to->n + n);
+    for (size_t i = 0; i < n; i++)
+        to->item[to->n++] = point[i];
+}
+
 struct vec3 vec_turn(struct vec3 a, struct vec3 axis, double angle)
 {
     struct sine_cosine turn = elementary_sine_cosine(angle);

@@ -14,8 +14,8 @@ enum { LINE_STEPS = 4, CURVE_STEPS = 16, DEEPEST = 10 };
 #define EVEN 3e-5    /* radians that it may be off an even turn there */
 #define STILL 0.005  /* mm: a tip that moves no further stands, and the axes turn about it */
 #define SHORT 0.05   /* mm: shorter pieces may be slow, and their inverse time says little, ... */
-#define ROUNDED 6    /* tolerances of the tip: so long a piece by its digits may be half longer */
 #define WAIT (1 / 60.0) /* ... if they take no more than that, minutes */
+#define ROUNDED 6 /* tolerances of the tip: so long a piece may be half longer by its digits */
 
 /* A straight bit of a motion at feed, with the tool axis at its ends. */
 struct stretch {
@@ -44,7 +44,7 @@ struct walk {
     size_t piece;
     bool combined;
     double radius, feed;
-    double least; /* mm: the time of a shorter piece says little */
+    double tolerance; /* of the tip, mm, for what digits say of short pieces */
     struct stretches *to;
 };
 
@@ -80,14 +80,25 @@ static bool centre_stands(const struct walk *w)
     return length <= STILL;
 }
 
+/* mm: no longer, a piece may have had half its length before it was rounded, and the time that is
+ * said for it, by itself or for the way of all axes, tells little. */
+static double least_timed(const struct walk *w)
+{
+    double rounded = ROUNDED * w->tolerance;
+
+    if (w->motion->piece.item[w->piece].inverse)
+        return fmax(SHORT, rounded);
+    return w->combined && w->tolerance > SHORT ? rounded : 0;
+}
+
 /* Feed of the tip, mm/min; 0: not known. */
 static double tip_feed(const struct walk *w, double length)
 {
     const struct nc_piece *p = &w->motion->piece.item[w->piece];
     if (length <= STILL)
         return 0; /* F counts degrees */
-    if (length <= w->least && (p->inverse || w->combined))
-        return 0; /* it is for what the piece was before it was rounded */
+    if (length <= least_timed(w))
+        return 0;
     if (p->inverse)
         return p->feed * length;
     if (!w->combined)
@@ -109,12 +120,10 @@ static double tip_feed(const struct walk *w, double length)
 static void follow(const struct nc_motion *m, const struct path_compare_options *options,
                    bool combined, struct stretches *to)
 {
-    double rounded = ROUNDED * options->tolerance, radius = options->radius;
+    double radius = options->radius;
 
     for (size_t i = 0; i < m->piece.n; i++) {
-        bool inverse = m->piece.item[i].inverse;
-        double least = inverse ? fmax(SHORT, rounded) : options->tolerance > SHORT ? rounded : 0;
-        struct walk w = {m, i, combined, radius, 0, least, to};
+        struct walk w = {m, i, combined, radius, 0, options->tolerance, to};
         size_t first = to->n;
         double length = 0;
         if (m->piece.item[i].rapid)

@@ -238,8 +238,7 @@ static void add_curtain(const struct point_grid *point_grid, struct guard_read_o
         roof_curtain(point_grid, roof, CURTAIN * rule->radius, box.low.z, rule->threads,
                      &rule->curtain);
     free(roof);
-    for (size_t i = 0; i < rule->curtain.n; i++)
-        *array_push(points) = rule->curtain.item[i];
+    vec3s_add(points, rule->curtain.item, rule->curtain.n);
     if (rule->curtain.n > 0)
         note("and by %zu points under the rims of the scan", rule->curtain.n);
 }
@@ -333,15 +332,8 @@ static double apart_of(double apart, const struct guard_read_options *rule)
     return apart <= most * rule->tolerance ? apart : 0;
 }
 
-static void add_places(struct vec3s *to, const struct vec3 *place, size_t n)
-{
-    array_reserve(to, to->n + n);
-    for (size_t i = 0; i < n; i++)
-        *array_push(to) = place[i];
-}
-
 /* A scan's surface, less the noise of its points, of which outliers are left out. */
-static struct guard_points surface_of_scan(struct point_grid *grid, double spacing,
+static struct guard_points surface_of_scan(struct point_grid *grid, double spacing, double sink,
                                            struct guard_read_options *rule)
 {
     const double little = 0.1; /* of the tolerance */
@@ -360,7 +352,7 @@ static struct guard_points surface_of_scan(struct point_grid *grid, double spaci
         rule->noise = removed ? found.sigma : 0;
     }
     struct guard_points_options how = {.radius = rule->radius,
-                                       .sink = rule->tolerance / 5,
+                                       .sink = sink,
                                        .noise = rule->noise,
                                        .edged = sided && rule->noise > 0,
                                        .rough = rough,
@@ -395,9 +387,9 @@ static struct guard_points surface_of_facets(const struct point_grid *grid,
     struct guard_points surface = {.sparse = false};
 
     rule->noise = 0;
-    add_places(&surface.certain, grid->point, grid->n);
-    add_places(&surface.point, grid->point, grid->n);
-    add_places(&surface.point, scan->facet.item, scan->facet.n);
+    vec3s_add(&surface.certain, grid->point, grid->n);
+    vec3s_add(&surface.point, grid->point, grid->n);
+    vec3s_add(&surface.point, scan->facet.item, scan->facet.n);
     note("guarded by the facets of a mesh: %zu points", surface.point.n);
     return surface;
 }
@@ -414,15 +406,15 @@ static struct gouge_check *gouge_of(const struct guard_scan *scan, const struct 
     if (point_grid_make(points->item, points->n, spacing, rule->threads, &point_grid, error) < 0)
         return NULL;
     struct guard_points surface = faceted ? surface_of_facets(&point_grid, scan, rule)
-                                          : surface_of_scan(&point_grid, spacing, rule);
+                                          : surface_of_scan(&point_grid, spacing, sink, rule);
     if (mesh) {
-        add_places(&rule->believed, point_grid.point, point_grid.n);
+        vec3s_add(&rule->believed, point_grid.point, point_grid.n);
         add_edges(mesh, sqrt(8 * rule->radius * sink), &point_grid, &surface.point);
     }
     add_rim(&point_grid, rule, sink, &surface.point);
     add_curtain(&point_grid, rule, &surface.point);
     if (!faceted)
-        add_places(&surface.point, scan->facet.item, scan->facet.n);
+        vec3s_add(&surface.point, scan->facet.item, scan->facet.n);
     point_grid_free(&point_grid);
     rule->certain = surface.certain;
     rule->doubtful = surface.doubtful;

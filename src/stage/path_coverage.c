@@ -70,10 +70,8 @@ static bool add_points(const struct mesh *region, double spacing, int threads, s
 {
     const struct path_options *c = &path_options;
 
-    for (size_t i = 0; i < c->certain.n; i++)
-        *array_push(to) = c->certain.item[i];
-    for (size_t i = 0; i < c->doubtful.n; i++)
-        *array_push(to) = c->doubtful.item[i];
+    vec3s_add(to, c->certain.item, c->certain.n);
+    vec3s_add(to, c->doubtful.item, c->doubtful.n);
     if (to->n > 0)
         return true;
     add_mesh(region, spacing, threads, to);

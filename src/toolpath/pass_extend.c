@@ -28,6 +28,13 @@ static double on_by(const struct border_surface_plane *plane, struct vec3 from, 
     return vec_dot(vec_sub(to, from), plane->along) * way;
 }
 
+/* It is no farther on than `stop`, which is so far along the plane. */
+static bool is_before(const struct border_surface_plane *plane, struct vec3 p, double stop,
+                      double way)
+{
+    return (vec_dot(p, plane->along) - stop) * way < 0;
+}
+
 /* The last place before the border of the scan, or `stop`, less than a step on: none that the
  * surface moves back. */
 static void follow_to_border(const struct border_surface *b,
@@ -41,7 +48,7 @@ static void follow_to_border(const struct border_surface *b,
         double middle = (on + off) / 2;
         struct contact next = contact_ahead(plane, c, way, middle);
         if (border_surface_move(b, plane, &next) && on_by(plane, last.p, next.p, way) > 0 &&
-            (vec_dot(next.p, plane->along) - stop) * way < 0) {
+            is_before(plane, next.p, stop, way)) {
             on = middle;
             last = next;
         } else {
@@ -66,7 +73,7 @@ static void follow_scan(const struct border_surface *b, const struct border_surf
             return;
         }
         if (on_by(plane, c.p, next.p, way) < LEAST * border_surface_step(b) ||
-            (vec_dot(next.p, plane->along) - stop) * way >= 0)
+            !is_before(plane, next.p, stop, way))
             return;
         if (!border_surface_beside(b, next.p)) {
             run->n = first;

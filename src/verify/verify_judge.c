@@ -308,13 +308,6 @@ static void judge_jumps(struct verdict *v)
                     DEGREES(jumps.most), jumps.count);
 }
 
-static void add_places(struct vec3s *to, const struct vec3s *from)
-{
-    array_reserve(to, to->n + from->n);
-    for (size_t i = 0; i < from->n; i++)
-        *array_push(to) = from->item[i];
-}
-
 /* Curves that leave the part and come back: by a radius, and of a scan by how far its points are
  * apart, where what they leave is judged, since a link over a hollow may be part of one. */
 static void judge_excursions(struct verdict *v)
@@ -327,8 +320,8 @@ static void judge_excursions(struct verdict *v)
     const struct vec3s *part = v->program.part;
     struct vec3s both = {0};
     if (scan && scan->steep.n > 0) {
-        add_places(&both, part);
-        add_places(&both, &scan->steep);
+        vec3s_add(&both, part->item, part->n);
+        vec3s_add(&both, scan->steep.item, scan->steep.n);
         part = &both;
     }
     struct excursion out =
