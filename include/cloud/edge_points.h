@@ -65,7 +65,8 @@ struct edge_points_options {
     double sink;                         /* how far off a flank that is certain may be, mm */
     bool fill;                           /* flanks, too, get points as dense, up to their edges */
     bool met; /* only edges that flanks meet in, tips, and these flanks (1 to 3, and the tip of 5):
-                 nothing is taken to go on that the scan does not know */
+                 nothing is taken to go on that the scan does not know, unless walls hang from so
+                 many points, one in seven, that these are what the scan is of */
     int threads;
     const struct near_lists *near; /* of the scan's points, or NULL */
 };
@@ -89,7 +90,7 @@ struct edge_gaps {
 
 /* Appends the points, those on edges last; returns how many these are.  *gaps: edges that the scan
  * does not resolve. */
-size_t edge_points(const struct edge_points_options *options, struct vec3s *to,
+size_t edge_points(const struct edge_points_options *given, struct vec3s *to,
                    struct edge_gaps *gaps);
 
 #endif

@@ -64,7 +64,16 @@ static bool bends_away(const struct flank_patch *patch, const struct edge_flank 
     return patch->certain && other->bent && !other->rough && !other->valid;
 }
 
-/* No point that knows the flank is nearer to the place than point i, all points about have
+/* The point of the other flank, which is on this one, too, fills it there: one on the edge of
+ * both may have the other side's, that the place is below. */
+static bool fills(const struct edge_flank *other, struct vec3 at, double least)
+{
+    struct vec3 normal;
+
+    return other->valid && edge_flank_above(other, at, &normal) >= -least;
+}
+
+/* No point that fills the flank is nearer to the place than point i, all points about have
  * surfaces, and the place is above none of these, but for hollows. */
 static bool is_on_patch(const struct edge_work *work, const struct edge_hood *near,
                         const struct flank_patch *patch, struct vec3 at)
@@ -77,7 +86,7 @@ static bool is_on_patch(const struct edge_work *work, const struct edge_hood *ne
     for (size_t k = 1; k < near->n; k++) {
         const struct edge_flank *other = &work->flank[near->index[k]];
         double far = vec_distance(at, near->point[k]);
-        if (patch->on[k] && !patch->hollow[k] && other->valid && far < out)
+        if (patch->on[k] && !patch->hollow[k] && far < out && fills(other, at, least))
             return false;
         if (far >= reach || patch->hollow[k] ||
             (patch->on[k] && far > out && bends_away(patch, other)))

@@ -181,10 +181,29 @@ static struct edge_gaps sum_gaps(const struct edge_work *work)
     return gaps;
 }
 
-size_t edge_points(const struct edge_points_options *options, struct vec3s *to,
+/* Points of which one in so many has a wall: these are what the scan is of. */
+static const double WALLS = 7;
+
+/* Of some points so many have walls hanging from their flanks. */
+static bool has_walls(const struct edge_work *work)
+{
+    enum { SOME = 1000 };
+    size_t n = work->options->point_grid->n, some = n < SOME ? n : SOME, walls = 0;
+
+    for (size_t k = 0; k < some; k++) {
+        struct vec3s edge = {0}, between = {0};
+        walls += edge_cliff_add(work, k * n / some, &edge, &between) > 0;
+        array_free(&edge);
+        array_free(&between);
+    }
+    return WALLS * (double)walls > (double)some;
+}
+
+size_t edge_points(const struct edge_points_options *given, struct vec3s *to,
                    struct edge_gaps *gaps)
 {
-    size_t n = options->point_grid->n;
+    size_t n = given->point_grid->n;
+    struct edge_points_options own = *given, *options = &own;
     struct edge_work work = {.options = options,
                              .lines = scan_lines_found(options->point_grid),
                              .flank = mem_alloc(n, sizeof *work.flank),
@@ -201,6 +220,7 @@ size_t edge_points(const struct edge_points_options *options, struct vec3s *to,
         work.gap[i] = work.unknown[i] = 0;
     }
     edge_flanks_find(&work);
+    options->met = options->met && !has_walls(&work);
     parallel_for(options->threads, n, find_edges, &work);
     if (options->fill && !options->met)
         edge_crests_add(&work);

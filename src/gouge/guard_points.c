@@ -330,7 +330,7 @@ static void suspect_edges(struct edge_points_options edges, struct edge_gaps *ga
 /* Sharp edges that the scan has no points on.  Where noise is known by the sides of edges these are
  * looked for in the points as they are, for blunt ones are told by that alone; and by the noise,
  * which makes sides certain, those that two sides meet in: not what goes on unseen, which rough
- * parts have much of. */
+ * parts have much of, unless there are walls nearly everywhere. */
 static void add_edges(const struct guard_work *work, struct guard_points *surface)
 {
     const struct guard_points_options *rule = work->rule;
@@ -346,10 +346,12 @@ static void add_edges(const struct guard_work *work, struct guard_points *surfac
 
     surface->edges = edge_points(&edges, &surface->point, &surface->gaps);
     if (rule->edged) {
-        struct edge_gaps none;
+        struct edge_gaps walls;
         edges.noise = rule->noise;
         edges.met = true;
-        surface->edges += edge_points(&edges, &surface->point, &none);
+        surface->edges += edge_points(&edges, &surface->point, &walls);
+        if (walls.n > surface->gaps.n)
+            surface->gaps = walls;
     }
     if (rule->rough > ROUGH * point_grid_spacing(work->point_grid))
         suspect_edges(edges, &surface->gaps);

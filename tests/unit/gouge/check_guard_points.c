@@ -457,6 +457,72 @@ START_TEST(sharp_edges_stand_in_noise)
 }
 END_TEST
 
+/* A steep pyramid on a grid 1.26 mm apart, its ridges on points, which have the surface of one side
+ * of these alone: the other side is filled, too, and keeps a small ball off beside the ridges. */
+START_TEST(both_sides_of_points_on_a_ridge)
+{
+    const double ball = 0.5, deep = 0.06, pitch = 1.26, steep = 1.5;
+    struct vec3s points = {0};
+
+    for (int j = -10; j < 10; j++)
+        for (int i = -10; i < 10; i++)
+            *array_push(&points) =
+                vec(pitch * i, pitch * j, -steep * pitch * (abs(i) > abs(j) ? abs(i) : abs(j)));
+    struct guard_points s = surface_for(&points, 0, ball);
+    struct gouge_check *guard = gouge_from_points(s.point.item, s.point.n);
+    struct vec3 out = vec_unit(vec(steep, 0, 1)); /* of the side towards x */
+    for (double x = 1.8; x < 9; x += 0.09)
+        for (double beside = 0.1; beside < 0.8; beside += 0.1)
+            for (int turn = 0; turn < 8; turn++) {
+                double u = turn & 1 ? -1 : 1, v = turn & 2 ? -1 : 1;
+                struct vec3 p = vec_along(vec(x, x - beside, -steep * x), ball - deep, out);
+                p = turn & 4 ? vec(u * p.y, v * p.x, p.z) : vec(u * p.x, v * p.y, p.z);
+                ck_assert_double_lt(gouge_distance(guard, p, HUGE_VAL), ball);
+            }
+    gouge_free(guard);
+    array_free(&points);
+    array_free(&s.point);
+}
+END_TEST
+
+/* Ribs three rows of points wide, whose noise is known by their sides alone: where no other surface
+ * is as usual, their walls count.  A ball that would be deep in a rim is kept off, which the points
+ * alone let in, and it is told that rims are not resolved. */
+START_TEST(walls_stand_in_noise)
+{
+    const double ball = 1, pitch = 0.6, deep = 0.2;
+    struct vec3s points = {0};
+    int kept = 0, by_scan = 0, places = 0;
+
+    for (int j = -12; j <= 12; j++)
+        for (int i = -20; i <= 20; i++) {
+            double x = pitch * (i + 0.5 * (j & 1)), off = fabs(remainder(x, 5.5));
+            *array_push(&points) =
+                vec(x, pitch * j, fmax(-1.1, fmin(0, 5 * (0.7 - off))) + gauss(0.02));
+        }
+    edged = true;
+    struct guard_points s = surface_for(&points, 0.02, ball);
+    edged = false;
+    struct gouge_check *guard = gouge_from_points(s.point.item, s.point.n);
+    struct gouge_check *scan = gouge_from_points(points.item, points.n);
+    for (double y = -6; y < 6; y += 0.05)
+        for (int side = -1; side <= 1; side += 2) {
+            struct vec3 out = vec_unit(vec(side, 0, 0.3));
+            struct vec3 at = vec_along(vec(0.7 * side, y, 0), ball - deep, out);
+            kept += gouge_distance(guard, at, HUGE_VAL) < ball;
+            by_scan += gouge_distance(scan, at, HUGE_VAL) < ball;
+            places++;
+        }
+    ck_assert_int_eq(kept, places);
+    ck_assert_int_lt(by_scan, places);
+    ck_assert_uint_gt(s.gaps.n, 0);
+    gouge_free(guard);
+    gouge_free(scan);
+    array_free(&points);
+    array_free(&s.point);
+}
+END_TEST
+
 /* Crossed grooves that leave pyramids 2.5 mm wide; a rough ground. */
 static double knurl(double x, double y)
 {
@@ -515,6 +581,8 @@ int main(void)
     tcase_add_test(tcase, what_is_rough_stays_as_it_is);
     tcase_add_loop_test(tcase, blunt_edges_stand_in_noise, 0, 2);
     tcase_add_test(tcase, sharp_edges_stand_in_noise);
+    tcase_add_test(tcase, both_sides_of_points_on_a_ridge);
+    tcase_add_test(tcase, walls_stand_in_noise);
     tcase_add_loop_test(tcase, hidden_edges_are_suspected, 0, 4);
     suite_add_tcase(suite, tcase);
     SRunner *runner = srunner_create(suite);
