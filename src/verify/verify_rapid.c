@@ -143,10 +143,20 @@ static bool goes_beside(const struct verdict *v, const struct kdtree *part, size
            off_part(v, part, piece, 0) <= near && off_part(v, part, piece, 1) <= near;
 }
 
+/* From the end of a rapid move the tool goes on at feed, nearer to the part: between points far
+ * apart the ball may be as far off these when it is on it, but then it comes no nearer. */
+static bool comes_nearer(const struct verdict *v, const struct kdtree *part, size_t rapid)
+{
+    const struct nc_motion *motion = v->program.motion;
+    size_t next = rapid + 1;
+    return next < motion->piece.n && !motion->piece.item[next].rapid &&
+           off_part(v, part, next, 1) < off_part(v, part, rapid, 1) - LAST_BIT;
+}
+
 /*
  * Rapid moves that reach the part or go along it: where the ball was not on it already and leaves
- * it, nor comes back by the way on which it has just left.  The last move has to leave the part,
- * too.
+ * it, nor comes back by the way on which it has just left, nor comes nearer yet at feed.  The last
+ * move has to leave the part, too.
  */
 static void judge_touches(struct verdict *v)
 {
@@ -159,7 +169,8 @@ static void judge_touches(struct verdict *v)
             continue;
         bool still = vec_distance(motion->piece.item[i].p[0], motion->piece.item[i].p[1]) == 0;
         bool begins = i > 0 && off_part(v, part, i, 0) <= on;
-        if (off_part(v, part, i, 1) <= on && !(still && begins) && !comes_back(v, i))
+        if (off_part(v, part, i, 1) <= on && !(still && begins) && !comes_back(v, i) &&
+            !comes_nearer(v, part, i))
             first = touches++ == 0 ? i : first;
         else if (i > 0 && goes_beside(v, part, i))
             beside = besides++ == 0 ? i : beside;

@@ -578,6 +578,18 @@ ncverify -q -j1 -g dome.xyz -r 6 -e 0.005 --report one.html bad.nc >one 2>/dev/n
 ncverify -q -j4 -g dome.xyz -r 6 -e 0.005 --report four.html bad.nc >four 2>/dev/null
 same "threads change nothing" one four
 same "nor in the page" one.html four.html
+
+# ---- points 10 mm apart, between which a ball of 30 that touches is as far off them as one above it
+
+awk 'BEGIN { for (i = -12; i <= 12; i++) for (j = -12; j <= 12; j++) {
+	x = 10 * i + (j % 2 ? 3 : 0); y = 10 * j
+	printf "%.3f %.3f %.3f\n", x, y, -(x * x + y * y) / 800 } }' >far.xyz
+cloud2mesh -q far.xyz | meshnorm -q -r 30 --avoid -g far.xyz | ncpost -q -c fanuc -o far.nc
+status 0 "a rapid move ends over points far apart" ncverify -q -g far.xyz far.nc
+sed '/G1 .*F400/{s/G1 /G0 /;s/F400[.]*//;n;s/ / G1 /;}' far.nc >plunge.nc
+status 3 "but none on them" ncverify -q -g far.xyz plunge.nc
+has "which is said" 'a rapid move ends on the part' out
+
 status 2 "no radius" ncverify -g dome.xyz dome.fanuc
 status 1 "no such scan" ncverify -g nothing.xyz -r 6 dome.fanuc
 status 1 "no program" ncverify -g dome.xyz -r 6 dome.xyz
