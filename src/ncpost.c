@@ -28,9 +28,14 @@ struct settings {
     struct post_extract extract;
 };
 
+static const double USUAL_AXIS = 0.05; /* degrees */
+
+/* mm: by more no end of a tool that a scan guards is moved for a larger tolerance of its axis. */
+static const double END_MOVED = 0.02;
+
 static struct settings settings_default(void)
 {
-    return (struct settings){.axis_tolerance = 0.05,
+    return (struct settings){.axis_tolerance = USUAL_AXIS,
                              .post = {.chord = 0.002, .feed = 500},
                              .extract = {.from = -1, .explain = -1}};
 }
@@ -241,6 +246,24 @@ static bool say_unmet(const struct settings *s, const struct unmets *unmet)
     return unmet->n > 0 && !s->accept;
 }
 
+/* Shank and holder were kept clear of a scan, which is not looked at here: the axis is no farther
+ * off than moves their upper end by a little, or than it usually is. */
+static void limit_axis(struct settings *s, const struct path *path, const struct holder *holder)
+{
+    double length = 0;
+
+    for (int i = 0; i < holder->n; i++)
+        length += holder->part[i].length;
+    double most = fmax(RADIANS(USUAL_AXIS), length > 0 ? END_MOVED / length : 0);
+    if (path->head.scan.n == 0 || holder->n == 0 || s->post.axis_tolerance <= most)
+        return;
+    s->post.axis_tolerance = most;
+    say("the tool axis stays within %.3g degrees, not %g (--axis-tolerance): by more a tool %.4g "
+        "mm "
+        "long may be in the scan that the path keeps it clear of",
+        DEGREES(most), s->axis_tolerance, length);
+}
+
 /* What is added to the path is held against its scan, before the head is written. */
 static void check_made(const struct post *post, struct gouge_refit_options tool, int threads,
                        struct path *path)
@@ -282,6 +305,7 @@ int main(int argc, char **argv)
     unmets_add_all(&path.head.unmet, &path.head.unfitted); /* no fitter came between */
 
     const struct gouge_refit_options tool = made_moves_tool(&path); /* of lengths in mm still */
+    limit_axis(&s, &path, &tool.holder);
     struct error error;
     int status;
     size_t files;

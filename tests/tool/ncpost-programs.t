@@ -584,4 +584,21 @@ hasnt "the tip stays" 'G1 [XY]|Z(9|10[1-9])' self.nc
 awk '/LEANS TO Y-/ { getline; print }' self.nc >found
 has "A 15 leans the tool to Y-" ' A15\.' found
 
+# ---- the axis of a tool that a scan guards
+
+awk 'BEGIN { for (i = -15; i <= 15; i++) for (j = -15; j <= 15; j++)
+	printf "%.3f %.3f %.3f\n", i, j, -(i * i + j * j) / 60 }' >hill.xyz
+cloud2mesh -q hill.xyz | meshnorm -q -r 3 --avoid --holder 9:60 -g hill.xyz -o hill.cl
+status 0 "a holder and a large tolerance of the axis" \
+	ncpost -c fanuc --axis-tolerance 0.5 --chord 0.05 -o wide.nc hill.cl
+has "say that the axis stays nearer" 'axis stays within 0\.05 degrees, not 0\.5' err
+ncpost -q -c fanuc --chord 0.05 -o usual.nc hill.cl
+same "as it is usually" wide.nc usual.nc
+cloud2mesh -q hill.xyz | meshnorm -q -r 3 --avoid --flute 5 -g hill.xyz | sed '/^..-> SCAN/d' >bare.cl
+status 0 "no scan" ncpost -c fanuc --axis-tolerance 0.5 -o bare.nc bare.cl
+hasnt "leaves it as it is asked for" 'axis stays' err
+cloud2mesh -q hill.xyz | meshnorm -q -r 3 --avoid --flute 5 -g hill.xyz -o short.cl
+ncpost -c fanuc --axis-tolerance 0.5 -o short.nc short.cl 2>err
+has "and a short tool may lean more" 'axis stays within 0\.229 degrees' err
+
 done_testing
