@@ -323,6 +323,22 @@ static void say_unknown(double rough)
             rough);
 }
 
+/* Near so many points the surface between them is uncertain.  Where it is so near all of them, and
+ * they are far apart for the ball, nothing keeps it off between them. */
+static void say_vague(const struct guard_points *surface, size_t points, double spacing,
+                      const struct guard_read_options *rule)
+{
+    const double all = 0.98, far = 1.0 / 3; /* of the points; of the radius */
+    bool nowhere = (double)surface->vague > all * (double)points && spacing > far * rule->radius;
+
+    if (surface->vague > 0)
+        unmet_say(nowhere ? rule->unmet : NULL,
+                  "the scan is too sparse at %zu points for a tolerance of %g: the surface between "
+                  "them is uncertain, at worst by %.3f mm at %.3f %.3f %.3f",
+                  surface->vague, rule->tolerance, surface->worst, surface->at.x, surface->at.y,
+                  surface->at.z);
+}
+
 /* How far points of two sheets may be off the surface half way between them for it to stand for
  * both: not much more than the tolerance. */
 static double apart_of(double apart, const struct guard_read_options *rule)
@@ -365,12 +381,7 @@ static struct guard_points surface_of_scan(struct point_grid *grid, double spaci
     if (rule->noise > 0)
         say("noise of %.2g mm taken out of the scan that guards (%zu of %zu points moved)",
             rule->noise, surface.moved, grid->n);
-    if (surface.vague > 0)
-        say("the scan is too sparse at %zu points for a tolerance of %g: the surface between them "
-            "is "
-            "uncertain, at worst by %.3f mm at %.3f %.3f %.3f",
-            surface.vague, rule->tolerance, surface.worst, surface.at.x, surface.at.y,
-            surface.at.z);
+    say_vague(&surface, grid->n, spacing, rule);
     note("guarded by %zu points of the scan and %zu inserted between them", grid->n, surface.added);
     if (surface.edges > 0)
         note("and by %zu points on sharp edges that its surfaces meet in", surface.edges);

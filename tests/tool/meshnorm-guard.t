@@ -147,4 +147,15 @@ done >edges
 say="$(tr '\n' ' ' <edges)"
 ok "a larger tolerance finds no more edges: $say" awk 'NR == 1 { a = $1 } NR == 2 { b = $1 }
 	END { exit !(a > 0 && b <= 1.1 * a) }' edges
+# ---- ground as rough as its points are apart: of what is between them nothing is known
+
+awk 'BEGIN { seed = 11; for (i = 0; i < 24; i++) for (j = 0; j < 24; j++) {
+	seed = (seed * 16807) % 2147483647; printf "%.3f %.3f %.3f\n", i, j, seed / 2147483647 } }' >rough.xyz
+cloud2mesh -q --nodes scan -o rough.ply rough.xyz 2>err
+meshnorm -r 2 --avoid --ball-only --noise 0 -g rough.xyz -o rough.cl rough.ply 2>err
+has "a scan too sparse at all points for the ball is told" '^[$][$]-> UNMET/.*the scan is too sparse at 57[0-9] points' rough.cl
+meshnorm -r 4 --avoid --ball-only --noise 0 -g rough.xyz -o rough.cl rough.ply 2>err
+has "not for a larger one, which stays above it" 'the scan is too sparse at 5' err
+hasnt "that ends with 3 by it" '^[$][$]-> UNMET/.*too sparse' rough.cl
+
 done_testing
