@@ -258,9 +258,8 @@ static void limit_axis(struct settings *s, const struct path *path, const struct
     if (path->head.scan.n == 0 || holder->n == 0 || s->post.axis_tolerance <= most)
         return;
     s->post.axis_tolerance = most;
-    say("the tool axis stays within %.3g degrees, not %g (--axis-tolerance): by more a tool %.4g "
-        "mm "
-        "long may be in the scan that the path keeps it clear of",
+    say("the tool axis stays within %.3g degrees, not %g (--axis-tolerance): by more a tool of "
+        "%.4g mm may be in the scan that the path keeps it clear of",
         DEGREES(most), s->axis_tolerance, length);
 }
 

@@ -328,7 +328,7 @@ static void say_unknown(double rough)
 static void say_vague(const struct guard_points *surface, size_t points, double spacing,
                       const struct guard_read_options *rule)
 {
-    const double all = 0.98, far = 1.0 / 3; /* of the points; of the radius */
+    const double all = 0.98, far = 0.45; /* of the points; of the radius */
     bool nowhere = (double)surface->vague > all * (double)points && spacing > far * rule->radius;
 
     if (surface->vague > 0)
