@@ -28,6 +28,8 @@ static int prepare(void *settings, struct path *in, struct error *error)
         return error_set(
             error, "%s: found a path of contact points, expected one of the tip or the centre",
             in->name);
+    if (fitter_check_tolerance(&s->common, in, error) < 0)
+        return -1;
     return s->tilted ? path_set_tilt(in, RADIANS(s->tilt), s->common.paper, error) : 0;
 }
 

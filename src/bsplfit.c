@@ -32,6 +32,8 @@ static int prepare(void *settings, struct path *in, struct error *error)
         say("tolerance %g mm (-e)", s->common.tolerance);
     s->common.least = s->common.paper || s->interpolate ? 0 : fitter_least(&s->common, in);
     s->common.links_stay = s->interpolate;
+    if (fitter_check_tolerance(&s->common, in, error) < 0)
+        return -1;
     if (s->points > 0 && path_set_track(in, (enum path_track)(s->points - 1), error) != 0)
         return -1;
     s->run = (struct spline_run_options){.centre = in->head.track == TRACK_CENTRE,

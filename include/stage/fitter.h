@@ -67,6 +67,11 @@ struct fitter_options fitter_defaults(double tolerance);
  * goes in three blocks of 2 ms, which any control can read ahead, without one 800 mm/min. */
 double fitter_least(const struct fitter_options *options, const struct path *in);
 
+/* -1 and why where the tolerance is as large as the ball of the path: nothing would then tell the
+ * part from air, and ncverify refuses such a program. */
+int fitter_check_tolerance(const struct fitter_options *options, const struct path *in,
+                           struct error *error);
+
 /* One cutting run, and what became of it. */
 struct fitted_run {
     size_t from, to;           /* items [from, to) of the path */

@@ -31,6 +31,18 @@ double fitter_least(const struct fitter_options *options, const struct path *in)
     return fmin(blocks * (feed > 0 ? feed : usual), longest);
 }
 
+int fitter_check_tolerance(const struct fitter_options *options, const struct path *in,
+                           struct error *error)
+{
+    double radius = path_ball(in);
+
+    if (radius > 0 && options->tolerance >= radius)
+        return error_set(error,
+                         "%s: found a ball of R %g, expected more than the tolerance %g (-e)",
+                         in->name, radius, options->tolerance);
+    return 0;
+}
+
 /* Items up to `to`, and after each pass that ends before there what was spent in it. */
 static void add_as_they_are(const struct fitter *fitter, struct path *out, const struct path *in,
                             struct range range, double *spent)

@@ -78,6 +78,12 @@ for control in fanuc siemens heidenhain linuxcnc; do
 		"$(awk -v a="${a:-9}" -v b="${b:-99}" 'BEGIN { print a < b ? b - a : a - b }')" 0.0005
 done
 
+# ---- a tolerance as large as the ball tells the part from nothing: not for ncverify alone
+for fitter in biarcfit bsplfit; do
+	status 1 "$fitter: a tolerance of the ball's radius" $fitter -q -e 2 -o wide.fit near.cl
+	has "... is told" 'found a ball of R 2, expected more than the tolerance 2 ' err
+done
+
 # the longest line: any; a comment of 5 MB, a number of 200,000 digits
 {
 	awk 'BEGIN { printf "# "; for (i = 0; i < 500000; i++) printf "0123456789"; print "" }'
