@@ -88,7 +88,9 @@ static double least_timed(const struct walk *w)
 
     if (w->motion->piece.item[w->piece].inverse)
         return fmax(SHORT, rounded);
-    return w->combined && w->tolerance > SHORT ? rounded : 0;
+    if (w->combined)
+        return w->tolerance > SHORT ? rounded : fmin(rounded, SHORT);
+    return 0;
 }
 
 /* Feed of the tip, mm/min; 0: not known. */

@@ -186,6 +186,35 @@ START_TEST(a_curve_without_tool_centre_point)
 }
 END_TEST
 
+/* Where F counts the ways of all axes, digits make of a piece that is as short as the tolerance one
+ * of another length, and say little of its feed; not of a longer one. */
+START_TEST(a_piece_short_against_its_digits)
+{
+    const double length[] = {0.04, 0.2}, told[] = {0, 3};
+    struct axis_limits limits = {.combined = true};
+    struct path_compare_options combined = options;
+    struct nc_motion path = row(0, false);
+
+    for (int k = 0; k < NC_AXES; k++)
+        limits.rapid[k] = 1e5;
+    combined.limits = &limits;
+    for (int k = 0; k < 2; k++) {
+        struct nc_motion program = row(0, false);
+        struct nc_piece *last = &program.piece.item[9], piece = *last;
+        double s = length[k] / 2;
+
+        last->p[1] = piece.p[0] = vec_mix(last->p[0], last->p[1], 1 - s);
+        last->q[1] = piece.q[0] = vec_mix(last->q[0], last->q[1], 1 - s);
+        piece.feed = 2400;
+        *array_push(&program.piece) = piece;
+        struct path_compare found = path_compare_run(&program, &path, &combined);
+        ck_assert_double_eq_tol(found.fast.value, told[k], 0.01);
+        nc_motion_free(&program);
+    }
+    nc_motion_free(&path);
+}
+END_TEST
+
 /* The tip turns about the ball's centre, which stands: F counts degrees, in inches, too. */
 START_TEST(a_turn_about_the_centre)
 {
@@ -283,6 +312,7 @@ int main(void)
     tcase_add_test(tcase, a_curve_without_tool_centre_point);
     tcase_add_test(tcase, what_is_off_is_told);
     tcase_add_test(tcase, polynomials_of_one_feed);
+    tcase_add_test(tcase, a_piece_short_against_its_digits);
     tcase_add_test(tcase, a_turn_about_the_centre);
     tcase_add_test(tcase, an_axis_that_the_path_has_within_the_tolerance_of_the_tip);
     tcase_add_test(tcase, an_axis_that_turns_unevenly_with_the_tip);
