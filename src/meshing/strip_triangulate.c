@@ -45,7 +45,8 @@ static void find_costs(struct strip_search *z)
             size_t at = i * z->nb + j;
             double from_a = i > 0 ? z->cost[at - z->nb] : INFINITY;
             double from_b = j > 0 ? z->cost[at - 1] : INFINITY;
-            z->along[at] = from_a <= from_b ? 1 : 2;
+            /* of rows as good as one all ways cost without end */
+            z->along[at] = i > 0 && (j == 0 || from_a <= from_b) ? 1 : 2;
             z->cost[at] = (at == 0 ? 0 : fmin(from_a, from_b)) + cost_within(z, i, j);
         }
 }

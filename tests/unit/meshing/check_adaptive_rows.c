@@ -147,6 +147,25 @@ START_TEST(rows_are_rows)
 }
 END_TEST
 
+/* Rows of a rough scan on lines take the points of a line that is nearest to both: as wide as
+ * nothing, a strip between them costs without end whichever way it is joined. */
+START_TEST(two_rows_on_one_line)
+{
+    for (int j = 0; j < 8; j++)
+        for (int i = 0; i < 80; i++)
+            *array_push(&scan) = vec(0.1 * i, j, (i * 7 + j * 5) % 13 * 0.1);
+    sort(0.3, 0);
+    struct adaptive_rows r =
+        adaptive_rows_make(&point_grid, &plan_extent, &holes,
+                           &(struct adaptive_rows_options){0.01, 0.3, 12, NULL, 0, 1}, &mesh);
+    ck_assert_uint_gt(mesh.vertex.n, 0);
+    ck_assert_double_le(r.worst, 1.3);
+    for (size_t f = 0; f < mesh.face.n; f++)
+        for (int k = 0; k < 3; k++)
+            ck_assert_uint_lt((size_t)mesh.face.item[f].v[k], mesh.vertex.n);
+}
+END_TEST
+
 START_TEST(plane_takes_few)
 {
     make_scan(tilted, 17000, NOISY_RANDOM);
@@ -258,6 +277,7 @@ int main(void)
     tcase_add_checked_fixture(tests, NULL, free_all);
     tcase_add_loop_test(tests, panel, 0, 3);
     tcase_add_test(tests, rows_are_rows);
+    tcase_add_test(tests, two_rows_on_one_line);
     tcase_add_test(tests, plane_takes_few);
     tcase_add_loop_test(tests, rib, 0, 3);
     tcase_add_test(tests, hole);
