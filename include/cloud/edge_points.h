@@ -90,7 +90,7 @@ struct edge_gaps {
 
 /* Appends the points, those on edges last; returns how many these are.  *gaps: edges that the scan
  * does not resolve. */
-size_t edge_points(const struct edge_points_options *given, struct vec3s *to,
+size_t edge_points(const struct edge_points_options *options, struct vec3s *to,
                    struct edge_gaps *gaps);
 
 #endif

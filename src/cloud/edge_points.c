@@ -102,7 +102,7 @@ static void find_edges(void *context, size_t from, size_t to)
     struct edge_hood near;
 
     for (size_t i = from; i < to; i++) {
-        if (!work->options->met) {
+        if (!work->met) {
             work->gap[i] = edge_cliff_add(work, i, &work->found[i], &work->between[i]);
             edge_foot_add(work, i, &work->between[i]);
         }
@@ -150,8 +150,7 @@ static size_t append_all(struct vec3s *found, size_t n, struct vec3s *to)
     size_t before = to->n;
 
     for (size_t i = 0; i < n; i++) {
-        for (size_t k = 0; k < found[i].n; k++)
-            *array_push(to) = found[i].item[k];
+        vec3s_add(to, found[i].item, found[i].n);
         array_free(&found[i]);
     }
     free(found);
@@ -199,11 +198,10 @@ static bool has_walls(const struct edge_work *work)
     return WALLS * (double)walls > (double)some;
 }
 
-size_t edge_points(const struct edge_points_options *given, struct vec3s *to,
+size_t edge_points(const struct edge_points_options *options, struct vec3s *to,
                    struct edge_gaps *gaps)
 {
-    size_t n = given->point_grid->n;
-    struct edge_points_options own = *given, *options = &own;
+    size_t n = options->point_grid->n;
     struct edge_work work = {.options = options,
                              .lines = scan_lines_found(options->point_grid),
                              .flank = mem_alloc(n, sizeof *work.flank),
@@ -220,11 +218,11 @@ size_t edge_points(const struct edge_points_options *given, struct vec3s *to,
         work.gap[i] = work.unknown[i] = 0;
     }
     edge_flanks_find(&work);
-    options->met = options->met && !has_walls(&work);
+    work.met = options->met && !has_walls(&work);
     parallel_for(options->threads, n, find_edges, &work);
-    if (options->fill && !options->met)
+    if (options->fill && !work.met)
         edge_crests_add(&work);
-    if (!options->met) {
+    if (!work.met) {
         parallel_for(options->threads, n, find_unknown, &work);
         parallel_for(options->threads, n, add_unknown, &work);
     }

@@ -51,6 +51,7 @@ struct edge_work {
     const struct edge_points_options *options;
     bool lines; /* the scan is on lines, far apart against the points on them */
     bool wide;  /* neighbours on many of them are looked at, or those on few */
+    bool met;   /* as the options have it, unless walls are what the scan is of */
     struct edge_flank *flank, *chosen;
     struct vec3s *found;   /* places of edges, of each point */
     struct vec3s *between; /* and of its flank */
@@ -118,9 +119,9 @@ bool edge_flank_certain(const struct edge_work *work, const struct edge_flank *f
 double edge_within(const struct edge_work *work, double spacing);
 double edge_even(const struct edge_work *work, double spacing);
 
-/* ---- edge_wide: under noise the flanks that are certain through as many points about as a plane, a
- * quadric or a cubic explains: continued as far as an edge one through a dozen is off by more than
- * the noise. */
+/* ---- edge_wide: under noise the flanks that are certain through as many points about as a plane,
+ * a quadric or a cubic explains: continued as far as an edge one through a dozen is off by more
+ * than the noise. */
 
 void edge_flanks_widen(struct edge_work *work);
 

@@ -86,11 +86,8 @@ static struct gouge_check *bare_guard(const struct vec3s *points, int threads)
     const struct vec3s *curtain = &path_options.curtain;
     struct vec3s all = {0};
 
-    array_reserve(&all, points->n + curtain->n);
-    for (size_t i = 0; i < points->n; i++)
-        *array_push(&all) = points->item[i];
-    for (size_t i = 0; i < curtain->n; i++)
-        *array_push(&all) = curtain->item[i];
+    vec3s_add(&all, points->item, points->n);
+    vec3s_add(&all, curtain->item, curtain->n);
     return gouge_new(all, threads);
 }
 
@@ -231,8 +228,8 @@ static struct path_verdicts judged_left(const struct path_coverage *c)
     const struct vec3s *believed = &path_options.believed;
     struct vec3s place = {0};
 
-    for (size_t i = 0; c->scan && i < believed->n; i++)
-        *array_push(&place) = believed->item[i];
+    if (c->scan)
+        vec3s_add(&place, believed->item, believed->n);
     for (size_t i = 0; !c->scan && i < n; i++)
         *array_push(&place) = point[i].p;
     if (c->part)
