@@ -94,6 +94,7 @@ static void fit_run(const void *settings, const struct fit_request *request, str
                     .chords = s->chords,
                     .least = s->common.least,
                     .hurried = request->work < (gouge->guard ? HURRIED_GUARDED : HURRIED),
+                    .work = request->work,
                     .guarded = gouge->guard != NULL},
         .fitted = &run->fitted,
         .report = run->result};

@@ -123,11 +123,13 @@ void arcfit_beam(const struct reference *reference, const struct deviation *with
  * keep it, proven by arc_piece_deviation with joints rounded to `digits` decimals.  All joints and
  * the tangent at the start (where the tool axis turns, its directions at the joints too) move at
  * once; one arc fewer is tried from joints spaced anew until none holds.  Kinks stay where they
- * are. `thorough`: from many spacings of the joints also where the axis turns.  That takes several
- * times as long for a tenth fewer arcs of smooth data, and for hardly fewer of a scan.
+ * are.  `feet` above 0: from many spacings of the joints also where the axis turns, until feet of
+ * points on arcs have been looked for so often, by the points up to there.  That takes ten times as
+ * long as what came before for a twentieth fewer arcs of smooth data, half of these by 100 a point,
+ * and hardly any of a scan.
  */
 void arcfit_reduce(const struct reference *reference, const struct deviation *within, int digits,
-                   bool thorough, struct pieces *pieces);
+                   double feet, struct pieces *pieces);
 
 /*
  * Moves the joints beside pieces shorter than `least` mm apart, with a piece fewer where that

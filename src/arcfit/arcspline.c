@@ -309,6 +309,7 @@ static void set_residuals(struct arcspline_fit *m, double *off, double held[3])
 {
     double *other = off + 2 * m->feet.n, part = end_weight(m);
     arcspline_residual(&m->spline, m->offset, &m->feet, off);
+    m->asked += (double)m->feet.n;
     for (size_t i = 0; i < 2 * m->feet.n; i++) {
         off[i] /= m->tolerance;
         if (m->offset != 0)

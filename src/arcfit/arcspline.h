@@ -95,6 +95,7 @@ struct arcspline_fit {
     bool end_held;    /* the tangent at the end shall be `end` */
     struct vec3 end;
     size_t stage; /* the norm that it has come to: 0 to begin with */
+    double asked; /* feet of points that were looked for so far */
 };
 
 /* Where a spline begins that was near to a reference which has moved a little; and nearly there. */

@@ -15,6 +15,12 @@ enum {
     AXIS_DIGITS = 9
 };
 
+/* Feet of points that were looked for so far; how many may be of each point of the reference, and
+ * so up to where a window of pieces ends. */
+struct asked {
+    double feet, each, most;
+};
+
 /* Part of a chain of arcs, to be replaced by another number of arcs. */
 struct refit {
     const struct reference *reference;
@@ -26,6 +32,7 @@ struct refit {
     bool thorough;               /* many spacings of the joints also where the axis turns */
     bool even;                   /* the joints begin spaced by length alone */
     bool moved;                  /* they begin where they are: the reference moved a little */
+    struct asked *asked;         /* NULL: there is no bound */
 };
 
 static const double POWER = 0.5; /* of an arc's residual, when joints are spaced by it */
@@ -191,6 +198,18 @@ static void use_all_points(const struct refit *part, struct arcspline_fit *m)
     m->feet = arc_feet_of(part->reference, from, to, EACH_MOST * part->n);
 }
 
+static void count_asked(const struct refit *part, struct arcspline_fit *m)
+{
+    if (part->asked)
+        part->asked->feet += m->asked;
+    m->asked = 0;
+}
+
+static bool is_spent(const struct refit *part)
+{
+    return part->asked && part->asked->feet > part->asked->most;
+}
+
 /* From the joints as they are spaced now.  Where that fails, *nearest becomes no more than what it
  * came to, in tolerances. */
 static bool fit_and_prove(const struct refit *part, struct arcspline_fit *m, double *nearest,
@@ -202,6 +221,7 @@ static bool fit_and_prove(const struct refit *part, struct arcspline_fit *m, dou
     for (int i = 0; i < 4; i++) {
         double worst = arcspline_optimize(m, enough);
         *nearest = fmin(*nearest, worst);
+        count_asked(part, m);
         if (worst > 1)
             return false;
         if (prove_rounded(part, m, out))
@@ -224,11 +244,15 @@ static bool settle_from_other_spacings(const struct refit *part, struct arcsplin
     size_t stride = 1 + part->n / LEFT_OUT;
 
     for (int i = 0; i < RESPACED && !good && (i < RESPACED_FEW || nearest < NEAR); i++) {
+        if (is_spent(part))
+            return false;
         space_by_residual(part, m);
         good = fit_and_prove(part, m, &nearest, out);
     }
     for (size_t i = (stride + 1) / 2; i < part->n && !good && !held && nearest < NEAR;
          i += stride) {
+        if (is_spent(part))
+            return false;
         space_without(part, i, &m->spline);
         good = fit_and_prove(part, m, &nearest, out);
     }
@@ -329,7 +353,9 @@ static bool reduce_window(const struct refit *like, size_t from, size_t end, siz
     part.n = n;
     part.start_held = at > from;
     part.end_held = at + n < end;
-    bool good = n > 1 && refit_with(&part, n - 1, &some);
+    if (part.asked)
+        part.asked->most = part.asked->each * pieces->item[at + n - 1].to;
+    bool good = n > 1 && !is_spent(&part) && refit_with(&part, n - 1, &some);
 
     if (good)
         replace_pieces(pieces, at, n, &some);
@@ -364,10 +390,14 @@ static size_t reduce_smooth_part(const struct refit *like, size_t from, size_t e
 }
 
 void arcfit_reduce(const struct reference *reference, const struct deviation *within, int digits,
-                   bool thorough, struct pieces *pieces)
+                   double feet, struct pieces *pieces)
 {
-    struct refit like = {
-        .reference = reference, .within = within, .digits = digits, .thorough = thorough};
+    struct asked asked = {.each = feet};
+    struct refit like = {.reference = reference,
+                         .within = within,
+                         .digits = digits,
+                         .thorough = feet > 0,
+                         .asked = feet > 0 ? &asked : NULL};
 
     for (size_t from = 0; from < pieces->n;)
         from = reduce_smooth_part(&like, from, smooth_end(pieces, from), pieces);

@@ -58,15 +58,22 @@ static enum arcfit_effort effort_of(const struct fit *f)
                                  : ARCFIT_THOROUGH;
 }
 
+/* Of each point, in a longer search for fewer arcs of smooth data. */
+static double feet_of(const struct fit *f)
+{
+    const double usual = 400;
+    return f->options->work > 0 ? usual * f->options->work : usual;
+}
+
 /* The pieces found from the other end, where they are fewer. */
 static bool fit_from_end(const struct fit *f, const struct deviation *less, struct pieces *back)
 {
     struct reference reference = arcfit_reverse_reference(&f->reference);
     arcfit_beam(&reference, less, PATH_COORDINATE, effort_of(f), back);
-    arcfit_reduce(&reference, less, PATH_COORDINATE, true, back);
+    arcfit_reduce(&reference, less, PATH_COORDINATE, feet_of(f), back);
     arcfit_reverse_pieces(back, reference.n);
     if (back->n <= f->pieces.n)
-        arcfit_reduce(&f->reference, less, PATH_COORDINATE, true, back);
+        arcfit_reduce(&f->reference, less, PATH_COORDINATE, feet_of(f), back);
     reference_free(&reference);
     return back->n < f->pieces.n;
 }
@@ -89,15 +96,15 @@ static bool is_proven(struct fit *f, const struct deviation *within)
 static bool fit_once(struct fit *f, const struct deviation *within, const struct deviation *less)
 {
     struct pieces back = {0};
-    bool good = false, tried = !f->options->hurried;
+    bool good = false;
 
     f->pieces.n = 0;
     arcfit_beam(&f->reference, less, PATH_COORDINATE, effort_of(f), &f->pieces);
-    if (tried)
-        arcfit_reduce(&f->reference, less, PATH_COORDINATE, false, &f->pieces);
+    if (!f->options->hurried || is_smooth(f))
+        arcfit_reduce(&f->reference, less, PATH_COORDINATE, 0, &f->pieces);
     bool thorough = is_smooth(f);
-    if (thorough && !(tried && reference_axis_still(&f->reference, 0, f->reference.n - 1)))
-        arcfit_reduce(&f->reference, less, PATH_COORDINATE, true, &f->pieces);
+    if (thorough && !reference_axis_still(&f->reference, 0, f->reference.n - 1))
+        arcfit_reduce(&f->reference, less, PATH_COORDINATE, feet_of(f), &f->pieces);
     if (thorough && fit_from_end(f, less, &back)) {
         swap_pieces(&f->pieces, &back);
         if (f->options->least > 0)

@@ -147,6 +147,18 @@ static void fit_chunk(void *context)
     free_chunk(c);
 }
 
+/* What each run may be of the usual work. */
+static double share_of_work(const struct fit_ahead *a, double points)
+{
+    double usual = a->fitter->options->gouge.effort * USUAL_POINTS;
+
+    if (points > usual)
+        note("%.0f points, more than %.0f: a shorter search for each; --effort %g searches as long "
+             "as for few",
+             points, usual, ceil(points / USUAL_POINTS));
+    return points > usual ? usual / points : 1;
+}
+
 /* What the head promises is enough to begin. */
 static void begin(struct fit_ahead *a, const struct path *path)
 {
@@ -160,7 +172,7 @@ static void begin(struct fit_ahead *a, const struct path *path)
     if (a->off)
         return;
     a->aside = aside_begin(a->threads);
-    a->work = fmin(1, USUAL_POINTS / (double)path->head.runs.points);
+    a->work = share_of_work(a, (double)path->head.runs.points);
     a->finder.tolerance = link_tolerance(a);
     aside_add(a->aside, read_scan, a);
 }
@@ -203,13 +215,14 @@ struct path_listener fit_ahead_listener(struct fit_ahead *a)
 }
 
 /* How much work each run may be depends on the whole path. */
-static double work_of(const struct path *in, const struct fitted_runs *runs)
+static double work_of(const struct fit_ahead *a, const struct path *in)
 {
+    const struct fitted_runs *runs = &a->found;
     double points = (double)in->head.runs.points;
 
     for (size_t i = 0; i < runs->n && in->head.runs.points == 0; i++)
         points += runs->item[i].link ? 0 : (double)(runs->item[i].to - runs->item[i].from);
-    return fmin(1, USUAL_POINTS / fmax(points, 1));
+    return share_of_work(a, points);
 }
 
 /* Reads the scan, or takes over what was made of it. */
@@ -253,7 +266,7 @@ int fit_ahead_rest(struct fit_ahead *a, struct path *in, struct range range,
         a->finder.tolerance = a->gouge.guard ? link_tolerance(a) : 0;
     run_finder_look(&a->finder, in, &a->found);
     if (!began)
-        a->work = work_of(in, &a->found);
+        a->work = work_of(a, in);
     keep_runs(&a->found, range, a->gouge.guard);
     struct fit_request request = request_of(a, in);
     fit_runs(a->fitter, &request, &a->found, a->threads, &a->fitted);

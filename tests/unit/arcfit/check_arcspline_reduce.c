@@ -14,7 +14,7 @@ static void assert_fewer(size_t n, double lean, size_t fewer)
     struct pieces p = {0};
     arcfit_beam(&t, &WITHIN, 6, ARCFIT_THOROUGH, &p);
     size_t before = p.n;
-    arcfit_reduce(&t, &WITHIN, 6, true, &p);
+    arcfit_reduce(&t, &WITHIN, 6, HUGE_VAL, &p);
     trial_assert_chain(&t, &WITHIN, &p);
     ck_assert_uint_le(p.n + fewer, before);
     array_free(&p);
@@ -39,6 +39,34 @@ START_TEST(with_the_axis_swinging)
 }
 END_TEST
 
+static size_t left_by(const struct reference *t, const struct pieces *before, double feet)
+{
+    struct pieces p = {0};
+    for (size_t i = 0; i < before->n; i++)
+        *array_push(&p) = before->item[i];
+    arcfit_reduce(t, &WITHIN, 6, feet, &p);
+    trial_assert_chain(t, &WITHIN, &p);
+    size_t n = p.n;
+    array_free(&p);
+    return n;
+}
+
+/* With few feet looked for some are saved, with many more; and up to the end of the reference, not
+ * only where the search begins. */
+START_TEST(as_many_as_the_work_allows)
+{
+    struct reference t = trial_wave(1201, 0.25, 0.3, 0);
+    struct pieces p = {0};
+    arcfit_beam(&t, &WITHIN, 6, ARCFIT_HURRIED, &p);
+    size_t none = left_by(&t, &p, 1e-9), few = left_by(&t, &p, 60), all = left_by(&t, &p, HUGE_VAL);
+    ck_assert_uint_ge(none + 1, p.n); /* the first is tried before it is known what it takes */
+    ck_assert_uint_lt(few, none);
+    ck_assert_uint_lt(all, few);
+    array_free(&p);
+    reference_free(&t);
+}
+END_TEST
+
 /* As many pieces as are moved all together, some fewer and some more: none is lost. */
 START_TEST(from_few_to_many)
 {
@@ -48,7 +76,7 @@ START_TEST(from_few_to_many)
         struct pieces p = {0};
         arcfit_beam(&t, &WITHIN, 6, ARCFIT_THOROUGH, &p);
         windows += p.n > 32;
-        arcfit_reduce(&t, &WITHIN, 6, true, &p);
+        arcfit_reduce(&t, &WITHIN, 6, HUGE_VAL, &p);
         trial_assert_chain(&t, &WITHIN, &p);
         array_free(&p);
         reference_free(&t);
@@ -79,7 +107,7 @@ START_TEST(a_kink_stays)
         *array_push(&p) = moved;
     }
     size_t before = p.n, kinks = 0;
-    arcfit_reduce(&t, &WITHIN, 6, true, &p);
+    arcfit_reduce(&t, &WITHIN, 6, HUGE_VAL, &p);
     ck_assert_uint_lt(p.n, before);
     for (size_t i = 1; i < p.n; i++) {
         double kink = vec_angle(arc_tangent(&p.item[i - 1].arc, 1), p.item[i].arc.tangent);
@@ -150,6 +178,7 @@ int main(void)
     tcase_add_test(t, a_short_wave_saves_some);
     tcase_add_test(t, a_long_one_window_by_window);
     tcase_add_test(t, with_the_axis_swinging);
+    tcase_add_test(t, as_many_as_the_work_allows);
     tcase_add_test(t, from_few_to_many);
     tcase_add_test(t, a_kink_stays);
     tcase_add_test(t, what_still_holds_stays);
