@@ -24,6 +24,10 @@ struct upsample {
 /* The ball sinks deeper in more than a tenth of the places. */
 bool upsample_needed(const struct upsample *fill);
 
+/* What its points are apart where they are on lines from one of these to the next: so far is the
+ * last that it takes to surround a point, mm, the median; else the spacing of the point_grid. */
+double upsample_gap(const struct upsample *fill);
+
 /*
  * Appends points about point i of the point_grid, which the surface has at p, as dense as the ball
  * asks for: those nearer to i than to the other points, inside of these, and where all points about

@@ -39,9 +39,10 @@ struct guard_points {
     size_t moved, added;            /* points moved to their surfaces, points put between */
     size_t edges;          /* points put on sharp edges that the scan has none on (edge_points.h) */
     struct edge_gaps gaps; /* edges that it does not resolve */
-    size_t vague; /* of a scan without noise: points near which the surface is vague, ... */
+    size_t vague; /* points near which the surface is vague, noise apart, ... */
     double worst; /* ... the most that it is off, mm, and where */
     struct vec3 at;
+    double gap; /* mm: what these are apart, on lines from one of these to the next */
     bool sparse; /* the ball sinks in between points, and more of them would keep it off */
     size_t near; /* points that the surfaces would go through in all, where these are more than the
                     effort allows; else 0 */

@@ -124,6 +124,36 @@ static void fan_add(struct fan *fan, double x, double y)
         fan_set(fan->right, x, y);
 }
 
+/* So far about point i points surround it, seen from above; or the nearest of AROUND reach. */
+static double surrounded_within(const struct point_grid *b, size_t i)
+{
+    enum { AROUND = 64 };
+    uint32_t index[AROUND];
+    double distance2[AROUND];
+    size_t n = point_grid_nearest(b, b->point[i], AROUND, index, distance2), k = 0;
+    struct fan fan = {.n = 0};
+
+    for (; k < n && !fan.around; k++) {
+        struct vec3 to = vec_sub(b->point[index[k]], b->point[i]);
+        if (index[k] != i)
+            fan_add(&fan, to.x, to.y);
+    }
+    return k > 0 ? sqrt(distance2[k - 1]) : 0;
+}
+
+double upsample_gap(const struct upsample *fill)
+{
+    const struct point_grid *b = fill->point_grid;
+    size_t sample = b->n < SAMPLE ? b->n : SAMPLE;
+    double within[SAMPLE];
+
+    if (!fill->lines || sample == 0)
+        return point_grid_spacing(b);
+    for (size_t i = 0; i < sample; i++)
+        within[i] = surrounded_within(b, i * b->n / sample);
+    return doubles_select(within, sample, sample / 2);
+}
+
 /* The ways from a place to the points of a neighbourhood but its own, the first. */
 struct ways {
     size_t n; /* the first is not set */

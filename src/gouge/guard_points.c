@@ -34,6 +34,9 @@ static const double DOUBTFUL = 0.3, SUNK = 0.3;
  * may have been smoothed over, and it is kept clear of, too. */
 static const double DIFFERENT = 1;
 
+/* Noises that points are off a surface, one standard deviation: more is not noise. */
+static const double NOISY = 2;
+
 /* mm: a flank is certain whose points are no farther off it on average, and no wall hangs from one
  * that is not, however much may be cut off: a larger tolerance would find more walls. */
 static const double SURE = 0.002;
@@ -156,6 +159,15 @@ static size_t find_middle(const struct vec3 *point, const bool *done, size_t fro
     return middle;
 }
 
+/* Where no surface explains a point by noise alone. */
+static void fill_about(const struct guard_work *work, size_t i)
+{
+    struct point_result *result = &work->result[i];
+    double off = upsample_about(&work->fill, i, &result->between);
+
+    result->vague = off > NOISY * work->fit.sigma ? off : 0;
+}
+
 /* The points of a cell: a surface about the middle one of those that are left serves those near to
  * it, until none is left. */
 static void fit_cell(const struct guard_work *work, size_t from, size_t to,
@@ -174,7 +186,7 @@ static void fit_cell(const struct guard_work *work, size_t from, size_t to,
         done[middle - from] = true;
         bool fitted = find_surface(work, middle, hood, &surface);
         if (!(fitted && move_to_surface(work, &surface, middle)) && work->filled)
-            upsample_about(&work->fill, middle, &work->result[middle].between);
+            fill_about(work, middle);
         for (size_t i = from; i < to; i++)
             if (!done[i - from] && vec_distance(point[i], point[middle]) < surface.range &&
                 move_to_surface(work, &surface, i))
@@ -405,6 +417,7 @@ struct guard_points guard_points_of_scan(const struct point_grid *point_grid,
         parallel_for(rule->threads, point_grid->n, fill_gaps, &work);
     }
     surface = gather(&work);
+    surface.gap = surface.vague > 0 ? upsample_gap(&work.fill) : 0;
     add_edges(&work, &surface);
     add_steep(&work, &surface);
     surface.sparse = sparse;

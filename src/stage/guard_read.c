@@ -325,11 +325,12 @@ static void say_unknown(double rough)
 
 /* Near so many points the surface between them is uncertain.  Where it is so near all of them, and
  * they are far apart for the ball, nothing keeps it off between them. */
-static void say_vague(const struct guard_points *surface, size_t points, double spacing,
+static void say_vague(const struct guard_points *surface, size_t points,
                       const struct guard_read_options *rule)
 {
-    const double all = 0.98, far = 0.45; /* of the points; of the radius */
-    bool nowhere = (double)surface->vague > all * (double)points && spacing > far * rule->radius;
+    const double all = 0.98, far = 0.45, most = 0.5, farther = 0.6; /* of the points; the radius */
+    double vague = (double)surface->vague / (double)points, gap = surface->gap / rule->radius;
+    bool nowhere = (vague > all && gap > far) || (vague > most && gap > farther);
 
     if (surface->vague > 0)
         unmet_say(nowhere ? rule->unmet : NULL,
@@ -381,7 +382,7 @@ static struct guard_points surface_of_scan(struct point_grid *grid, double spaci
     if (rule->noise > 0)
         say("noise of %.2g mm taken out of the scan that guards (%zu of %zu points moved)",
             rule->noise, surface.moved, grid->n);
-    say_vague(&surface, grid->n, spacing, rule);
+    say_vague(&surface, grid->n, rule);
     note("guarded by %zu points of the scan and %zu inserted between them", grid->n, surface.added);
     if (surface.edges > 0)
         note("and by %zu points on sharp edges that its surfaces meet in", surface.edges);

@@ -158,4 +158,14 @@ meshnorm -r 4 --avoid --ball-only --noise 0 -g rough.xyz -o rough.cl rough.ply 2
 has "not for a larger one, which stays above it" 'the scan is too sparse at 5' err
 hasnt "that ends with 3 by it" '^[$][$]-> UNMET/.*too sparse' rough.cl
 
+# Waves under lines half a radius apart, of which most points do not know what is between these.
+awk 'BEGIN { for (y = -15; y <= 15; y += 3) for (x = -15; x < 15; x += 0.7) {
+	u = x + 0.1 * sin(70 * x + y)
+	printf "%.4f %.4f %.4f\n", u, y, 2 * cos(6.283185 * (y + 0.3 * u) / 13) } }' >lines.xyz
+cloud2mesh -q -o lines.ply lines.xyz 2>err
+meshnorm -r 5 --scallop 0.1 --avoid -g lines.xyz -o lines.cl lines.ply 2>err
+has "lines too far apart for the ball are told" '^[$][$]-> UNMET/.*the scan is too sparse' lines.cl
+meshnorm -r 9 --scallop 0.1 --avoid -g lines.xyz -o lines.cl lines.ply 2>err
+hasnt "not for a larger one, that ends with 3 by it" '^[$][$]-> UNMET/.*too sparse' lines.cl
+
 done_testing

@@ -218,18 +218,35 @@ START_TEST(holes_and_gaps_of_a_border_are_bridged)
 }
 END_TEST
 
-/* A ripple of 0.3 mm every 6 mm under points 0.7 mm apart, flat for x < 0. */
+/* A ripple of 0.3 mm every 6 mm under points 0.7 mm apart, flat for x < 0; also where some noise,
+ * which is much less, is taken out of it. */
 START_TEST(what_is_too_sparse_is_told)
 {
     struct vec3s points = {0};
     for (double x = -12; x < 12; x += 0.7)
         for (double y = -12; y < 12; y += 0.7)
             *array_push(&points) = vec(x, y, x > 0 ? 0.3 * (1 - cos(x * PI / 3)) : 0);
-    struct guard_points s = surface_of(&points, 0);
+    struct guard_points s = surface_of(&points, _i * 0.002);
     ck_assert_uint_gt(s.vague, 10);
     ck_assert_uint_lt(s.vague, points.n / 2);
     ck_assert_double_gt(s.worst, 0.01);
     ck_assert_double_gt(s.at.x, -2);
+    array_free(&points);
+    array_free(&s.point);
+}
+END_TEST
+
+/* Lines 3 mm apart with points every 0.7: the gap is that from line to line. */
+START_TEST(the_gap_is_that_between_lines)
+{
+    struct vec3s points = {0};
+    for (double y = -15; y < 15; y += 3)
+        for (double x = -15; x < 15; x += 0.7)
+            *array_push(&points) = vec(x + 0.1 * sin(70 * x + y), y, 2 * cos(y / 2));
+    struct guard_points s = surface_for(&points, 0, 6);
+    ck_assert_uint_gt(s.vague, 0);
+    ck_assert_double_gt(s.gap, 2.9);
+    ck_assert_double_lt(s.gap, 3.8);
     array_free(&points);
     array_free(&s.point);
 }
@@ -573,7 +590,8 @@ int main(void)
     tcase_add_test(tcase, what_is_sparse_is_filled);
     tcase_add_test(tcase, two_sheets_are_filled);
     tcase_add_test(tcase, holes_and_gaps_of_a_border_are_bridged);
-    tcase_add_test(tcase, what_is_too_sparse_is_told);
+    tcase_add_loop_test(tcase, what_is_too_sparse_is_told, 0, 2);
+    tcase_add_test(tcase, the_gap_is_that_between_lines);
     tcase_add_test(tcase, noise_is_found_and_taken_out);
     tcase_add_test(tcase, no_shape_is_smoothed_over);
     tcase_add_test(tcase, noise_that_is_said_counts);
