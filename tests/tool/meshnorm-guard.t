@@ -124,7 +124,8 @@ meshnorm -q -r 3 --avoid -o said.cl noisy.ply
 hasnt "nothing is said of what is measured" '^\$\$-> NOISE' said.cl
 
 # Pyramids of five points a side, turned, and noise: nobody can tell one from the other.
-awk 'BEGIN { srand(7 + ENVIRON["SEED"]); for (b = 0; b < 24; b += 0.5) for (a = 0; a < 24; a += 0.5) {
+awk 'BEGIN { srand(7 + ENVIRON["SEED"])
+	for (b = 0; b < 24; b += 0.5) for (a = 0; a < 24; a += 0.5) {
 	x = 0.97 * a - 0.24 * b + 20; y = 0.24 * a + 0.97 * b
 	u = x - 2.5 * int(x / 2.5) - 1.25; v = y - 2.5 * int(y / 2.5) - 1.25; u = u < 0 ? -u : u
 	v = v < 0 ? -v : v; for (k = z = 0; k < 12; k++) z += rand() - 0.5
@@ -150,10 +151,12 @@ ok "a larger tolerance finds no more edges: $say" awk 'NR == 1 { a = $1 } NR == 
 # ---- ground as rough as its points are apart: of what is between them nothing is known
 
 awk 'BEGIN { seed = 11; for (i = 0; i < 24; i++) for (j = 0; j < 24; j++) {
-	seed = (seed * 16807) % 2147483647; printf "%.3f %.3f %.3f\n", i, j, seed / 2147483647 } }' >rough.xyz
+	seed = (seed * 16807) % 2147483647
+	printf "%.3f %.3f %.3f\n", i, j, seed / 2147483647 } }' >rough.xyz
 cloud2mesh -q --nodes scan -o rough.ply rough.xyz 2>err
 meshnorm -r 2 --avoid --ball-only --noise 0 -g rough.xyz -o rough.cl rough.ply 2>err
-has "a scan too sparse at all points for the ball is told" '^[$][$]-> UNMET/.*the scan is too sparse at 57[0-9] points' rough.cl
+has "a scan too sparse at all points for the ball is told" \
+	'^[$][$]-> UNMET/.*the scan is too sparse at 57[0-9] points' rough.cl
 meshnorm -r 4 --avoid --ball-only --noise 0 -g rough.xyz -o rough.cl rough.ply 2>err
 has "not for a larger one, which stays above it" 'the scan is too sparse at 5' err
 hasnt "that ends with 3 by it" '^[$][$]-> UNMET/.*too sparse' rough.cl
