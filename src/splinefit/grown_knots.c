@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/array.h"
+#include "grown_fit.h"
 #include "knots_init.h"
 #include "spline_bound.h"
 #include "spline_lsq.h"
@@ -50,119 +51,19 @@ struct growth {
     const struct free_knots_options *options;
     struct vec3 *head; /* of the points; NULL: the axis is fixed */
     struct inner_knots inner;
-    struct bspline curve; /* through the points by least squares, with those that are not out */
-    double *worst;        /* by span of the curve: how far off, in parts of the tolerance */
-    double goal;          /* for it */
-    bool between;         /* it is measured between its places, too */
+    struct doubles in;    /* those that are not out */
+    struct grown_fit fit; /* with these */
+    double goal;          /* for how far it is off */
 };
-
-/* ---- a curve for given knots, and how far off it is */
-
-static void set_curve(struct growth *g)
-{
-    const struct reference *t = g->reference;
-    size_t degree = (size_t)g->options->degree, at = degree + 1, inner = 0;
-
-    for (size_t i = 0; i < g->inner.n; i++)
-        inner += !g->inner.item[i].out;
-    bspline_free(&g->curve);
-    g->curve = spline_new(t, g->options->degree, degree + 1 + inner);
-    for (size_t i = 0; i <= degree; i++) {
-        g->curve.knot[i] = 0;
-        g->curve.knot[g->curve.poles + i] = t->length[t->n - 1];
-    }
-    for (size_t i = 0; i < g->inner.n; i++)
-        if (!g->inner.item[i].out)
-            g->curve.knot[at++] = g->inner.item[i].u;
-}
-
-/* The places of both points and the axis at a parameter of the span. */
-static struct pose3 {
-    struct vec3 point, other, axis;
-} place_at(const struct growth *g, size_t span, double u)
-{
-    double value[BSPLINE_DEGREE_MAX + 1];
-    size_t degree = (size_t)g->curve.degree;
-    struct vec3 p = {0, 0, 0}, h = {0, 0, 0}, axis = g->whole->axis[0];
-
-    bspline_basis(g->curve.degree, g->curve.knot, span, u, value);
-    for (size_t i = 0; i <= degree; i++) {
-        p = vec_along(p, value[i], g->curve.pole[span - degree + i]);
-        if (g->head)
-            h = vec_along(h, value[i], g->curve.head[span - degree + i]);
-    }
-    if (g->head)
-        axis = vec_unit(vec_sub(h, p));
-    return (struct pose3){p, vec_along(p, g->reference->offset, axis), axis};
-}
-
-/* The largest squares of how far a span is off; one root is enough for all of them. */
-struct off2 {
-    double point, other, axis;
-};
-
-/* How far q is from the data beside interval k: from it, or from the one before; squared. */
-static double off2_polyline(const struct vec3 *data, size_t k, bool between, struct vec3 q)
-{
-    struct vec3 after = vec_sub(q, vec_segment_nearest(data[k], data[k + 1], q));
-
-    if (k == 0 || between)
-        return vec_dot(after, after);
-    struct vec3 before = vec_sub(q, vec_segment_nearest(data[k - 1], data[k], q));
-    return fmin(vec_dot(after, after), vec_dot(before, before));
-}
-
-/* At point k, or in the middle between it and the next. */
-static void measure_at(const struct growth *g, size_t span, size_t k, bool between,
-                       struct off2 *most)
-{
-    const struct reference *t = g->reference;
-    double s = between ? 0.5 : 0, u = t->length[k] + s * (t->length[k + 1] - t->length[k]);
-    struct pose3 at = place_at(g, span, u);
-
-    most->point = fmax(most->point, off2_polyline(t->point, k, between, at.point));
-    if (g->head) {
-        struct vec3 turned = vec_sub(vec_mix(t->axis[k], t->axis[k + 1], s), at.axis);
-        most->other = fmax(most->other, off2_polyline(t->other, k, between, at.other));
-        most->axis = fmax(most->axis, vec_dot(turned, turned));
-    }
-}
-
-/* In parts of the tolerance. */
-static double off_of(const struct growth *g, const struct off2 *most)
-{
-    double off = sqrt(fmax(most->point, most->other)) / g->options->tolerance;
-
-    return fmax(off, sqrt(most->axis) / g->options->angle);
-}
 
 /* Fits the curve and measures its spans; the largest figure, or infinite without a curve. */
 static double fit_curve(struct growth *g)
 {
-    const struct reference *t = g->reference;
-    const int each = g->between ? 2 : 1;
-    size_t degree = (size_t)g->options->degree, span = degree;
-    struct off2 most = {0};
-    double worst = 0;
-
-    set_curve(g);
-    if (!lsq_fit(&g->curve, t->length, t->point, g->head, t->n))
-        return INFINITY;
-    for (size_t i = 0; i < g->curve.poles; i++)
-        g->worst[i] = 0;
-    for (size_t k = 0; k + 1 < t->n; k++)
-        for (int between = 0; between < each; between++) {
-            double u = between ? (t->length[k] + t->length[k + 1]) / 2 : t->length[k];
-            for (; span + 1 < g->curve.poles && g->curve.knot[span + 1] <= u; span++) {
-                g->worst[span - degree] = off_of(g, &most);
-                most = (struct off2){0};
-            }
-            measure_at(g, span, k, between, &most);
-        }
-    g->worst[span - degree] = off_of(g, &most);
-    for (size_t i = 0; i < g->curve.poles; i++)
-        worst = fmax(worst, g->worst[i]);
-    return worst;
+    g->in.n = 0;
+    for (size_t i = 0; i < g->inner.n; i++)
+        if (!g->inner.item[i].out)
+            *array_push(&g->in) = g->inner.item[i].u;
+    return grown_fit_knots(&g->fit, g->in.item, g->in.n);
 }
 
 /* ---- more knots */
@@ -192,17 +93,17 @@ static size_t parts_of(const struct growth *g, double floor, double worst, doubl
 static bool divide_spans(struct growth *g, double floor)
 {
     const struct reference *t = g->reference;
-    size_t degree = (size_t)g->options->degree, spans = g->curve.poles - degree, k = 0;
+    size_t degree = (size_t)g->options->degree, spans = g->fit.curve.poles - degree, k = 0;
     double least = g->options->least > 0 ? FLOOR : 0;
     struct inner_knots more = {0};
 
     for (size_t s = 0; s < spans; s++) {
-        double from = g->curve.knot[degree + s], to = g->curve.knot[degree + s + 1];
+        double from = g->fit.curve.knot[degree + s], to = g->fit.curve.knot[degree + s + 1];
         double last = from;
         size_t first = k;
         while (k < t->n && t->length[k] < to)
             k++;
-        size_t parts = parts_of(g, floor, g->worst[s], to - from, k - first);
+        size_t parts = parts_of(g, floor, g->fit.off[s], to - from, k - first);
         for (size_t i = 1; i < parts; i++) {
             size_t at = first + i * (k - first) / parts;
             double u = at > first ? (t->length[at - 1] + t->length[at]) / 2 : from;
@@ -227,12 +128,12 @@ static bool divide_spans(struct growth *g, double floor)
 /* The spans beside those that are too far off are so, too. */
 static void spread_worst(struct growth *g)
 {
-    size_t spans = g->curve.poles - (size_t)g->options->degree;
+    size_t spans = g->fit.curve.poles - (size_t)g->options->degree;
     double before = 0;
 
     for (size_t s = 0; s < spans; s++) {
-        double here = g->worst[s], after = s + 1 < spans ? g->worst[s + 1] : 0;
-        g->worst[s] = fmax(here, fmax(before, after));
+        double here = g->fit.off[s], after = s + 1 < spans ? g->fit.off[s + 1] : 0;
+        g->fit.off[s] = fmax(here, fmax(before, after));
         before = here;
     }
 }
@@ -296,9 +197,9 @@ static size_t take_out(struct growth *g)
     struct weight *weight = mem_alloc(n + 1, sizeof *weight);
 
     for (size_t i = 0; i < n; i++) {
-        const double *knot = &g->curve.knot[first + i];
+        const double *knot = &g->fit.curve.knot[first + i];
         bool close = fmin(knot[0] - knot[-1], knot[1] - knot[0]) < SHORTEST * g->options->least;
-        weight[i] = (struct weight){close ? 0 : knots_init_missed(&g->curve, first + i), i};
+        weight[i] = (struct weight){close ? 0 : knots_init_missed(&g->fit.curve, first + i), i};
     }
     qsort(weight, n, sizeof *weight, by_weight);
     for (size_t w = 0; w < n; w++) {
@@ -319,17 +220,18 @@ static size_t take_out(struct growth *g)
  * every one that is out. */
 static size_t put_back(struct growth *g, bool all)
 {
-    size_t degree = (size_t)g->options->degree, spans = g->curve.poles - degree, span = 0, n = 0;
+    size_t degree = (size_t)g->options->degree, spans = g->fit.curve.poles - degree, span = 0,
+           n = 0;
 
     for (size_t i = 0; i < g->inner.n; i++) {
         struct inner_knot *knot = &g->inner.item[i];
-        while (span + 1 < spans && g->curve.knot[degree + span + 1] <= knot->u)
+        while (span + 1 < spans && g->fit.curve.knot[degree + span + 1] <= knot->u)
             span++;
         if (!knot->out)
             continue;
-        double worst = g->worst[span];
+        double worst = g->fit.off[span];
         for (size_t s = span > 1 ? span - 2 : 0; s < spans && s <= span + 2; s++)
-            worst = fmax(worst, g->worst[s]);
+            worst = fmax(worst, g->fit.off[s]);
         if (all || worst > g->goal) {
             knot->out = false;
             knot->stays = true;
@@ -373,7 +275,7 @@ static double prove(const struct growth *g, struct free_knots_result *found)
     const struct free_knots_options *o = g->options;
     double tolerance = o->tolerance;
 
-    found->curve = bspline_copy(&g->curve);
+    found->curve = bspline_copy(&g->fit.curve);
     if (!spline_bound_print(&found->curve, g->whole))
         return INFINITY;
     spline_bound_measure(&found->curve, g->whole, SPLINE_RESOLUTION_GROWN * tolerance,
@@ -454,22 +356,22 @@ struct growth_start {
 
 static struct growth growth_new(const struct growth_start *start, const struct reference *places)
 {
-    size_t room = start->whole->n + places->n + (size_t)start->options->degree + 8;
+    const struct free_knots_options *o = start->options;
+    struct growth g = {.whole = start->whole, .reference = places, .options = o, .goal = GOAL};
 
-    return (struct growth){.whole = start->whole,
-                           .reference = places,
-                           .options = start->options,
-                           .between = start->between,
-                           .head = places->turns ? spline_heads(places) : NULL,
-                           .worst = mem_alloc(room, sizeof(double)),
-                           .goal = GOAL};
+    g.head = places->turns ? spline_heads(places) : NULL;
+    g.fit = grown_fit_new(places, g.head, o->degree);
+    g.fit.tolerance = o->tolerance;
+    g.fit.angle = o->angle;
+    g.fit.between = start->between;
+    return g;
 }
 
 static void growth_free(struct growth *g)
 {
     free(g->head);
-    free(g->worst);
-    bspline_free(&g->curve);
+    grown_fit_free(&g->fit);
+    array_free(&g->in);
     array_free(&g->inner);
 }
 
