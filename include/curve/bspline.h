@@ -46,6 +46,9 @@ void bspline_basis_derivatives(int degree, const double *knot, size_t span, doub
 /* Point at u, of the poles or of any other set of poles on the curve's knots. */
 struct vec3 bspline_at(const struct bspline *b, const struct vec3 *pole, double u);
 
+/* The point and the head at u, of a curve that has one. */
+void bspline_both_at(const struct bspline *b, double u, struct vec3 *point, struct vec3 *head);
+
 /* Point and its first `order` derivatives: result[0..order]. */
 void bspline_derivatives(const struct bspline *b, const struct vec3 *pole, double u, int order,
                          struct vec3 *result);

@@ -188,6 +188,21 @@ struct vec3 bspline_at(const struct bspline *b, const struct vec3 *pole, double 
     return p;
 }
 
+void bspline_both_at(const struct bspline *b, double u, struct vec3 *point, struct vec3 *head)
+{
+    double value[WIDTH];
+    size_t span = bspline_span(b->degree, b->poles, b->knot, u), first = span - (size_t)b->degree;
+    struct vec3 p = {0, 0, 0}, h = {0, 0, 0};
+
+    bspline_basis(b->degree, b->knot, span, u, value);
+    for (int i = 0; i <= b->degree; i++) {
+        p = vec_along(p, value[i], b->pole[first + (size_t)i]);
+        h = vec_along(h, value[i], b->head[first + (size_t)i]);
+    }
+    *point = p;
+    *head = h;
+}
+
 void bspline_derivatives(const struct bspline *b, const struct vec3 *pole, double u, int order,
                          struct vec3 *result)
 {

@@ -86,10 +86,13 @@ static double pieces_in_span(const struct bspline *c, double offset, double chor
 static bool add_vertex(const struct bspline *c, double offset, struct vec3 axis, double u,
                        struct flat *flat)
 {
-    struct vec3 p = bspline_at(c, c->pole, u);
+    struct vec3 p, head;
 
-    if (c->head != NULL) {
-        struct vec3 w = vec_sub(bspline_at(c, c->head, u), p);
+    if (c->head == NULL) {
+        p = bspline_at(c, c->pole, u);
+    } else {
+        bspline_both_at(c, u, &p, &head);
+        struct vec3 w = vec_sub(head, p);
         if (!(vec_length(w) > c->length / 2))
             return false;
         axis = vec_unit(w);

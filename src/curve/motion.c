@@ -49,9 +49,12 @@ static struct pose spline_at(const struct motion *m, const struct great_circle *
 {
     const struct bspline *b = m->curve;
     double u = from_knot(b) + s * knot_range(b);
-    struct pose at = {.p = bspline_at(b, b->pole, u)};
-    at.a = b->head ? vec_unit(vec_sub(bspline_at(b, b->head, u), at.p)) : great_circle_at(turn, s);
-    return at;
+    struct vec3 point, head;
+
+    if (!b->head)
+        return (struct pose){bspline_at(b, b->pole, u), great_circle_at(turn, s)};
+    bspline_both_at(b, u, &point, &head);
+    return (struct pose){point, vec_unit(vec_sub(head, point))};
 }
 
 struct pose motion_on(const struct motion *motion, const struct great_circle *turn, double s)

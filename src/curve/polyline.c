@@ -32,6 +32,22 @@ static struct foot on_segment(struct polyline b, size_t j, struct vec3 q)
     return (struct foot){j, t, vec_length(vec_along(e, -t, d))};
 }
 
+/* Certainly, told without a root or a quotient: the piece is farther from q than `distance`. */
+static inline bool is_farther(struct polyline b, size_t j, struct vec3 q, double distance)
+{
+    const double surely = 1 + 1e-9;
+    struct vec3 d = vec_sub(b.point[j + 1], b.point[j]), e = vec_sub(q, b.point[j]);
+    double d2 = vec_dot(d, d), e2 = vec_dot(e, e), along = vec_dot(d, e);
+    double most = surely * distance * distance;
+
+    if (along <= 0)
+        return e2 > most;
+    if (along < d2)
+        return (e2 - most) * d2 > surely * along * along;
+    e = vec_sub(e, d);
+    return vec_dot(e, e) > most;
+}
+
 static double distance_squared(struct polyline b, size_t segment, struct vec3 q)
 {
     struct vec3 d = vec_sub(q, vec_segment_nearest(b.point[segment], b.point[segment + 1], q));
@@ -71,21 +87,31 @@ struct foot polyline_foot(struct polyline b, struct foot from, double step, stru
     for (size_t j = from.segment + 1; j + 1 < b.n; j++) {
         if (way > 1.5 * (reach + best.distance))
             break;
-        struct foot f = on_segment(b, j, q);
-        if (f.distance <= best.distance)
-            best = f;
+        if (!is_farther(b, j, q, best.distance)) {
+            struct foot f = on_segment(b, j, q);
+            if (f.distance <= best.distance)
+                best = f;
+        }
         way += segment_length(b, j);
     }
     way = from.t * length;
     for (size_t j = from.segment; j-- > 0;) {
         if (way > 1.5 * (reach + best.distance))
             break;
-        struct foot f = on_segment(b, j, q);
-        if (f.distance < best.distance)
-            best = f;
+        if (!is_farther(b, j, q, best.distance)) {
+            struct foot f = on_segment(b, j, q);
+            if (f.distance < best.distance)
+                best = f;
+        }
         way += segment_length(b, j);
     }
     return best;
+}
+
+/* Nothing new: within what is known, and near enough. */
+static bool is_known(const struct walk *w, double bound)
+{
+    return bound <= w->bound && bound <= w->reached + w->slack;
 }
 
 static void record_distance(struct walk *w, double distance)
@@ -102,7 +128,11 @@ static void measure_between(struct walk *w, struct vec3 p, struct foot fp, struc
         return;
     double length = vec_distance(p, q);
     double bound = (fp.distance + fq.distance + length) / 2;
+    if (is_known(w, bound))
+        return;
     bound = fmin(bound, fmax(fp.distance, on_segment(w->b, fp.segment, q).distance));
+    if (is_known(w, bound))
+        return;
     bound = fmin(bound, fmax(fq.distance, on_segment(w->b, fq.segment, p).distance));
     if (bound <= w->reached + w->slack || length < w->slack) {
         w->bound = fmax(w->bound, bound);

@@ -195,11 +195,13 @@ static size_t take_out(struct growth *g)
 {
     size_t n = g->inner.n, first = (size_t)g->options->degree + 1, taken = 0;
     struct weight *weight = mem_alloc(n + 1, sizeof *weight);
+    double *missed = mem_alloc(n + 1, sizeof *missed);
 
+    knots_init_missed_all(&g->fit.curve, missed);
     for (size_t i = 0; i < n; i++) {
         const double *knot = &g->fit.curve.knot[first + i];
         bool close = fmin(knot[0] - knot[-1], knot[1] - knot[0]) < SHORTEST * g->options->least;
-        weight[i] = (struct weight){close ? 0 : knots_init_missed(&g->fit.curve, first + i), i};
+        weight[i] = (struct weight){close ? 0 : missed[i], i};
     }
     qsort(weight, n, sizeof *weight, by_weight);
     for (size_t w = 0; w < n; w++) {
@@ -213,6 +215,7 @@ static size_t take_out(struct growth *g)
         }
     }
     free(weight);
+    free(missed);
     return taken;
 }
 

@@ -36,24 +36,46 @@ void knots_init_mean(const struct reference *places, int degree, size_t poles, d
         knot[j] = (knot[j] + uniform_knot(places, degree, poles, j)) / 2;
 }
 
-/* The jump of the highest derivative at an inner knot. */
+/* The highest derivative in the span that begins with knot j. */
+static struct vec3 highest_in(const struct bspline *b, size_t j)
+{
+    struct vec3 d[BSPLINE_DEGREE_MAX + 1];
+
+    bspline_derivatives(b, b->pole, (b->knot[j] + b->knot[j + 1]) / 2, b->degree, d);
+    return d[b->degree];
+}
+
+/* Its jump at an inner knot. */
 static double jump_at(const struct bspline *b, size_t j)
 {
-    struct vec3 d[BSPLINE_DEGREE_MAX + 1], e[BSPLINE_DEGREE_MAX + 1];
+    return vec_distance(highest_in(b, j - 1), highest_in(b, j));
+}
 
-    bspline_derivatives(b, b->pole, (b->knot[j - 1] + b->knot[j]) / 2, b->degree, d);
-    bspline_derivatives(b, b->pole, (b->knot[j] + b->knot[j + 1]) / 2, b->degree, e);
-    return vec_distance(d[b->degree], e[b->degree]);
+/* How far the jump moves the curve, with the lengths of the spans at it. */
+static double moved_by(const struct bspline *b, size_t j, double jump)
+{
+    double before = b->knot[j] - b->knot[j - 1], after = b->knot[j + 1] - b->knot[j];
+
+    for (int k = 0; k < b->degree; k++)
+        jump *= sqrt(before * after);
+    return jump;
 }
 
 double knots_init_missed(const struct bspline *curve, size_t j)
 {
-    double before = curve->knot[j] - curve->knot[j - 1];
-    double after = curve->knot[j + 1] - curve->knot[j], missed = jump_at(curve, j);
+    return moved_by(curve, j, jump_at(curve, j));
+}
 
-    for (int k = 0; k < curve->degree; k++)
-        missed *= sqrt(before * after);
-    return missed;
+void knots_init_missed_all(const struct bspline *curve, double *missed)
+{
+    size_t first = (size_t)curve->degree + 1;
+    struct vec3 before = highest_in(curve, first - 1);
+
+    for (size_t j = first; j < curve->poles; j++) {
+        struct vec3 after = highest_in(curve, j);
+        missed[j - first] = moved_by(curve, j, vec_distance(before, after));
+        before = after;
+    }
 }
 
 static double density_at(const struct bspline *b, size_t j)
