@@ -314,13 +314,22 @@ static void measure_item(const struct grown_fit *fit, size_t first, size_t item,
 }
 
 /* In parts of the tolerance. */
-static double measure_span(const struct grown_fit *fit, size_t first, size_t from, size_t to)
+static double measure_span(const struct grown_fit *fit, size_t first, size_t from, size_t to,
+                           double enough)
 {
     size_t step = fit->between ? 1 : 2;
     struct off2 most = {0};
 
-    for (size_t i = fit->between ? from : from + from % 2; i < to; i += step)
+    double surely = enough * (1 + 1e-9), far = surely * fit->tolerance,
+           turned = surely * fit->angle;
+
+    far *= far;
+    turned *= turned;
+    for (size_t i = fit->between ? from : from + from % 2; i < to; i += step) {
         measure_item(fit, first, i, &most);
+        if (most.point > far || most.other > far || most.axis > turned)
+            break;
+    }
     double off = sqrt(fmax(most.point, most.other)) / fit->tolerance;
     return fmax(off, sqrt(most.axis) / fit->angle);
 }
@@ -354,7 +363,7 @@ static void keep_poles(const struct grown_fit *fit, size_t first, double *at)
         }
 }
 
-static double measure(struct grown_fit *fit)
+static double measure(struct grown_fit *fit, double enough)
 {
     const struct bspline *curve = &fit->curve;
     size_t from = 0;
@@ -363,26 +372,28 @@ static double measure(struct grown_fit *fit)
     for (size_t s = 0; s + (size_t)curve->degree < curve->poles; s++) {
         double *item = fit->known.item + s * size_of(curve), *off = off_of(curve, item);
         if (!isfinite(*off) || poles_moved(fit, s, poles_of(curve, item))) {
-            *off = measure_span(fit, s, from, fit->known.end[s]);
+            *off = measure_span(fit, s, from, fit->known.end[s], enough);
             keep_poles(fit, s, poles_of(curve, item));
         }
         from = fit->known.end[s];
         fit->off[s] = *off;
         worst = fmax(worst, *off);
+        if (*off > enough)
+            *off = INFINITY; /* how much it is nobody knows */
     }
     return worst;
 }
 
-double grown_fit_knots(struct grown_fit *fit, const double *inner, size_t n)
+double grown_fit_knots(struct grown_fit *fit, const double *inner, size_t n, double enough)
 {
     struct bspline before = fit->curve;
 
     set_curve(fit, inner, n);
-    bool enough = fit->curve.poles <= fit->reference->n;
-    if (enough)
+    bool few = fit->curve.poles <= fit->reference->n;
+    if (few)
         set_spans(fit, &before);
     else
         fit->known.n = 0;
     bspline_free(&before);
-    return enough && solve(fit) ? measure(fit) : INFINITY;
+    return few && solve(fit) ? measure(fit, enough) : INFINITY;
 }

@@ -39,8 +39,9 @@ void grown_fit_free(struct grown_fit *fit);
 
 /*
  * Fits and measures the curve with these inner knots, rising: lengths of the reference.  The
- * largest figure in fit->off; infinite when the places do not determine a curve.
+ * largest figure in fit->off; infinite when the places do not determine a curve.  A figure above
+ * `enough` may be less than it should be.
  */
-double grown_fit_knots(struct grown_fit *fit, const double *inner, size_t n);
+double grown_fit_knots(struct grown_fit *fit, const double *inner, size_t n, double enough);
 
 #endif

@@ -56,14 +56,15 @@ struct growth {
     double goal;          /* for how far it is off */
 };
 
-/* Fits the curve and measures its spans; the largest figure, or infinite without a curve. */
-static double fit_curve(struct growth *g)
+/* Fits the curve and measures its spans, beyond `enough` no more than that they are; the largest
+ * figure, or infinite without a curve. */
+static double fit_curve(struct growth *g, double enough)
 {
     g->in.n = 0;
     for (size_t i = 0; i < g->inner.n; i++)
         if (!g->inner.item[i].out)
             *array_push(&g->in) = g->inner.item[i].u;
-    return grown_fit_knots(&g->fit, g->in.item, g->in.n);
+    return grown_fit_knots(&g->fit, g->in.item, g->in.n, enough);
 }
 
 /* ---- more knots */
@@ -160,7 +161,7 @@ static bool has_room(const struct growth *g, size_t inner)
 static bool grow(struct growth *g)
 {
     for (int i = 0; i < ROUNDS && has_room(g, g->inner.n); i++) {
-        double worst = fit_curve(g);
+        double worst = fit_curve(g, INFINITY);
         if (worst <= g->goal)
             return true;
         if (!isfinite(worst))
@@ -258,12 +259,12 @@ static void forget_out(struct growth *g)
 static void thin_out(struct growth *g)
 {
     for (int pass = 0; pass < PASSES && take_out(g) > 0; pass++) {
-        double worst = fit_curve(g);
+        double worst = fit_curve(g, g->goal);
         for (int i = 0; i < SETTLE && worst > g->goal && put_back(g, false) > 0; i++)
-            worst = fit_curve(g);
+            worst = fit_curve(g, g->goal);
         if (worst > g->goal) {
             put_back(g, true);
-            fit_curve(g);
+            fit_curve(g, g->goal);
         }
         forget_out(g);
     }
