@@ -155,33 +155,34 @@ struct sweep {
     struct gouges *gouges;
 };
 
-static struct station station_at(const struct sweep *sweep, double s)
+static struct pose ball_pose(const struct sweep *sweep, double s)
 {
     const struct gouge_refit_options *options = sweep->options;
     struct pose pose = motion_on(sweep->motion, &sweep->turn, s);
     double up = options->centre ? 0 : options->radius;
 
-    return (struct station){s, vec_along(pose.p, up, pose.a), pose.a, 0};
+    return (struct pose){vec_along(pose.p, up, pose.a), pose.a};
 }
 
-/* No place of the holder moves farther than this between two poses.  A curve is looked at between
- * them too. */
-static double most_moved(const struct sweep *sweep, const struct station *a,
-                         const struct station *b)
+static struct station station_of(double s, const struct pose *pose)
+{
+    return (struct station){s, pose->p, pose->a, 0};
+}
+
+/* No place of the holder moves farther than this between two poses, with three more in between:
+ * each `stride` behind the one before.  A curve is looked at between them too. */
+static double most_moved(const struct sweep *sweep, const struct pose *pose, int stride)
 {
     const struct gouge_refit_options *options = sweep->options;
     const double longer = 1.12; /* than its chord is a quarter turn, as long as it is halved */
-    const int parts = sweep->motion->kind == MOTION_LINE ? 1 : 4;
+    bool line = sweep->motion->kind == MOTION_LINE;
     double lever = holder_reach(&options->holder) + (options->centre ? 0 : 2 * options->radius);
     double moved = 0;
-    struct station last = *a;
 
-    for (int i = 1; i <= parts; i++) {
-        struct station next = i == parts ? *b : station_at(sweep, a->s + i * (b->s - a->s) / parts);
-        moved += vec_distance(last.ball, next.ball) + lever * vec_angle(last.axis, next.axis);
-        last = next;
-    }
-    return parts > 1 ? longer * moved : moved;
+    stride = line ? 4 * stride : stride;
+    for (int i = 0; i < (line ? 1 : 4); i++, pose += stride)
+        moved += vec_distance(pose->p, pose[stride].p) + lever * vec_angle(pose->a, pose[stride].a);
+    return line ? moved : longer * moved;
 }
 
 /* Is it the shank, no wider than the ball, that is so deep? */
@@ -208,6 +209,7 @@ static void add_station(const struct gouge_refit_options *options, const struct 
 /* A part of the motion, and the points on the pile that are near to it. */
 struct swept_part {
     struct station a, b;
+    const struct pose *pose; /* evenly from a to b, as in a glance */
     size_t from, to;
 };
 
@@ -220,15 +222,19 @@ static void measure(const struct sweep *s, const struct swept_part *part, double
                                                           s->near->item[i], at->clear));
 }
 
-static struct holder_glance glance_at(const struct sweep *s, double from, double to)
+enum { MIDDLE = GLANCE_PARTS };
+
+/* With the poses that half of a part has in common with all of it, `known`, if there are any. */
+static struct holder_glance glance_at(const struct sweep *s, double from, double to,
+                                      const struct pose *known)
 {
     struct holder_glance glance = {.holder = &s->options->holder,
                                    .least = -GOUGE_SAFE * s->options->tolerance};
 
     for (int i = 0; i < GLANCE_POSES; i++) {
         double part = (double)i / (GLANCE_POSES - 1);
-        struct station at = station_at(s, from + part * (to - from));
-        glance.pose[i] = (struct pose){at.ball, at.axis};
+        glance.pose[i] =
+            known && i % 2 == 0 ? known[i / 2] : ball_pose(s, from + part * (to - from));
     }
     holder_glance_measure(&glance);
     return glance;
@@ -240,11 +246,12 @@ static void check_between(const struct sweep *s, const struct swept_part *part, 
 static void check_half(const struct sweep *s, const struct swept_part *whole, struct station a,
                        struct station b, int halvings)
 {
-    struct swept_part half = {a, b, whole->to, whole->to};
-    struct holder_glance glance = glance_at(s, a.s, b.s);
-
     if (is_found(s->options, s->gouges))
         return;
+    const struct pose *known = a.s > whole->a.s ? &whole->pose[MIDDLE] : whole->pose;
+    struct holder_glance glance = glance_at(s, a.s, b.s, known);
+    struct swept_part half = {a, b, glance.pose, whole->to, whole->to};
+
     s->near->n = whole->to;
     holder_glance_choose(&glance, whole->from, whole->to, s->near);
     half.to = s->near->n;
@@ -256,7 +263,7 @@ static void check_between(const struct sweep *s, const struct swept_part *part, 
 {
     const struct gouge_refit_options *options = s->options;
     const struct station *a = &part->a, *b = &part->b;
-    double moved = most_moved(s, a, b), may = GOUGE_SAFE * options->tolerance;
+    double moved = most_moved(s, part->pose, 2), may = GOUGE_SAFE * options->tolerance;
 
     if (fmin(a->clear, moved) + fmin(b->clear, moved) + 2 * may >= moved)
         return;
@@ -266,18 +273,19 @@ static void check_between(const struct sweep *s, const struct swept_part *part, 
         add_station(options, a->clear < b->clear ? a : b, s->gouges);
         return;
     }
-    struct station m = station_at(s, (a->s + b->s) / 2);
+    struct station m = station_of((a->s + b->s) / 2, &part->pose[MIDDLE]);
     measure(s, part, moved, &m);
     check_half(s, part, *a, m, halvings - 1);
     check_half(s, part, m, *b, halvings - 1);
 }
 
-/* A part of the motion by the points it may come near to. */
-static void check_near(const struct sweep *s, double from, double to)
+/* A part of the motion by the points it may come near to, with the poses of a glance at it. */
+static void check_near(const struct sweep *s, double from, double to, const struct pose *pose)
 {
-    struct swept_part part = {station_at(s, from), station_at(s, to), 0, s->near->n};
-    struct station m = station_at(s, (from + to) / 2);
-    double below = most_moved(s, &part.a, &m) + most_moved(s, &m, &part.b);
+    struct swept_part part = {station_of(from, pose), station_of(to, &pose[GLANCE_POSES - 1]), pose,
+                              0, s->near->n};
+    struct station m = station_of((from + to) / 2, &pose[MIDDLE]);
+    double below = most_moved(s, pose, 1) + most_moved(s, &pose[MIDDLE], 1);
 
     measure(s, &part, below, &part.a);
     measure(s, &part, below, &m);
@@ -288,22 +296,23 @@ static void check_near(const struct sweep *s, double from, double to)
 
 /* A part of the motion; a long one by its halves, for on its whole way the tool comes near to more
  * points than on all of its short parts. */
-static void check_part(const struct sweep *s, double from, double to, int halvings)
+static void check_part(const struct sweep *s, double from, double to, const struct pose *known,
+                       int halvings)
 {
-    struct holder_glance glance = glance_at(s, from, to);
+    struct holder_glance glance = glance_at(s, from, to, known);
     double most = SHORT * holder_reach(&s->options->holder), middle = (from + to) / 2;
 
     if (is_found(s->options, s->gouges))
         return;
     if (glance.part_moved > most && halvings > 0) {
-        check_part(s, from, middle, halvings - 1);
-        check_part(s, middle, to, halvings - 1);
+        check_part(s, from, middle, glance.pose, halvings - 1);
+        check_part(s, middle, to, &glance.pose[MIDDLE], halvings - 1);
         return;
     }
     s->near->n = 0;
     holder_glance_gather(s->options->guard, &glance, s->near);
     if (s->near->n > 0)
-        check_near(s, from, to);
+        check_near(s, from, to, glance.pose);
 }
 
 static void check_holder(const struct gouge_refit_options *options, const struct motion *motion,
@@ -315,7 +324,7 @@ static void check_holder(const struct gouge_refit_options *options, const struct
 
     while (from < 1 && !is_found(options, gouges)) {
         double to = motion_next_knot(motion, from);
-        check_part(&s, from, to, HALVINGS);
+        check_part(&s, from, to, NULL, HALVINGS);
         from = to;
     }
 }
