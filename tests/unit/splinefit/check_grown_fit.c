@@ -1,5 +1,5 @@
-/* Tests of grown_fit.h: with knots that go one after the other the curve is that of its knots alone,
- * and so is what its spans are off. */
+/* Tests of grown_fit.h: with knots that go one after the other the curve is that of its knots
+ * alone, and so is what its spans are off. */
 #include "splinefit/grown_fit.h"
 
 #include <check.h>
