@@ -103,6 +103,17 @@ static void keep_region(struct vec3s *points)
     points->n = region_given(&region) ? kept : points->n;
 }
 
+/* What the mesh is off its scan is left, too; where that is more than all else it is said. */
+static double spent_by(const struct mesh *mesh, const struct path_coverage *c)
+{
+    double spent = isfinite(mesh->origin.ledger) ? mesh->origin.ledger : 0;
+
+    if (c->scallop > 0 && spent > c->scallop + c->tolerance)
+        say("the mesh is up to %.3g mm off its scan: so much may stay beside scallop and tolerance",
+            spent);
+    return spent;
+}
+
 struct path_coverage path_coverage_new(const struct mesh *mesh, const struct mesh *region,
                                        const struct toolpath *t)
 {
@@ -125,7 +136,7 @@ struct path_coverage path_coverage_new(const struct mesh *mesh, const struct mes
     c.coverage = coverage_new(points.item, points.n, t->threads);
     c.vertex = kdtree_new_by(mesh->vertex.item, mesh->vertex.n, t->threads);
     array_free(&points);
-    c.rows = h + SIGMAS * noise + (isfinite(mesh->origin.ledger) ? mesh->origin.ledger : 0);
+    c.rows = h + SIGMAS * noise + spent_by(mesh, &c);
     c.allowed = c.rows + c.tolerance;
     double limit = h + c.tolerance + SIGMAS * noise;
     c.options = (struct coverage_options){

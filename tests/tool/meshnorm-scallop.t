@@ -156,4 +156,17 @@ meshnorm -q -r 5 --rows mesh -o "$TMP/dome.cl" "$TMP/dome.ply"
 hasnt "rows of the mesh promise none" 'SCALLOP' "$TMP/dome.cl"
 status 2 "a scallop higher than the ball" meshnorm -r 5 --scallop 6 "$TMP/dome.ply"
 
+# ---- a mesh that is farther off its scan than scallop and tolerance: what stays is judged by that
+
+awk 'BEGIN { for (i = 0; i < 20; i++) for (j = 0; j < 20; j++) { c = (3 * i + 1.2 * j) / 14
+	print 3 * i, 3 * j, (c - int(c) < 0.5 ? 3 : 0) } }' >"$TMP/steps.xyz"
+cloud2mesh -q -o "$TMP/steps.ply" "$TMP/steps.xyz" 2>"$TMP/err"
+meshnorm -r 12 --avoid --scallop 0.02 -g "$TMP/steps.xyz" -o "$TMP/steps.cl" "$TMP/steps.ply" \
+	2>"$TMP/err"
+has "steps that no surface explains" \
+	'the mesh is up to 0[.][0-9]* mm off its scan: so much may stay' "$TMP/err"
+meshnorm -r 12 --avoid --scallop 2 -g "$TMP/steps.xyz" -o "$TMP/steps.cl" "$TMP/steps.ply" \
+	2>"$TMP/err"
+hasnt "nothing is said where the scallops are higher" 'off its scan' "$TMP/err"
+
 done_testing
