@@ -27,6 +27,7 @@ enum { TURN_STEPS = 4, CURVE_PARTS = 4 };
 #define ROLLS 1.5       /* times as fast as the ball rolls over an edge */
 #define THICKER 0.01    /* of the ball's radius: so much thicker than it, a tool is a holder */
 #define RIM 0.25        /* times the root of the points of a region: one in 16 at its border */
+#define UNSEEN 3        /* times what points are apart: so far an edge may be beyond them */
 #define BORDER 1.5      /* times what may be left: so much at few points of a region that is cut */
 
 static void sum_pieces(struct verdict *v)
@@ -308,15 +309,21 @@ static void judge_jumps(struct verdict *v)
                     DEGREES(jumps.most), jumps.count);
 }
 
-/* Curves that leave the part and come back: by a radius, and of a scan by how far its points are
- * apart, where what they leave is judged, since a link over a hollow may be part of one. */
+/* How far a curve may leave the points and come back.  Of a scan by a radius and by what points are
+ * apart, where what it leaves is judged: a link over a hollow may be part of it.  Else as far as
+ * makers keep the ball off where no point is on an edge, as if the upper side went on. */
+static double excursion_band(const struct verdict *v)
+{
+    double spacing = v->program.surface ? v->program.surface->spacing : 0;
+    bool judged = !v->options.partial && isfinite(v->options.left);
+    double hollow = v->options.radius + spacing;
+    return fmax(v->options.band, judged ? hollow : fmin(hollow, UNSEEN * spacing));
+}
+
 static void judge_excursions(struct verdict *v)
 {
     const struct verify_surface *scan = v->program.surface;
-    bool judged = !v->options.partial && isfinite(v->options.left);
-    double hollow = v->options.radius + (scan ? scan->spacing : 0);
-    const struct excursion_options options = {
-        v->options.radius, judged ? fmax(v->options.band, hollow) : v->options.band};
+    const struct excursion_options options = {v->options.radius, excursion_band(v)};
     const struct vec3s *part = v->program.part;
     struct vec3s both = {0};
     if (scan && scan->steep.n > 0) {

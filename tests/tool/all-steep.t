@@ -46,16 +46,37 @@ hasnt "one beside it is not" 'steep flank' err
 # A link over a hollow is part of a cut: how far it is off the part the points tell as well as they
 # are dense.
 awk 'BEGIN { for (x = -10; x <= 10; x++) for (y = -10; y <= 10; y++) print x, y, 0 }' >flat.xyz
-link() { # HEIGHT FILE: a half circle amid a cut
+link() { # HEIGHT FILE OPTION...: a half circle amid a cut
 	awk -v up="$1" 'BEGIN { print "G21 G90 G94 G40 G17 G54\nT1 M6\nS9000 M3\nG43 H1\nG0 Z60"
 		print "G0 X-9 Y0 A0 C0\nG0 Z5\nG1 Z0 F500\nG1 X-4"
 		printf "G18 G3 X%s Z0 I%s K0\nG17\n", 2 * up - 4, up
 		print "G1 X9\nG1 Z30\nG0 Z60\nG49 M5\nM30" }' >"$2"
-	ncverify -r 3 --left 0.1 -g flat.xyz -c linuxcnc "$2" >out 2>err
+	program=$2
+	shift 2
+	ncverify -r 3 -g flat.xyz -c linuxcnc "$@" "$program" >out 2>err
 }
-link 3.5 low.ngc
+link 3.5 low.ngc --left 0.1
 hasnt "3.5 mm are a radius and less than the points are apart" 'leaves the part' err
-link 4.5 high.ngc
+link 4.5 high.ngc --left 0.1
 has "4.5 are more" 'line 10: the ball leaves the part amid a cut, 4.5' err
+
+# Where what is left is not judged, three times what the points are apart, by which an edge may be
+# beyond them: of a fine scan still a quarter of the radius.
+link 2.8 low.ngc --partial
+hasnt "2.8 mm over points 1 mm apart" 'leaves the part' err
+link 3.5 high.ngc --partial
+has "3.5 are more" 'line 10: the ball leaves the part amid a cut, 3.5' err
+awk 'BEGIN { for (x = -10; x <= 10; x += 0.2) for (y = -1; y <= 1; y += 0.2) print x, y, 0 }' >flat.xyz
+link 1 fine.ngc --partial
+has "1 mm over points 0.2 mm apart" 'line 10: the ball leaves the part amid a cut, 0.99' err
+
+# A cliff on no row of points, cut in planes: at its edge the ball is kept off as if the upper side
+# went on to the next points.
+awk 'BEGIN { for (i = 0; i < 22; i++) for (j = 0; j < 16; j++) {
+	x = 1.5 * i; y = 1.5 * j; print x, y, (x + 0.1 * y > 16.049 ? 5 : 0) } }' >cliff.xyz
+cloud2mesh -q cliff.xyz | planecut -r 4 -s 1.5 --avoid 2>err | bsplfit -q | ncpost -q -c siemens -o cliff.mpf
+has "an edge that is not resolved" 'edge not resolved' err
+status 0 "the ball off it leaves no cut" ncverify -q -g cliff.xyz cliff.mpf
+status 0 "nor in a part of a program" ncverify -q --partial -g cliff.xyz cliff.mpf
 
 done_testing
