@@ -16,6 +16,7 @@ struct guard_scan {
     struct vec3s point;         /* of all its files, placed, mm; none: no scan guards */
     struct vec3s facet;         /* of those that are meshes: close points of their facets */
     size_t meshes;              /* so many of them */
+    bool named;                 /* the stream was made from it: its head says these very points */
     struct scan_sources source; /* what a stream is to name: also where it can't be had */
 };
 
@@ -53,8 +54,8 @@ struct guard_read_options {
  * The gouge check of the scan's points, which are freed, and of the mesh's sharp edges.  Of a
  * scan whose files are all meshes its facets are the part, as they are: nothing is looked for
  * between them, nor noise.  NULL if there are too many points, or if the mesh is clearly elsewhere:
- * more than half of its vertices further than `near` mm from every point of the scan.  rule->noise
- * becomes what was taken out.
+ * more of its vertices than guard_scan_near allows further than `near` mm from every point of the
+ * scan.  rule->noise becomes what was taken out.
  */
 struct gouge_check *guard_read(struct guard_scan *scan, const struct mesh *mesh, double near,
                                struct guard_read_options *rule, struct error *error);
@@ -64,8 +65,9 @@ struct gouge_check *guard_read_scan(struct guard_scan *scan, struct guard_read_o
                                     struct error *error);
 
 /* That look: -1 if more than half of the places, which are `what`, are further than `near` mm from
- * every point of the scan; but a place that has points over and under it, seen from above no
- * further beside it, is on a wall of it. */
+ * every point of the scan, of the named one 95 of a hundred, since its mesh may have been extended
+ * far beyond it; but a place that has points over and under it, seen from above no further beside
+ * it, is on a wall of it. */
 int guard_scan_near(const struct guard_scan *scan, const struct vec3s *place, const char *what,
                     double near, int threads, struct error *error);
 

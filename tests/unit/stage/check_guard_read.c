@@ -318,6 +318,27 @@ START_TEST(for_a_path)
 }
 END_TEST
 
+/* A mesh of this very scan may go far beyond it, by its own width to each side: but not all of it. */
+START_TEST(the_named_scan)
+{
+    struct vec3s place = {0};
+    for (int i = 0; i < 40; i++)
+        *array_push(&place) = vec(0, 0, i < 2 ? 0 : 20);
+    make_floor(0);
+    scan = (struct guard_scan){.point = points};
+    scan_sources_add(&scan.source, "scan.xyz", points.item, points.n);
+    points = (struct vec3s){0};
+    ck_assert_int_eq(guard_scan_near(&scan, &place, "mesh vertices", 5, 1, &error), -1);
+    scan.named = true;
+    ck_assert_int_eq(guard_scan_near(&scan, &place, "mesh vertices", 5, 1, &error), 0);
+    place.item[0].z = 20;
+    ck_assert_int_eq(guard_scan_near(&scan, &place, "mesh vertices", 5, 1, &error), -1);
+    ck_assert_ptr_nonnull(strstr(error.text, "39 of 40 mesh vertices further than 5 mm"));
+    guard_scan_free(&scan);
+    array_free(&place);
+}
+END_TEST
+
 /* A step that is higher than the path may be off the scan: on its wall, which no point is on, a
  * path is where the scan is; as high before it or behind it, over it or under it is elsewhere. */
 START_TEST(a_path_on_a_wall)
@@ -355,6 +376,7 @@ int main(void)
     tcase_add_test(tests, much_noise_is_told);
     tcase_add_test(tests, elsewhere);
     tcase_add_test(tests, for_a_path);
+    tcase_add_test(tests, the_named_scan);
     tcase_add_test(tests, a_path_on_a_wall);
     suite_add_tcase(suite, tests);
     SRunner *runner = srunner_create(suite);
