@@ -66,7 +66,8 @@ link 2.8 low.ngc --partial
 hasnt "2.8 mm over points 1 mm apart" 'leaves the part' err
 link 3.5 high.ngc --partial
 has "3.5 are more" 'line 10: the ball leaves the part amid a cut, 3.5' err
-awk 'BEGIN { for (x = -10; x <= 10; x += 0.2) for (y = -1; y <= 1; y += 0.2) print x, y, 0 }' >flat.xyz
+awk 'BEGIN { for (x = -10; x <= 10; x += 0.2) for (y = -1; y <= 1; y += 0.2)
+	print x, y, 0 }' >flat.xyz
 link 1 fine.ngc --partial
 has "1 mm over points 0.2 mm apart" 'line 10: the ball leaves the part amid a cut, 0.99' err
 
@@ -74,7 +75,8 @@ has "1 mm over points 0.2 mm apart" 'line 10: the ball leaves the part amid a cu
 # went on to the next points.
 awk 'BEGIN { for (i = 0; i < 22; i++) for (j = 0; j < 16; j++) {
 	x = 1.5 * i; y = 1.5 * j; print x, y, (x + 0.1 * y > 16.049 ? 5 : 0) } }' >cliff.xyz
-cloud2mesh -q cliff.xyz | planecut -r 4 -s 1.5 --avoid 2>err | bsplfit -q | ncpost -q -c siemens -o cliff.mpf
+cloud2mesh -q cliff.xyz | planecut -r 4 -s 1.5 --avoid 2>err | bsplfit -q |
+	ncpost -q -c siemens -o cliff.mpf
 has "an edge that is not resolved" 'edge not resolved' err
 status 0 "the ball off it leaves no cut" ncverify -q -g cliff.xyz cliff.mpf
 status 0 "nor in a part of a program" ncverify -q --partial -g cliff.xyz cliff.mpf

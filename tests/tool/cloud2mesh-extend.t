@@ -38,7 +38,8 @@ ok "no gouge" ncverify -r 5 -g "$TMP/cap.xyz" "$TMP/cap.mpf"
 # A small scan extended by nearly its own width: most of the mesh is far from the scan for the ball,
 # and it is this scan nevertheless; not where another one is given.
 cd "$TMP" || exit 1
-awk 'BEGIN { for (i = 0; i < 12; i++) for (j = 0; j < 12; j++) print i / 2, j / 2, i * j / 100 }' >small.xyz
+awk 'BEGIN { for (i = 0; i < 12; i++) for (j = 0; j < 12; j++)
+	print i / 2, j / 2, i * j / 100 }' >small.xyz
 awk '{ print $1 - 7, $2 - 7, $3 }' small.xyz >beside.xyz
 cloud2mesh -q --extend 5.4 -t 0.8 -o small.ply small.xyz
 for tool in "planecut -r 0.5 -s 0.3" "meshnorm -r 1"; do
@@ -50,7 +51,8 @@ for tool in "planecut -r 0.5 -s 0.3" "meshnorm -r 1"; do
 	status 1 "${tool%% *}: another scan" $tool -q -g beside.xyz small.ply
 	has "is told" 'beside.xyz: found [0-9]+ of [0-9]+ mesh vertices further than' err
 done
-awk '/end_header/ { body = 1; print; next } body && NF > 4 { $1 += 30 } { print }' small.ply >moved.ply
+awk '/end_header/ { body = 1; print; next }
+	body && NF > 4 { $1 += 30 } { print }' small.ply >moved.ply
 status 1 "its own scan, and a mesh that was moved since" planecut -q -r 0.5 -s 0.3 moved.ply
 has "is told" 'small.xyz: found [0-9]+ of [0-9]+ mesh vertices further than' err
 

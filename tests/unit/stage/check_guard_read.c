@@ -318,7 +318,8 @@ START_TEST(for_a_path)
 }
 END_TEST
 
-/* A mesh of this very scan may go far beyond it, by its own width to each side: but not all of it. */
+/* A mesh of this very scan may go far beyond it, by its own width to each side: but not all of
+ * it. */
 START_TEST(the_named_scan)
 {
     struct vec3s place = {0};
