@@ -339,7 +339,7 @@ static void say_unknown(double rough)
 static void say_vague(const struct guard_points *surface, size_t points,
                       const struct guard_read_options *rule)
 {
-    const double all = 0.98, far = 0.45, most = 0.5, farther = 0.6; /* of the points; the radius */
+    const double all = 0.95, far = 0.45, most = 0.5, farther = 0.6; /* of the points; the radius */
     double vague = (double)surface->vague / (double)points, gap = surface->gap / rule->radius;
     bool nowhere = (vague > all && gap > far) || (vague > most && gap > farther);
 

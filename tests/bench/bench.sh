@@ -184,6 +184,24 @@ if wanted fit; then
 	}' >"$tmp/dense.cl"
 	ours 'biarcfit -e 0.005, 13,033 dense points' '2 s' "$BIN/biarcfit" -q -e 0.005 "$tmp/dense.cl"
 	ours 'bsplfit -e 0.005, 13,033 dense points' '2 s' "$BIN/bsplfit" -q -e 0.005 "$tmp/dense.cl"
+	awk 'BEGIN {
+		print "UNITS/MM\nMULTAX/ON\nLOADTL/1\nSPINDL/8000,CLW\nCUTTER/10,5,0,5,0,0,60"
+		print "RAPID\nGOTO/0,0,60,0,0,1\nFEDRAT/MMPM,500"
+		for (i = 0; i < 20000; i++) { # to and fro on waves, along their normals
+			y = int(i / 1000) / 2
+			x = i % 1000 / 10
+			x = y == int(y) ? x : 99.9 - x
+			nx = -cos(x / 9) * cos(y / 11) / 3
+			ny = 3 / 11 * sin(x / 9) * sin(y / 11)
+			n = sqrt(nx * nx + ny * ny + 1)
+			printf "GOTO/%.6f,%.6f,%.6f,%.9f,%.9f,%.9f\n", x, y, 3 * sin(x / 9) * cos(y / 11),
+				nx / n, ny / n, 1 / n
+		}
+		print "FINI"
+	}' >"$tmp/turning.cl"
+	ours 'biarcfit -e 0.01, 20,000 dense points, axis turns' '' "$BIN/biarcfit" -q "$tmp/turning.cl"
+	ours 'bsplfit -e 0.01, 20,000 dense points, axis turns' '' "$BIN/bsplfit" -q -e 0.01 \
+		"$tmp/turning.cl"
 	scan=$samples/face_nefertiti_26493.xyz
 	"$BIN/cloud2mesh" -q -t 3 "$scan" >"$tmp/face.ply" 2>/dev/null
 	"$BIN/meshnorm" -q -r 5 --rows mesh "$tmp/face.ply" >"$tmp/face.cl" 2>/dev/null
