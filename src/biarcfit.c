@@ -8,10 +8,6 @@
 #include "stage/fitter.h"
 #include "stage/path_tilt.h"
 
-/* With less than this share of the usual work a run is fitted in a hurry; the other one where it
- * may be fitted several times. */
-static const double HURRIED = 0.25, HURRIED_GUARDED = 0.5;
-
 struct settings {
     struct fitter_options common;
     double tilt; /* degrees */
@@ -85,19 +81,17 @@ static void fit_run(const void *settings, const struct fit_request *request, str
 {
     const struct settings *s = settings;
     const struct gouge_refit_options *gouge = request->gouge;
-    struct run_fit f = {
-        .gouge = gouge,
-        .options = {.tolerance = s->common.tolerance,
-                    .axis = request->axis_share * RADIANS(s->common.angle),
-                    .centre = request->in->head.track == TRACK_CENTRE,
-                    .paper = s->common.paper,
-                    .chords = s->chords,
-                    .least = s->common.least,
-                    .hurried = request->work < (gouge->guard ? HURRIED_GUARDED : HURRIED),
-                    .work = request->work,
-                    .guarded = gouge->guard != NULL},
-        .fitted = &run->fitted,
-        .report = run->result};
+    struct run_fit f = {.gouge = gouge,
+                        .options = {.tolerance = s->common.tolerance,
+                                    .axis = request->axis_share * RADIANS(s->common.angle),
+                                    .centre = request->in->head.track == TRACK_CENTRE,
+                                    .paper = s->common.paper,
+                                    .chords = s->chords,
+                                    .least = s->common.least,
+                                    .work = request->work,
+                                    .guarded = gouge->guard != NULL},
+                        .fitted = &run->fitted,
+                        .report = run->result};
     if (run->link && fit_link(request, &f.options, points, run))
         return;
     run->stays = run->rough;

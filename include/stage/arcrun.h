@@ -15,9 +15,9 @@ struct arcrun_options {
     bool centre;      /* what is programmed is the ball's centre, not the tip */
     bool paper;       /* a biarc for each interval, however far it is off */
     bool guarded;     /* the run may be fitted several times: less is searched for a last arc */
-    bool hurried;     /* arcs as the search finds them: half the time, a seventh more of them */
     double work;      /* share of the usual work, or 0, all of it: a longer search for fewer arcs of
-                         smooth data takes that share of its time */
+                         smooth data takes that share of its time; of little the arcs are as the
+                         search finds them: half the time, a seventh more of them */
     double least;     /* mm: no piece shorter, as long as the tolerance allows it; 0: any length */
     bool chords;      /* arcs as comments, with straight chords for them */
 };

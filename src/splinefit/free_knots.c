@@ -304,7 +304,7 @@ static bool serves_with_one_less(struct knots_tries *t, const struct candidate *
     double *missed = mem_alloc(poles, sizeof *missed);
     bool done = false;
 
-    knots_init_missed_all(&candidate.curve, missed + first);
+    knots_init_missed(&candidate.curve, missed + first);
     for (int i = 0; i < tries && !done; i++) {
         size_t least = first;
         for (size_t j = first; j < poles; j++)

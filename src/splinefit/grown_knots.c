@@ -198,7 +198,7 @@ static size_t take_out(struct growth *g)
     struct weight *weight = mem_alloc(n + 1, sizeof *weight);
     double *missed = mem_alloc(n + 1, sizeof *missed);
 
-    knots_init_missed_all(&g->fit.curve, missed);
+    knots_init_missed(&g->fit.curve, missed);
     for (size_t i = 0; i < n; i++) {
         const double *knot = &g->fit.curve.knot[first + i];
         bool close = fmin(knot[0] - knot[-1], knot[1] - knot[0]) < SHORTEST * g->options->least;

@@ -61,12 +61,7 @@ static double moved_by(const struct bspline *b, size_t j, double jump)
     return jump;
 }
 
-double knots_init_missed(const struct bspline *curve, size_t j)
-{
-    return moved_by(curve, j, jump_at(curve, j));
-}
-
-void knots_init_missed_all(const struct bspline *curve, double *missed)
+void knots_init_missed(const struct bspline *curve, double *missed)
 {
     size_t first = (size_t)curve->degree + 1;
     struct vec3 before = highest_in(curve, first - 1);

@@ -21,10 +21,8 @@ void knots_init_uniform(const struct reference *places, int degree, size_t poles
 bool knots_init_spread(const struct reference *places, int degree, size_t poles, double *knot);
 void knots_init_mean(const struct reference *places, int degree, size_t poles, double *knot);
 
-/* About how far the curve would move without its inner knot j, in no unit: by the jump of the
- * highest derivative there and the lengths of the spans at it.  _all: without each of them, in
- * order. */
-double knots_init_missed(const struct bspline *curve, size_t j);
-void knots_init_missed_all(const struct bspline *curve, double *missed);
+/* About how far the curve would move without each of its inner knots, in their order, in no unit:
+ * by the jump of the highest derivative there and the lengths of the spans at it. */
+void knots_init_missed(const struct bspline *curve, double *missed);
 
 #endif

@@ -51,11 +51,20 @@ static bool is_smooth(const struct fit *f)
     return given_points(f) >= many * f->pieces.n;
 }
 
+/* With less than this share of the usual work a run is fitted in a hurry; the other one where it
+ * may be fitted several times. */
+static bool is_hurried(const struct arcrun_options *options)
+{
+    const double little = 0.25, guarded = 0.5;
+
+    return options->work > 0 && options->work < (options->guarded ? guarded : little);
+}
+
 static enum arcfit_effort effort_of(const struct fit *f)
 {
-    return f->options->hurried   ? ARCFIT_HURRIED
-           : f->options->guarded ? ARCFIT_QUICK
-                                 : ARCFIT_THOROUGH;
+    return is_hurried(f->options) ? ARCFIT_HURRIED
+           : f->options->guarded  ? ARCFIT_QUICK
+                                  : ARCFIT_THOROUGH;
 }
 
 /* Of each point, in a longer search for fewer arcs of smooth data. */
@@ -100,7 +109,7 @@ static bool fit_once(struct fit *f, const struct deviation *within, const struct
 
     f->pieces.n = 0;
     arcfit_beam(&f->reference, less, PATH_COORDINATE, effort_of(f), &f->pieces);
-    if (!f->options->hurried || is_smooth(f))
+    if (!is_hurried(f->options) || is_smooth(f))
         arcfit_reduce(&f->reference, less, PATH_COORDINATE, 0, &f->pieces);
     bool thorough = is_smooth(f);
     if (thorough && !reference_axis_still(&f->reference, 0, f->reference.n - 1))
@@ -398,7 +407,7 @@ static void fit_each(struct fit *f, const struct run *run, struct arcrun_report 
 static double dense_run_of(const struct run *run, const struct arcrun_options *options,
                            struct run *dense)
 {
-    double part = options->hurried ? ARC_REFERENCE_HURRIED : ARC_REFERENCE_MAX;
+    double part = is_hurried(options) ? ARC_REFERENCE_HURRIED : ARC_REFERENCE_MAX;
     double taken = part * options->tolerance;
     double off = run_densify(run, taken, dense);
     if (off <= ARC_DENSE * options->tolerance) {
