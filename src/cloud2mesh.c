@@ -321,8 +321,8 @@ static bool stream_mesh(const struct cli *cli, const struct settings *s)
     say_left_out(s, &stream.facets.count);
     say_steep(s, stream.facets.steep);
     const struct cloud_count *count = &stream.count;
-    say_all(stream.n, count->not_finite + count->not_measured + count->withheld, &stream.nodes.grid,
-            stream.facets.vertices, stream.facets.facets);
+    say_all(stream.n, cloud_left_out(count), &stream.nodes.grid, stream.facets.vertices,
+            stream.facets.facets);
     origin.spacing = stream.options.spacing;
     origin.direction = s->meshing.direction;
     scan_sources_add_known(&origin.scan, name, stream.n, stream.hash);

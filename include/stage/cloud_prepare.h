@@ -23,6 +23,9 @@ int cloud_prepare_read(char **file, int files, int threads, struct vec3s *points
 /* Says what was skipped of a file. */
 void say_skipped(const char *file, const struct cloud_count *count);
 
+/* The same, of its rows without data alone. */
+void say_no_data(const char *file, const struct cloud_count *count);
+
 /* Unit, matrix (a file, or NULL), lowest leftmost point as origin (paper 1, 3.1), in this order,
  * into the points and the mesh's record of its place.  -1: the matrix cannot be read. */
 int cloud_prepare_place(struct vec3s *points, const char *unit, const char *matrix, bool to_origin,

@@ -11,6 +11,13 @@
 #include "cloud/cloud.h"
 #include "io/cloud/matrix.h"
 
+void say_no_data(const char *file, const struct cloud_count *c)
+{
+    if (c->no_data > 0)
+        say("%s: left out %zu row%s with a height of %g, which stands for no data", file,
+            c->no_data, c->no_data == 1 ? "" : "s", c->mark);
+}
+
 void say_skipped(const char *file, const struct cloud_count *c)
 {
     if (c->heads > 0)
@@ -38,6 +45,7 @@ void say_skipped(const char *file, const struct cloud_count *c)
     if (c->open_end > 0)
         say("%s:%zu: the last row has no line end: its last number may have been cut short", file,
             c->open_end);
+    say_no_data(file, c);
     if (c->not_measured > 0)
         say("%s: left out %zu cell%s without a measurement", file, c->not_measured,
             c->not_measured == 1 ? "" : "s");
@@ -54,7 +62,7 @@ int cloud_prepare_read(char **file, int files, int threads, struct vec3s *points
             return -1;
         say_skipped(file[i], &count);
         scan_sources_add(scan, file[i], points->item + from, points->n - from);
-        *left_out += count.not_finite + count.not_measured + count.withheld;
+        *left_out += cloud_left_out(&count);
     }
     return 0;
 }

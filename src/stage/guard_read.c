@@ -12,13 +12,13 @@
 #include "cloud/believed.h"
 #include "cloud/rim_points.h"
 #include "cloud/roof.h"
-#include "stage/cloud_prepare.h"
 #include "gouge/guard_mesh.h"
 #include "gouge/guard_points.h"
 #include "cloud/outliers.h"
 #include "math/box.h"
 #include "math/kdtree.h"
 #include "math/triangle_points.h"
+#include "stage/cloud_prepare.h"
 
 /* Of the radius: points that hang down are so far apart. */
 static const double CURTAIN = 0.25;
@@ -40,6 +40,7 @@ static int read_file(const char *name, struct vec3s *points, struct error *error
     if (count.not_finite > 0)
         say("%s: %zu rows without finite numbers left out, the first in line %zu", name,
             count.not_finite, count.first_not_finite);
+    say_no_data(name, &count);
     if (count.facets > 0 && reader_reads_once(name))
         say("%s: a mesh that is piped in: only the corners of its %zu facets guard", name,
             count.facets);

@@ -80,6 +80,26 @@ cloud2mesh -q -t 2 -o las.ply v14.las
 status 0 "a LAS file guards the path of its mesh" meshnorm -r 2 -o las.cl las.ply
 hasnt "it is the scan that the mesh names" 'gone|other points' err
 
+# Cells without data, as programs for terrain write them: no holes 10 m deep, here, in the guard and
+# the verdict, and the same scan whether they are there or not.
+awk '{ print } NR % 37 == 0 { print $1 + 0.5, $2, -9999 }' scan.xyz >marked.xyz
+status 0 "a grid with a mark for no data" cloud2mesh -t 2 -o marked.ply marked.xyz
+has "they are left out" 'left out 24 rows with a height of -9999, which stands for no data' err
+cloud2mesh -q -t 2 -o plain.ply scan.xyz
+sed 's/marked/scan/' marked.ply >named.ply
+same "it is the mesh without them" plain.ply named.ply
+status 0 "by reading twice, too" cloud2mesh --stream --normals facet -t 2 -o twice.ply marked.xyz
+has "they are left out" 'left out 24 rows with a height' err
+hasnt "no vertex is down there" '-9999' twice.ply
+status 0 "it guards" meshnorm -r 2 --scallop 0.2 -o marked.cl marked.ply
+has "and they are left out" '^meshnorm: .*left out 24 rows with a height' err
+hasnt "it is the scan that the mesh names" 'gone|other points' err
+ncpost -q -c linuxcnc -o marked.ngc marked.cl
+status 0 "and judges" ncverify -q -g marked.xyz marked.ngc
+awk '{ $3 = -9999; print }' scan.xyz >empty.xyz
+status 1 "nothing but marks" cloud2mesh -t 2 -o none.ply empty.xyz
+has "is told" '^cloud2mesh: empty.xyz: no points .900 rows left out' err
+
 # A writer that was killed: its last number may be cut, and no one can know.
 head -c 1998 scan.xyz >cut.xyz
 status 0 "a scan cut off within its last number" cloud2mesh -t 2 -o cut.ply cut.xyz

@@ -23,6 +23,8 @@ struct cloud_count {
     size_t heads;            /* heading lines before the first point (names, prose, a count) */
     size_t not_finite;       /* rows with nan, inf or a number too large: left out */
     size_t not_measured;     /* empty cells of a PTX grid: left out */
+    size_t no_data;          /* rows whose z stands for nothing measured: left out */
+    double mark;             /* the z of the first of them */
     size_t withheld;         /* points that a LAS file marks as deleted: left out */
     size_t facets;           /* of a mesh (STL, PLY), whose corners alone are taken */
     bool indexed;            /* the first column numbers the rows: x y z are the next three */
@@ -40,6 +42,8 @@ struct cloud_count {
  *     where a heading names as many columns as there are, x y z are those that it calls so
  *   - PTS, PTX (its 4 x 4 matrix applied), ASCII PCD, OBJ (its v lines)
  *   - PLY, ASCII or binary (its vertices)
+ * Rows whose z is -9999, -99999, -32767 or -32768, as grids of heights mark cells without data, are
+ * left out and counted.
  * A row that is no row in the middle of the data is an error with its line; so are binary and
  * compressed files, UTF-16, a last row cut short, and a count that is not met.  `threads` as in
  * parallel.h: rows of a large text are parsed by so many; what comes of it is the same.
@@ -53,6 +57,9 @@ int cloud_read(const char *file, int threads, struct vec3s *points, struct cloud
 int cloud_read_blocks(const char *file,
                       void (*take)(void *context, const struct vec3 *point, size_t n),
                       void *context, int threads, struct cloud_count *count, struct error *error);
+
+/* Rows, cells and points that were left out, together. */
+size_t cloud_left_out(const struct cloud_count *count);
 
 /* Millimetres in a unit: "mm" 1, "cm" 10, "m" 1000, "um" 0.001, "inch" and "in" 25.4; else 0. */
 double cloud_unit(const char *name);

@@ -248,6 +248,36 @@ static int read_stl(struct cloud_source *s, struct error *error)
     return status;
 }
 
+size_t cloud_left_out(const struct cloud_count *count)
+{
+    return count->not_finite + count->not_measured + count->no_data + count->withheld;
+}
+
+/* Heights that grids are filled with where nothing was measured: of ESRI and GDAL, and of whole
+ * numbers of 16 bits. */
+static bool is_no_data(double z)
+{
+    return z < -9998 && (z == -9999 || z == -99999 || z == -32767 || z == -32768);
+}
+
+/* Of the points of this file that were not handed on. */
+static void leave_no_data(struct cloud_source *s)
+{
+    struct vec3s *points = s->points;
+    size_t kept = s->first;
+
+    while (kept < points->n && !is_no_data(points->item[kept].z))
+        kept++;
+    for (size_t i = kept; i < points->n; i++) {
+        if (!is_no_data(points->item[i].z))
+            points->item[kept++] = points->item[i];
+        else if (s->count->no_data++ == 0)
+            s->count->mark = points->item[i].z;
+    }
+    s->count->points -= points->n - kept;
+    points->n = kept;
+}
+
 static int read_source(struct cloud_source *s, struct error *error)
 {
     const char *head;
@@ -267,10 +297,11 @@ static int read_source(struct cloud_source *s, struct error *error)
     };
     if (read[format](s, error) < 0)
         return -1;
+    leave_no_data(s);
     if (s->count->points == 0)
         return error_at(error, s->reader->name, 0,
                         "no points (%zu rows left out), expected rows of x y z",
-                        s->count->not_finite + s->count->not_measured + s->count->withheld);
+                        cloud_left_out(s->count));
     return 0;
 }
 
@@ -282,6 +313,7 @@ static void take_aside(void *context)
 
 static void hand_on_all(struct cloud_source *s)
 {
+    leave_no_data(s);
     aside_wait(s->aside);
     struct vec3s swap = *s->taken;
     *s->taken = *s->points;
@@ -313,7 +345,8 @@ static int read_file(const char *file, struct cloud_source *s, struct error *err
 int cloud_read(const char *file, int threads, struct vec3s *points, struct cloud_count *count,
                struct error *error)
 {
-    struct cloud_source source = {.points = points, .count = count, .threads = threads};
+    struct cloud_source source = {
+        .points = points, .first = points->n, .count = count, .threads = threads};
     return read_file(file, &source, error);
 }
 

@@ -13,6 +13,7 @@
 struct cloud_source {
     struct reader *reader;
     struct vec3s *points;
+    size_t first; /* of the points, from which on they are of this file */
     struct cloud_count *count;
     int threads; /* that parse rows, as in parallel.h */
     void (*take)(void *context, const struct vec3 *point, size_t n); /* NULL: `points` keeps all */

@@ -38,6 +38,8 @@ START_TEST(skipped)
     ck_assert_ptr_nonnull(strstr(text, "1 cell without"));
     struct cloud_count more = {.heads = 2, .comments = 3, .withheld = 4, .not_measured = 5};
     more.not_finite = 6;
+    more.no_data = 7;
+    more.mark = -9999;
     more.columns = 4;
     more.facets = 7;
     said_begin();
@@ -47,6 +49,7 @@ START_TEST(skipped)
     ck_assert_ptr_nonnull(strstr(text, "3 comments"));
     ck_assert_ptr_nonnull(strstr(text, "4 points that the file marks"));
     ck_assert_ptr_nonnull(strstr(text, "5 cells without"));
+    ck_assert_ptr_nonnull(strstr(text, "left out 7 rows with a height of -9999"));
     ck_assert_ptr_nonnull(strstr(text, "a.xyz: left out 6 points with nan"));
     ck_assert_ptr_nonnull(strstr(text, "after the third (up to 4)"));
     ck_assert_ptr_nonnull(strstr(text, "its 7 facets"));
