@@ -16,6 +16,7 @@ struct flank_patch {
     size_t sharp;      /* neighbours in a hollow that is sharp */
     bool certain;      /* where it goes on it is where its points tell */
     bool above_wall;   /* a point on it is above a wall */
+    bool wide;         /* points farther about are among the former */
 };
 
 /* The flank of a point in a hollow turns up sharply from this one. */
@@ -151,10 +152,30 @@ static bool is_surrounded(const struct edge_work *work, const struct edge_hood *
     return true;
 }
 
+/* Adds what is on the flank farther about: up and down a steep one the nearest points are those of
+ * others. */
+static void widen_side(const struct edge_work *work, size_t i, struct flank_patch *patch)
+{
+    enum { WIDE = 160 };
+    const struct point_grid *b = work->options->point_grid;
+    uint32_t index[WIDE];
+    double distance2[WIDE], least = edge_within(work, patch->flank->spacing);
+    size_t n = point_grid_nearest(b, b->point[i], WIDE, index, distance2);
+    struct vec3 normal;
+
+    patch->wide = true;
+    for (size_t k = EDGE_NEAR; k < n; k++) {
+        struct vec3 p = b->point[index[k]];
+        if (edge_flank_certain(work, &work->flank[index[k]]) &&
+            fabs(edge_flank_above(patch->flank, p, &normal)) <= least)
+            *array_push(&patch->side) = p;
+    }
+}
+
 /* Places of the flank of point i that are nearest to it, as dense as those of edges are on
  * these. */
-static void fill_patch(const struct edge_work *work, const struct edge_hood *near,
-                       const struct flank_patch *patch, struct vec3s *to)
+static void fill_patch(const struct edge_work *work, const struct edge_hood *near, size_t i,
+                       struct flank_patch *patch, struct vec3s *to)
 {
     const double dense = 0.65;
     const struct quadric *q = &patch->flank->q;
@@ -163,15 +184,21 @@ static void fill_patch(const struct edge_work *work, const struct edge_hood *nea
     int most = patch->certain ? CERTAIN_RINGS : EDGE_RINGS;
     int rings = (int)fmin(triangles_rings(reach, pitch), most);
 
-    for (int j = -rings; j <= rings; j++)
-        for (int i = -rings; i <= rings; i++) {
+    for (int row = -rings; row <= rings; row++)
+        for (int k = -rings; k <= rings; k++) {
             double u, v;
-            triangles_at(pitch, i, j, &u, &v);
-            if ((i == 0 && j == 0) || hypot_compare(u, v, reach) > 0)
+            triangles_at(pitch, k, row, &u, &v);
+            if ((k == 0 && row == 0) || hypot_compare(u, v, reach) > 0)
                 continue;
             struct vec3 at = quadric_at(q, vec_dot(off, q->u) + u, vec_dot(off, q->v) + v);
-            if (is_on_patch(work, near, patch, at) &&
-                is_surrounded(work, near, patch, at, fmax(reach, 2 * hypot(u, v))))
+            if (!is_on_patch(work, near, patch, at))
+                continue;
+            bool inside = is_surrounded(work, near, patch, at, fmax(reach, 2 * hypot(u, v)));
+            if (!inside && patch->certain && !patch->wide) {
+                widen_side(work, i, patch);
+                inside = is_surrounded(work, near, patch, at, fmax(reach, 2 * hypot(u, v)));
+            }
+            if (inside)
                 *array_push(to) = at;
         }
 }
@@ -184,6 +211,6 @@ void edge_fill_add(const struct edge_work *work, const struct edge_hood *near, s
     if (patch.edges > 0 || patch.sharp >= EDGE_FEWEST || patch.flank->along ||
         (patch.certain && (!(work->options->noise > 0) || patch.above_wall)))
         /* elsewhere it is rough, or by noise */
-        fill_patch(work, near, &patch, to);
+        fill_patch(work, near, i, &patch, to);
     array_free(&patch.side);
 }
