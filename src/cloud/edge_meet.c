@@ -177,8 +177,9 @@ static bool move_to_tip(const struct edge_work *work, const struct edge_hood *ne
     return !flank_below(work, near, meeting, *at, least);
 }
 
-/* Adds a place of the edge of a pair, or the tip where it ends if the place is beyond that. */
-static void add_place(const struct edge_work *work, const struct edge_hood *near,
+/* Adds a place of the edge of a pair, or the tip where it ends if the place is beyond that.  True:
+ * the edge goes on there. */
+static bool add_place(const struct edge_work *work, const struct edge_hood *near,
                       const struct edge_flank *const *pair, double spacing, struct vec3 at,
                       struct vec3s *to)
 {
@@ -186,18 +187,32 @@ static void add_place(const struct edge_work *work, const struct edge_hood *near
     double least = edge_within(work, spacing) / 2;
 
     if (!move_to_meeting(meeting, 2, EDGE_REACH * spacing, &at))
-        return;
+        return false;
     meeting[2] = flank_below(work, near, pair, at, least);
     if (meeting[2] && !move_to_tip(work, near, meeting, spacing, &at))
-        return;
+        return false;
     for (size_t k = 0; k < to->n; k++)
         if (vec_distance(at, to->item[k]) < work->options->along / 3)
-            return;
-    if (is_borne_out(work, near, pair, meeting[2] != NULL, spacing, at))
-        *array_push(to) = at;
+            return !meeting[2];
+    if (!is_borne_out(work, near, pair, meeting[2] != NULL, spacing, at))
+        return false;
+    *array_push(to) = at;
+    return !meeting[2];
 }
 
-/* The edge between point i and one of its neighbours, a spacing to both sides. */
+/* No point of the scan is near, seen from above. */
+static bool is_in_gap(const struct edge_work *work, struct vec3 at)
+{
+    const double wide = 0.75; /* spacings: about one place of six is so far from points anywhere */
+    const struct point_grid *scan = work->options->point_grid;
+    struct edge_about about = edge_about_place(scan, at, wide * point_grid_spacing(scan));
+    size_t k;
+
+    return !edge_about_next(&about, &k);
+}
+
+/* The edge between point i and one of its neighbours, three quarters of a spacing to both sides, and
+ * on through a gap between points. */
 static void add_edge(const struct edge_work *work, const struct edge_hood *near, size_t i, size_t k,
                      struct vec3s *to)
 {
@@ -214,8 +229,16 @@ static void add_edge(const struct edge_work *work, const struct edge_hood *near,
     edge_flank_above(pair[1], at, &normal[1]);
     struct vec3 way = vec_unit(vec_cross(normal[0], normal[1]));
     int steps = (int)ceil(0.75 * spacing / work->options->along);
+    double step = 0.75 * spacing / steps;
     for (int s = -steps; s <= steps; s++)
-        add_place(work, near, pair, spacing, vec_along(at, 0.75 * spacing * s / steps, way), to);
+        add_place(work, near, pair, spacing, vec_along(at, step * s, way), to);
+    bool certain = edge_flank_certain(work, pair[0]) && edge_flank_certain(work, pair[1]);
+    for (int side = -1; side <= 1 && certain; side += 2)
+        for (int s = steps + 1; s * step <= EDGE_REACH * spacing; s++) {
+            struct vec3 p = vec_along(at, side * step * s, way);
+            if (!is_in_gap(work, p) || !add_place(work, near, pair, spacing, p, to))
+                break;
+        }
 }
 
 void edge_meet_add(const struct edge_work *work, const struct edge_hood *near, size_t i,
