@@ -41,6 +41,10 @@ static const double NOISY = 2;
  * that is not, however much may be cut off: a larger tolerance would find more walls. */
 static const double SURE = 0.002;
 
+/* Spacings: by so little noise, as of coordinates rounded, edges are looked for as without it, too;
+ * noises that the points of a certain flank are off it then, on average. */
+static const double FAINT = 0.01, UNEVEN = 1.7;
+
 /* Spacings: smooth surfaces leave more where shapes are as small as points are apart. */
 static const double ROUGH = 0.06;
 
@@ -342,14 +346,18 @@ static void suspect_edges(struct edge_points_options edges, struct edge_gaps *ga
 /* Sharp edges that the scan has no points on.  Where noise is known by the sides of edges these are
  * looked for in the points as they are, for blunt ones are told by that alone; and by the noise,
  * which makes sides certain, those that two sides meet in: not what goes on unseen, which rough
- * parts have much of, unless there are walls nearly everywhere. */
+ * parts have much of, unless there are walls nearly everywhere.  Where noise is faint both are
+ * asked, too: it hides blunt edges, and what no point resolves, though sides tell of them. */
 static void add_edges(const struct guard_work *work, struct guard_points *surface)
 {
     const struct guard_points_options *rule = work->rule;
+    bool faint = rule->noise > 0 && rule->noise < FAINT * point_grid_spacing(work->point_grid);
+    bool twice = rule->edged || faint;
+    double sink = fmin(rule->sink, SURE);
     struct edge_points_options edges = {.point_grid = work->point_grid,
-                                        .noise = rule->edged ? 0 : rule->noise,
+                                        .noise = twice ? 0 : rule->noise,
                                         .along = sqrt(8 * rule->radius * rule->sink),
-                                        .sink = fmin(rule->sink, SURE),
+                                        .sink = faint ? fmax(sink, UNEVEN * rule->noise) : sink,
                                         /* flanks of few points are as rough as these */
                                         .fill = work->filled,
                                         .threads = rule->threads,
@@ -357,10 +365,11 @@ static void add_edges(const struct guard_work *work, struct guard_points *surfac
     size_t before = surface->point.n;
 
     surface->edges = edge_points(&edges, &surface->point, &surface->gaps);
-    if (rule->edged) {
+    if (twice) {
         struct edge_gaps walls;
         edges.noise = rule->noise;
-        edges.met = true;
+        edges.sink = sink;
+        edges.met = rule->edged;
         surface->edges += edge_points(&edges, &surface->point, &walls);
         if (walls.n > surface->gaps.n)
             surface->gaps = walls;
