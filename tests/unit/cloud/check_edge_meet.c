@@ -68,6 +68,53 @@ START_TEST(ridge)
 }
 END_TEST
 
+/* Without points nearer than a millimetre and a bit about a place of the edge, seen from above. */
+static struct vec3s places_about_gap(double (*height)(double, double), struct vec3 middle)
+{
+    const double step = 0.5, gap = 1.1;
+    struct edge_trial trial;
+    struct edge_hood near;
+    struct vec3s scan = {0}, to = {0};
+
+    for (double y = -10; y < 10; y += step)
+        for (double x = -10; x < 10; x += step)
+            if (hypot(x - middle.x, y - middle.y) > gap)
+                *array_push(&scan) = vec(x, y, height(x, y));
+    edge_trial_of(&trial, scan, step, 0);
+    edge_flanks_find(&trial.work);
+    for (size_t i = 0; i < trial.grid.n; i++) {
+        if (!trial.work.flank[i].valid)
+            continue;
+        edge_hood_find(&trial.work, i, &near);
+        edge_meet_add(&trial.work, &near, i, &to);
+    }
+    edge_trial_free(&trial);
+    return to;
+}
+
+START_TEST(through_a_gap)
+{
+    struct vec3s to = places_about_gap(edge_trial_roof, vec(0, 0, 10));
+
+    for (size_t k = 0; k < to.n; k++)
+        ck_assert_double_eq_tol(to.item[k].z, 10, 1e-6);
+    for (double x = -7; x <= 7; x += 0.1)
+        ck_assert_double_le(nearest(&to, vec(x, x / 4, 10)), 0.2);
+    array_free(&to);
+}
+END_TEST
+
+START_TEST(to_a_tip_in_a_gap)
+{
+    struct vec3s to = places_about_gap(tip, vec(0.13, -0.21, 10));
+
+    ck_assert_double_le(nearest(&to, vec(0.13, -0.21, 10)), 0.2 / 3);
+    for (size_t k = 0; k < to.n; k++)
+        ck_assert_double_le(to.item[k].z, tip(to.item[k].x, to.item[k].y) + 1e-6);
+    array_free(&to);
+}
+END_TEST
+
 START_TEST(blunt_ridge)
 {
     struct vec3s to = places(blunt, false);
@@ -149,6 +196,8 @@ int main(void)
     TCase *tests = tcase_create("edge_meet");
     SRunner *runner = srunner_create(suite);
     tcase_add_loop_test(tests, ridge, 0, 2);
+    tcase_add_test(tests, through_a_gap);
+    tcase_add_test(tests, to_a_tip_in_a_gap);
     tcase_add_test(tests, blunt_ridge);
     tcase_add_test(tests, no_false_end);
     tcase_add_test(tests, tip_of_pyramid);

@@ -474,6 +474,74 @@ START_TEST(sharp_edges_stand_in_noise)
 }
 END_TEST
 
+/* The guard of a scan keeps a ball off that would be `deep` in at p, where this is the normal. */
+static bool is_kept_off(const struct gouge_check *guard, struct vec3 p, struct vec3 normal,
+                        double radius, double deep)
+{
+    return gouge_distance(guard, vec_along(p, radius - deep, vec_unit(normal)), HUGE_VAL) < radius;
+}
+
+static double wedge(double x)
+{
+    return fmax(0, fmin(5 + 0.4 * x, 5 - 6 * x));
+}
+
+/* Points anywhere leave gaps on a flank of 80 degrees, whose points have those of the floor about
+ * them sooner than each other: it is filled, and a ball kept off all over it. */
+START_TEST(steep_flanks_are_filled_over_gaps)
+{
+    enum { POINTS = 2401, PLACES = 2000 };
+    int kept = 0;
+
+    state = (uint64_t)_i;
+    struct vec3s points = {0};
+    for (int i = 0; i < POINTS; i++) {
+        double x = uniform(-12, 12);
+        *array_push(&points) = vec(x, uniform(-12, 12), wedge(x));
+    }
+    struct guard_points s = surface_for(&points, 0, 2.5);
+    struct gouge_check *guard = gouge_from_points(s.point.item, s.point.n);
+    for (int i = 0; i < PLACES; i++) {
+        double x = uniform(0.05, 0.4);
+        kept += is_kept_off(guard, vec(x, uniform(-10, 10), wedge(x)), vec(6, 0, 1), 2.5, 0.02);
+    }
+    ck_assert_int_eq(kept, PLACES);
+    gouge_free(guard);
+    array_free(&points);
+    array_free(&s.point);
+}
+END_TEST
+
+static double ridge(double x)
+{
+    return 10 / (1 + x * x / 25);
+}
+
+/* A noise of less than a hundredth of what the points are apart, as of coordinates rounded, hides
+ * no edge that is guarded without it. */
+START_TEST(faint_noise_hides_no_edges)
+{
+    enum { PLACES = 2000 };
+    int kept = 0;
+
+    struct vec3s points = {0};
+    for (double y = -15; y <= 15; y += 1.33)
+        for (double x = -15 + 0.665; x <= 15; x += 1.33)
+            *array_push(&points) = vec(x, y, ridge(x));
+    struct guard_points s = surface_for(&points, _i == 0 ? 0 : 0.003, 3.76);
+    struct gouge_check *guard = gouge_from_points(s.point.item, s.point.n);
+    for (int i = 0; i < PLACES; i++) {
+        double x = uniform(-6, 6), z = ridge(x);
+        struct vec3 normal = vec(2 * x * z * z / 250, 0, 1);
+        kept += is_kept_off(guard, vec(x, uniform(-12, 12), z), normal, 3.76, 0.1);
+    }
+    ck_assert_int_eq(kept, PLACES);
+    gouge_free(guard);
+    array_free(&points);
+    array_free(&s.point);
+}
+END_TEST
+
 /* A steep pyramid on a grid 1.26 mm apart, its ridges on points, which have the surface of one side
  * of these alone: the other side is filled, too, and keeps a small ball off beside the ridges. */
 START_TEST(both_sides_of_points_on_a_ridge)
@@ -599,6 +667,8 @@ int main(void)
     tcase_add_test(tcase, what_is_rough_stays_as_it_is);
     tcase_add_loop_test(tcase, blunt_edges_stand_in_noise, 0, 2);
     tcase_add_test(tcase, sharp_edges_stand_in_noise);
+    tcase_add_loop_test(tcase, steep_flanks_are_filled_over_gaps, 29, 41);
+    tcase_add_loop_test(tcase, faint_noise_hides_no_edges, 0, 2);
     tcase_add_test(tcase, both_sides_of_points_on_a_ridge);
     tcase_add_test(tcase, walls_stand_in_noise);
     tcase_add_loop_test(tcase, hidden_edges_are_suspected, 0, 4);
