@@ -21,6 +21,12 @@ while getopts n:s: option; do
 done
 shift $((OPTIND - 1))
 [ $# -ge 3 ] || usage
+case $parts in
+'' | 0* | *[!0-9]* | ??????*)
+	echo "parallel.sh: found \`$parts' parts, expected 1 to 99999" >&2
+	exit 2
+	;;
+esac
 fitter=$1 path=$2 out=$3
 shift 3
 PATH=${BIN:+$BIN:}$PATH
@@ -33,9 +39,23 @@ work=$(mktemp -d "${TMPDIR:-/tmp}/parallel.XXXXXX") || exit 1
 trap 'rm -rf "$work"' EXIT
 trap 'exit 130' INT TERM
 
-# What is shipped: the path, the scans that it names, and what is to be done with a part.
+# ship_given PREFIX FILE: a file of an option is shipped under a name of its own,
+# in $as with PREFIX; what is no file stays as it is.
+ship_given() {
+	as=$1$2
+	[ -f "$2" ] || return 0
+	given=$((given + 1))
+	name=given-$given-$(basename "$2" | tr -c 'A-Za-z0-9.\n' _)
+	cp "$2" "$work/$name" || exit 1
+	printf '%s %s\n' "$name" "$2" >>"$work/given"
+	ship="$ship --basefile $name" as=$1$name
+}
+
+# What is shipped: the path, the scans that it names or an option does, and what is to be done with a
+# part.
 cp "$path" "$work/path.cl" || exit 1
-ship='--basefile path.cl --basefile part.sh' guards='' n=0
+ship='--basefile path.cl --basefile part.sh' guards='' n=0 given=0
+: >"$work/given"
 case " $* " in *' -g'* | *' --guard'* | *' --no-guard '*) named=/dev/null ;; *) named=$path ;; esac
 sed -n 's/^\$\$-> SCAN\/[0-9]*,[0-9a-f]*,//p' "$named" >"$work/scans"
 while read -r scan; do
@@ -43,8 +63,15 @@ while read -r scan; do
 	cp "$scan" "$work/scan-$n.xyz" || exit 1
 	ship="$ship --basefile scan-$n.xyz" guards="$guards -g scan-$n.xyz"
 done <"$work/scans"
-quoted=''
+quoted='' before=''
 for option; do
+	as=$option
+	case $before in -g | --guard) ship_given '' "$option" ;; esac
+	case $option in
+	-g?*) ship_given -g "${option#-g}" ;;
+	--guard=*) ship_given --guard= "${option#*=}" ;;
+	esac
+	before=$option option=$as
 	quoted="$quoted '$(printf %s "$option" | sed "s/'/'\\\\''/g")'"
 done
 cat >"$work/part.sh" <<END
@@ -74,7 +101,14 @@ done
 for k in $(seq "$parts"); do
 	cat "fitted.$k"
 done >joined
-# The scans have their own names again.
+# The scans have their own names again: those of options, and those that the path names.
+while read -r name file; do
+	awk -v name="$name" -v file="$(printf %s "$file" | sed 's/\\/&&/g')" '
+		/^\$\$-> SCAN\// && substr($0, length($0) - length(name)) == "," name {
+			$0 = substr($0, 1, length($0) - length(name)) file
+		}
+		{ print }' joined >named && mv named joined || exit 1
+done <given
 [ $n -eq 0 ] || { awk '/^\$\$-> SCAN\// { if (FNR == NR) name[++n] = $0; else $0 = name[++k] }
 	FNR != NR' path.cl joined >named && mv named joined; } || exit 1
 cd "$here" && mv "$work/joined" "$out" || exit 1

@@ -270,9 +270,13 @@ static inline size_t num_put_short(char *buf, int64_t integer, bool negative, in
     return (size_t)(to - buf);
 }
 
+/* num_scaled where the product, s, was rounded to half a unit, or the sum with one half was rounded
+ * up to a whole number. */
+int64_t num_scaled_doubtful(double x, int digits, double s);
+
 /*
- * |x| * 10^digits rounded half away from zero, where that is below 2^53; else false.  Signed, for
- * that is what processors convert at once.
+ * |x| * 10^digits rounded half away from zero, by the double that x is, where that is below 2^53;
+ * else false.  Signed, for that is what processors convert at once.
  */
 static inline bool num_scaled(double x, int digits, int64_t *integer)
 {
@@ -280,8 +284,8 @@ static inline bool num_scaled(double x, int digits, int64_t *integer)
     if (!(s < 9007199254740992.0))
         return false;
     *integer = (int64_t)(s + 0.5);
-    if (__builtin_expect((double)*integer - s > 0.5, 0)) /* the sum itself was rounded up */
-        --*integer;
+    if (__builtin_expect((double)*integer - s >= 0.5, 0))
+        *integer = num_scaled_doubtful(x, digits, s);
     return true;
 }
 

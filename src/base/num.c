@@ -153,6 +153,15 @@ size_t num_put(char *buf, int64_t integer, bool negative, int digits)
     return (size_t)(to - buf);
 }
 
+int64_t num_scaled_doubtful(double x, int digits, double s)
+{
+    int64_t below = (int64_t)s;
+    double part = s - (double)below;
+    bool half = part == 0.5 && fma(fabs(x), num_ten[digits], -s) >= 0;
+
+    return below + (part > 0.5 || half);
+}
+
 size_t num_write(char *buf, double x, int digits)
 {
     int64_t integer;

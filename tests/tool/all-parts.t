@@ -73,6 +73,10 @@ same "its part is run again" joined whole.biarcfit
 status 1 "no such path" sh "$together" -n 2 biarcfit none.cl none.out
 status 1 "an option that is none" sh "$together" -n 2 biarcfit "$passes" none.out --wrong
 ok "nothing is written" test ! -e none.out
+for n in 0 -1 x 2.5 ''; do
+	status 2 "-n '$n'" sh "$together" -n "$n" biarcfit "$passes" none.out
+	ok "nothing is written" test ! -e none.out
+done
 
 # ---- hosts, each a folder with a shell
 
@@ -103,6 +107,16 @@ status $whole "on two hosts, with the scan" \
 	sh "$together" -n 3 -s one,two biarcfit guarded.cl joined
 has "the path names its scan" 'SCAN/.*scan.xyz' whole.cl
 same "on two hosts it is the same" joined whole.cl
+# A scan that an option names, from here and in a folder with an awkward name.
+mkdir "a folder"
+cp scan.xyz "a folder/it's.xyz"
+for scan in scan.xyz "a folder/it's.xyz"; do
+	biarcfit -q -g "$scan" -o whole.cl guarded.cl
+	status $whole "-g $scan" sh "$together" -n 2 biarcfit guarded.cl joined -g "$scan"
+	same "here" joined whole.cl
+	status $whole "-g$scan" sh "$together" -n 2 -s one biarcfit guarded.cl joined "--guard=$scan"
+	same "on a host" joined whole.cl
+done
 status 1 "a host without the tools" \
 	sh "$together" -n 2 -s bare biarcfit guarded.cl none.out
 ok "nothing is written then" test ! -e none.out

@@ -128,6 +128,10 @@ static const struct {
     {1234.5678, 2, "1234.57", "1234.57", "1234.57"},
     {100, 0, "100", "100", "100."},
     {0.001, 3, "0.001", "0.001", "0.001"},
+    {-2840.9995, 3, "-2840.999", "-2840.999", "-2840.999"}, /* the double is below the half */
+    {0.0015, 3, "0.002", "0.002", "0.002"},                 /* above it */
+    {0.0125, 3, "0.013", "0.013", "0.013"},                 /* above it, too */
+    {0.49999999999999994, 0, "0", "0", "0."},
     {99.9996, 3, "100.000", "100", "100."},
 };
 
@@ -141,6 +145,24 @@ START_TEST(writings_of_a_number)
     ck_assert_str_eq(text, writings[_i].brief);
     num_write_short(text, writings[_i].x, writings[_i].digits, true);
     ck_assert_str_eq(text, writings[_i].pointed);
+}
+END_TEST
+
+/* Beside halves of the last digit it is what printf writes, which rounds by the double itself; but
+ * for a tie, where both are as near. */
+START_TEST(halves_are_rounded_by_the_double)
+{
+    for (int i = 0; i < 200000; i++) {
+        char text[NUM_MAX], truth[NUM_MAX], decimal[NUM_MAX];
+        int digits = (int)(next_random() % 7);
+        snprintf(decimal, sizeof decimal, "%d.%0*d5", (int)(next_random() % 100000), digits,
+                 digits > 0 ? (int)(next_random() % (uint64_t)num_ten[digits]) : 0);
+        double x = strtod(digits > 0 ? decimal : strcat(strtok(decimal, "."), ".5"), NULL);
+        bool tie = ldexp(x, 8) == floor(ldexp(x, 8)); /* only so are these exact */
+        num_write(text, x, digits);
+        snprintf(truth, sizeof truth, "%.*f", digits, tie ? nextafter(x, HUGE_VAL) : x);
+        ck_assert_str_eq(text, truth);
+    }
 }
 END_TEST
 
@@ -192,6 +214,7 @@ int main(void)
                         (int)(sizeof spellings / sizeof *spellings));
     tcase_add_loop_test(tests, writings_of_a_number, 0, (int)(sizeof writings / sizeof *writings));
     tcase_add_test(tests, what_is_written_reads_back_as_rounded);
+    tcase_add_test(tests, halves_are_rounded_by_the_double);
     tcase_add_test(tests, short_numbers_alike);
     suite_add_tcase(suite, tests);
     SRunner *runner = srunner_create(suite);
