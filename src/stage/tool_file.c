@@ -67,6 +67,11 @@ int tool_file_body(const struct tool_file *tool, double radius, struct tool_body
     double end = *tool->holder ? tool->stickout : tool->length;
 
     *body = tool_body_usual(radius);
+    if (tool->shank > 0 && !(end > 0))
+        return error_set(error,
+                         "tool: found a shank of %g that ends nowhere, expected a length, or a "
+                         "holder and its stickout",
+                         tool->shank);
     if (tool->flute > 0)
         body->flute = fmax(tool->flute - radius, 0);
     if (*tool->holder && !(tool->stickout > radius))

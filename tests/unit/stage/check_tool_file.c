@@ -72,6 +72,9 @@ START_TEST(no_bodies)
     strcat(tool.holder, "+9:2");
     ck_assert_int_eq(tool_file_body(&tool, 5, &b, &error), -1);
     ck_assert_ptr_nonnull(strstr(error.text, "a holder of 15 cones, expected fewer"));
+    const struct tool_file endless = {.flute = 12, .shank = 4};
+    ck_assert_int_eq(tool_file_body(&endless, 5, &b, &error), -1);
+    ck_assert_ptr_nonnull(strstr(error.text, "a shank of 4 that ends nowhere"));
 }
 END_TEST
 
