@@ -51,8 +51,7 @@ ship_given() {
 	ship="$ship --basefile $name" as=$1$name
 }
 
-# What is shipped: the path, the scans that it names or an option does, and what is to be done with a
-# part.
+# What is shipped: the path, the scans that it or an option names, what is to be done with a part.
 cp "$path" "$work/path.cl" || exit 1
 ship='--basefile path.cl --basefile part.sh' guards='' n=0 given=0
 : >"$work/given"

@@ -211,8 +211,8 @@ static bool is_in_gap(const struct edge_work *work, struct vec3 at)
     return !edge_about_next(&about, &k);
 }
 
-/* The edge between point i and one of its neighbours, three quarters of a spacing to both sides, and
- * on through a gap between points. */
+/* The edge between point i and one of its neighbours, three quarters of a spacing to both sides,
+ * and on through a gap between points. */
 static void add_edge(const struct edge_work *work, const struct edge_hood *near, size_t i, size_t k,
                      struct vec3s *to)
 {
