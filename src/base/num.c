@@ -153,11 +153,22 @@ size_t num_put(char *buf, int64_t integer, bool negative, int digits)
     return (size_t)(to - buf);
 }
 
+/* What a product p = a * b of doubles was rounded by: their halves of 26 bits (Veltkamp) have exact
+ * products (Dekker 1971).  Far from the largest doubles. */
+static double product_rest(double a, double b, double p)
+{
+    const double split = 134217729; /* 2^27 + 1 */
+    double ca = split * a, cb = split * b;
+    double ah = ca - (ca - a), al = a - ah, bh = cb - (cb - b), bl = b - bh;
+
+    return ((ah * bh - p) + ah * bl + al * bh) + al * bl;
+}
+
 int64_t num_scaled_doubtful(double x, int digits, double s)
 {
     int64_t below = (int64_t)s;
     double part = s - (double)below;
-    bool half = part == 0.5 && fma(fabs(x), num_ten[digits], -s) >= 0;
+    bool half = part == 0.5 && product_rest(fabs(x), num_ten[digits], s) >= 0;
 
     return below + (part > 0.5 || half);
 }

@@ -26,23 +26,30 @@ static double valley(double x, double y)
     return -edge_trial_roof(x, y);
 }
 
-/* All places of edges of the shape, on a grid. */
-static struct vec3s places(double (*height)(double, double), bool lines)
+/* All places of edges of a scan, whose trial is freed. */
+static struct vec3s places_of(struct edge_trial *trial)
 {
-    struct edge_trial trial;
     struct edge_hood near;
     struct vec3s to = {0};
 
-    edge_trial_make(&trial, height, lines, 0);
-    edge_flanks_find(&trial.work);
-    for (size_t i = 0; i < trial.grid.n; i++) {
-        if (!trial.work.flank[i].valid)
+    edge_flanks_find(&trial->work);
+    for (size_t i = 0; i < trial->grid.n; i++) {
+        if (!trial->work.flank[i].valid)
             continue;
-        edge_hood_find(&trial.work, i, &near);
-        edge_meet_add(&trial.work, &near, i, &to);
+        edge_hood_find(&trial->work, i, &near);
+        edge_meet_add(&trial->work, &near, i, &to);
     }
-    edge_trial_free(&trial);
+    edge_trial_free(trial);
     return to;
+}
+
+/* Those of a shape, on a grid. */
+static struct vec3s places(double (*height)(double, double), bool lines)
+{
+    struct edge_trial trial;
+
+    edge_trial_make(&trial, height, lines, 0);
+    return places_of(&trial);
 }
 
 static double nearest(const struct vec3s *to, struct vec3 p)
@@ -73,23 +80,14 @@ static struct vec3s places_about_gap(double (*height)(double, double), struct ve
 {
     const double step = 0.5, gap = 1.1;
     struct edge_trial trial;
-    struct edge_hood near;
-    struct vec3s scan = {0}, to = {0};
+    struct vec3s scan = {0};
 
     for (double y = -10; y < 10; y += step)
         for (double x = -10; x < 10; x += step)
             if (hypot(x - middle.x, y - middle.y) > gap)
                 *array_push(&scan) = vec(x, y, height(x, y));
     edge_trial_of(&trial, scan, step, 0);
-    edge_flanks_find(&trial.work);
-    for (size_t i = 0; i < trial.grid.n; i++) {
-        if (!trial.work.flank[i].valid)
-            continue;
-        edge_hood_find(&trial.work, i, &near);
-        edge_meet_add(&trial.work, &near, i, &to);
-    }
-    edge_trial_free(&trial);
-    return to;
+    return places_of(&trial);
 }
 
 START_TEST(through_a_gap)

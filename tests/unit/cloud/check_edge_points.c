@@ -956,6 +956,34 @@ START_TEST(rims_of_steps)
 }
 END_TEST
 
+static double bowl(double x, double y)
+{
+    return (x * x + y * y) / 40;
+}
+
+/* Noise, a fifth of what points anywhere are apart, makes no tips of cones in a smooth bowl: one
+ * neighbourhood in a thousand is too rough for a surface by chance. */
+START_TEST(no_tips_by_noise)
+{
+    enum { POINTS = 16000 };
+    const double sigma = 0.1;
+    struct vec3s scan = {0}, to = {0};
+    struct point_grid grid;
+    struct edge_gaps gaps;
+    struct error error;
+
+    noisy_seed((unsigned)_i);
+    noisy_scan(&scan, bowl, POINTS, NOISY_RANDOM, sigma);
+    ck_assert_int_eq(point_grid_make(scan.item, scan.n, 0.5, 1, &grid, &error), 0);
+    const struct edge_points_options options = {
+        .point_grid = &grid, .noise = sigma, .along = 0.35, .sink = 0.002, .threads = 1};
+    ck_assert_uint_eq(edge_points(&options, &to, &gaps), 0);
+    point_grid_free(&grid);
+    array_free(&scan);
+    array_free(&to);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("edge_points");
@@ -978,6 +1006,7 @@ int main(void)
     tcase_add_loop_test(tests, noisy_flanks, 0, 4);
     tcase_add_loop_test(tests, rims_of_pockets, 0, 6);
     tcase_add_loop_test(tests, rims_of_steps, 0, 8);
+    tcase_add_loop_test(tests, no_tips_by_noise, 1, 4);
     suite_add_tcase(suite, tests);
     tcase_set_timeout(tests, 60);
     srunner_run_all(runner, CK_ENV);
