@@ -38,8 +38,8 @@ static bool fit_cone(const struct edge_work *work, const struct vec3 *point, siz
 }
 
 /* The cone about its tip.  Where a surface is known, and among noise, where one neighbourhood in a
- * thousand is too rough for one by chance, a cubic must do far worse: what real cones leave of it is
- * a fifth, what smooth surfaces with noise do, three quarters at least. */
+ * thousand is too rough for one by chance, a cubic must do far worse: real cones leave a fifth of
+ * what it does, smooth surfaces with noise three quarters at least. */
 static bool find_cone(const struct edge_work *work, const struct edge_hood *near,
                       const struct edge_flank *flank, struct cone_tip *tip)
 {
