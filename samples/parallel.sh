@@ -39,36 +39,32 @@ work=$(mktemp -d "${TMPDIR:-/tmp}/parallel.XXXXXX") || exit 1
 trap 'rm -rf "$work"' EXIT
 trap 'exit 130' INT TERM
 
-# ship_given PREFIX FILE: a file of an option is shipped under a name of its own,
-# in $as with PREFIX; what is no file stays as it is.
-ship_given() {
-	as=$1$2
-	[ -f "$2" ] || return 0
-	given=$((given + 1))
-	name=given-$given-$(basename "$2" | tr -c 'A-Za-z0-9.\n' _)
-	cp "$2" "$work/$name" || exit 1
-	printf '%s %s\n' "$name" "$2" >>"$work/given"
-	ship="$ship --basefile $name" as=$1$name
+# ship_scan FILE: it is shipped under a name of its own, in $name.
+ship_scan() {
+	n=$((n + 1))
+	name=scan-$n-$(basename "$1" | tr -c 'A-Za-z0-9.\n' _)
+	cp "$1" "$work/$name" || exit 1
+	printf '%s\n%s\n' "$name" "$1" >>"$work/scans"
+	ship="$ship --basefile $name"
 }
 
 # What is shipped: the path, the scans that it or an option names, what is to be done with a part.
 cp "$path" "$work/path.cl" || exit 1
-ship='--basefile path.cl --basefile part.sh' guards='' n=0 given=0
-: >"$work/given"
+ship='--basefile path.cl --basefile part.sh' guards='' n=0
+: >"$work/scans"
 case " $* " in *' -g'* | *' --guard'* | *' --no-guard '*) named=/dev/null ;; *) named=$path ;; esac
-sed -n 's/^\$\$-> SCAN\/[0-9]*,[0-9a-f]*,//p' "$named" >"$work/scans"
-while read -r scan; do
-	n=$((n + 1))
-	cp "$scan" "$work/scan-$n.xyz" || exit 1
-	ship="$ship --basefile scan-$n.xyz" guards="$guards -g scan-$n.xyz"
-done <"$work/scans"
+sed -n 's/^\$\$-> SCAN\/[0-9]*,[0-9a-f]*,//p' "$named" >"$work/named"
+while IFS= read -r scan; do
+	ship_scan "$scan"
+	guards="$guards -g $name"
+done <"$work/named"
 quoted='' before=''
 for option; do
 	as=$option
-	case $before in -g | --guard) ship_given '' "$option" ;; esac
+	case $before in -g | --guard) ship_scan "$option" && as=$name ;; esac
 	case $option in
-	-g?*) ship_given -g "${option#-g}" ;;
-	--guard=*) ship_given --guard= "${option#*=}" ;;
+	-g?*) ship_scan "${option#-g}" && as=-g$name ;;
+	--guard=*) ship_scan "${option#*=}" && as=--guard=$name ;;
 	esac
 	before=$option option=$as
 	quoted="$quoted '$(printf %s "$option" | sed "s/'/'\\\\''/g")'"
@@ -100,15 +96,13 @@ done
 for k in $(seq "$parts"); do
 	cat "fitted.$k"
 done >joined
-# The scans have their own names again: those of options, and those that the path names.
-while read -r name file; do
-	awk -v name="$name" -v file="$(printf %s "$file" | sed 's/\\/&&/g')" '
+# The scans have their own names again.
+while IFS= read -r name && IFS= read -r scan; do
+	awk -v name="$name" -v scan="$(printf %s "$scan" | sed 's/\\/&&/g')" '
 		/^\$\$-> SCAN\// && substr($0, length($0) - length(name)) == "," name {
-			$0 = substr($0, 1, length($0) - length(name)) file
+			$0 = substr($0, 1, length($0) - length(name)) scan
 		}
-		{ print }' joined >named && mv named joined || exit 1
-done <given
-[ $n -eq 0 ] || { awk '/^\$\$-> SCAN\// { if (FNR == NR) name[++n] = $0; else $0 = name[++k] }
-	FNR != NR' path.cl joined >named && mv named joined; } || exit 1
+		{ print }' joined >renamed && mv renamed joined || exit 1
+done <scans
 cd "$here" && mv "$work/joined" "$out" || exit 1
 ! grep -q 3 "$work"/status.* || exit 3

@@ -61,16 +61,22 @@ static double nearest(const struct vec3s *to, struct vec3 p)
     return least;
 }
 
+/* Places are at the height of the ridge, and all along it. */
+static void check_ridge(const struct vec3s *to)
+{
+    for (size_t k = 0; k < to->n; k++)
+        ck_assert_double_eq_tol(to->item[k].z, 10, 1e-6);
+    for (double x = -7; x <= 7; x += 0.1)
+        ck_assert_double_le(nearest(to, vec(x, x / 4, 10)), 0.2);
+}
+
 START_TEST(ridge)
 {
     struct vec3s to = places(edge_trial_roof, _i == 1);
 
-    for (size_t k = 0; k < to.n; k++) {
-        ck_assert_double_eq_tol(to.item[k].z, 10, 1e-6);
+    check_ridge(&to);
+    for (size_t k = 0; k < to.n; k++)
         ck_assert_double_eq_tol(edge_trial_side(to.item[k].x, to.item[k].y), 0, 1e-6);
-    }
-    for (double x = -7; x <= 7; x += 0.1)
-        ck_assert_double_le(nearest(&to, vec(x, x / 4, 10)), 0.2);
     array_free(&to);
 }
 END_TEST
@@ -94,10 +100,7 @@ START_TEST(through_a_gap)
 {
     struct vec3s to = places_about_gap(edge_trial_roof, vec(0, 0, 10));
 
-    for (size_t k = 0; k < to.n; k++)
-        ck_assert_double_eq_tol(to.item[k].z, 10, 1e-6);
-    for (double x = -7; x <= 7; x += 0.1)
-        ck_assert_double_le(nearest(&to, vec(x, x / 4, 10)), 0.2);
+    check_ridge(&to);
     array_free(&to);
 }
 END_TEST
@@ -117,10 +120,7 @@ START_TEST(blunt_ridge)
 {
     struct vec3s to = places(blunt, false);
 
-    for (size_t k = 0; k < to.n; k++)
-        ck_assert_double_eq_tol(to.item[k].z, 10, 1e-6);
-    for (double x = -7; x <= 7; x += 0.1)
-        ck_assert_double_le(nearest(&to, vec(x, x / 4, 10)), 0.2);
+    check_ridge(&to);
     array_free(&to);
 }
 END_TEST

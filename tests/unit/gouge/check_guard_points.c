@@ -428,6 +428,13 @@ START_TEST(blunt_edges_stand_in_noise)
 }
 END_TEST
 
+/* The guard of a scan keeps a ball off that would be `deep` in at p, where this is the normal. */
+static bool is_kept_off(const struct gouge_check *guard, struct vec3 p, struct vec3 normal,
+                        double radius, double deep)
+{
+    return gouge_distance(guard, vec_along(p, radius - deep, vec_unit(normal)), HUGE_VAL) < radius;
+}
+
 /* Of places on the edges of a pyramid with noise those where the guard keeps a ball off that would
  * be `deep` in; *by_scan: where its points alone do. */
 static int kept_off_edges(double sigma, double deep, int places, int *by_scan)
@@ -445,10 +452,9 @@ static int kept_off_edges(double sigma, double deep, int places, int *by_scan)
     struct gouge_check *scan = gouge_from_points(points.item, points.n);
     for (int i = 0; i < places; i++) {
         double x = uniform(0.2, 7.6), u = i % 2 ? 1 : -1, v = i % 4 < 2 ? 1 : -1;
-        struct vec3 out = vec_unit(vec(u, v, 2)); /* between the normals of two sides */
-        struct vec3 ball = vec_along(vec(u * x, v * x, 8 - x), 2.5 - deep, out);
-        kept += gouge_distance(guard, ball, HUGE_VAL) < 2.5;
-        *by_scan += gouge_distance(scan, ball, HUGE_VAL) < 2.5;
+        struct vec3 at = vec(u * x, v * x, 8 - x), out = vec(u, v, 2); /* between two normals */
+        kept += is_kept_off(guard, at, out, 2.5, deep);
+        *by_scan += is_kept_off(scan, at, out, 2.5, deep);
     }
     gouge_free(guard);
     gouge_free(scan);
@@ -473,13 +479,6 @@ START_TEST(sharp_edges_stand_in_noise)
     ck_assert_int_lt(by_scan, SCANS * PLACES * 6 / 10);
 }
 END_TEST
-
-/* The guard of a scan keeps a ball off that would be `deep` in at p, where this is the normal. */
-static bool is_kept_off(const struct gouge_check *guard, struct vec3 p, struct vec3 normal,
-                        double radius, double deep)
-{
-    return gouge_distance(guard, vec_along(p, radius - deep, vec_unit(normal)), HUGE_VAL) < radius;
-}
 
 static double wedge(double x)
 {
