@@ -5,6 +5,7 @@
 #ifndef CLOUDMILL_POLYLINE_H
 #define CLOUDMILL_POLYLINE_H
 
+#include "base/array.h"
 #include "math/vec.h"
 
 struct polyline {
@@ -19,15 +20,44 @@ struct foot {
     double distance;
 };
 
+/* Vertices first to last that are in one place, as where a tool turns its axis. */
+struct stay {
+    size_t first, last;
+};
+
+struct stays {
+    size_t n, cap;
+    struct stay *item;
+};
+
+/* Appends the long ones: what is short is soon walked past. */
+void polyline_find_stays(struct polyline b, struct stays *stays);
+
+/* The last vertex of the one that vertex i is in; i itself: it is in none. */
+size_t polyline_stay_end(const struct stays *stays, size_t i);
+
 /* Distance of q from `b`, of at least 2 vertices, mm: goes downhill from piece *segment to its
- * neighbours while these are nearer. */
-double polyline_descend(struct polyline b, struct vec3 q, size_t *segment);
+ * neighbours while these are nearer, past each of its stays at once. */
+double polyline_descend(struct polyline b, const struct stays *stays, struct vec3 q,
+                        size_t *segment);
+
+/* Foot points on one polyline, looked for one after the other. */
+struct polyline_feet {
+    struct polyline b;
+    size_t walked;                /* pieces so far, but for a few of each */
+    struct polyline_boxes *boxes; /* once these were very many: else NULL */
+};
+
+/* On `b`, which stays where it is until polyline_feet_free. */
+struct polyline_feet polyline_feet_on(struct polyline b);
+void polyline_feet_free(struct polyline_feet *feet);
 
 /*
- * The foot point on `b` of the point q, which is `step` away from a point whose foot is `from`:
- * looked for no further along `b` than it can have moved.
+ * The foot point of the point q, which is `step` away from a point whose foot is `from`: looked for
+ * no further along the polyline than it can have moved.  Where very many pieces are within that,
+ * they are told to be too far away by boxes around many of them.
  */
-struct foot polyline_foot(struct polyline b, struct foot from, double step, struct vec3 q);
+struct foot polyline_foot(struct polyline_feet *feet, struct foot from, double step, struct vec3 q);
 
 /*
  * The largest distance from any point of `a`, between its vertices too, to `b`: an upper bound that

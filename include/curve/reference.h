@@ -12,6 +12,7 @@
 
 #include <stdbool.h>
 
+#include "curve/polyline.h"
 #include "curve/run.h"
 #include "math/vec.h"
 
@@ -23,12 +24,13 @@ struct reference {
     struct vec3 *tangent; /* of the point's path (run_tangents); reference_of alone */
     double *chord;        /* from point k to point k + 1, mm; n - 1 of them */
     double *length;       /* sum of the chords up to point k, mm */
-    double offset;        /* mm: from the tip to the centre the radius, from the centre to the tip
+    struct stays point_stays, other_stays; /* where the points stay; reference_of alone */
+    double offset;    /* mm: from the tip to the centre the radius, from the centre to the tip
                              the negative radius; 0: there is no other point */
-    bool turns;           /* the axis is not the same everywhere */
-    bool flat[3];         /* this component is 0 in every axis, as where a machine turns about X
+    bool turns;       /* the axis is not the same everywhere */
+    bool flat[3];     /* this component is 0 in every axis, as where a machine turns about X
                              alone: it stays so (reference_of, reference_distinct) */
-    bool other_leads;     /* the axis turns, and the other point has the longer path: its places
+    bool other_leads; /* the axis turns, and the other point has the longer path: its places
                              tell better which axes belong together */
 };
 
@@ -56,6 +58,9 @@ struct reference reference_distinct(const struct run *run, bool centre);
 struct reference reference_sample(const struct reference *reference, size_t parts);
 
 void reference_free(struct reference *reference);
+
+/* Fills point_stays and other_stays. */
+void reference_find_stays(struct reference *reference);
 
 /* v with those components that are 0 in every axis taken from `zero`. */
 struct vec3 reference_flat(const struct reference *reference, struct vec3 v, struct vec3 zero);

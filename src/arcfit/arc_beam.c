@@ -13,8 +13,10 @@ static struct vec3 bend_direction(const struct reference *reference, size_t at, 
                                   struct vec3 t, double tolerance)
 {
     struct vec3 across = {0};
-    for (size_t j = at + 1; j < reference->n && vec_length(across) < 2 * tolerance; j++)
+    for (size_t j = at + 1; j < reference->n && vec_length(across) < 2 * tolerance; j++) {
+        j = polyline_stay_end(&reference->point_stays, j);
         across = vec_reject(vec_sub(reference->point[j], p), t);
+    }
     across = vec_unit(across);
     return vec_dot(across, across) > 0.5 ? across : vec_perpendicular(t);
 }
@@ -65,6 +67,8 @@ size_t arc_look_ahead(const struct reference *reference, size_t at, struct vec3 
             w.point = j;
             if (windows)
                 *array_push(windows) = w;
+        } else {
+            j = polyline_stay_end(&reference->point_stays, j);
         }
         last = j;
     }

@@ -5,7 +5,11 @@
 
 #include "curve/biarc.h"
 
-enum { WINDOWS = 7, JOINT_PLACES = 4 }; /* places between two points of the reference */
+enum {
+    WINDOWS = 7,
+    JOINT_PLACES = 4, /* places between two points of the reference */
+    OVER = 128, /* pieces that a way goes over on each side, at most: they may be of no length */
+};
 
 static const double FIRST = 2.6;    /* times the least length: the first way that is tried, ... */
 static const double WIDER = 1.5;    /* ... and how much longer each next one is */
@@ -76,12 +80,14 @@ static struct place_on begin(struct bridge *b, double by)
     if (!b->from)
         return place_on(b, piece, 0);
     double length = arc_length(&(--piece)->arc);
-    for (b->first--; by > length && b->first > 0 && leads_on(b, piece, b->first); b->first--) {
+    for (b->first--;
+         by > length && b->first > 0 && b->at - b->first < OVER && leads_on(b, piece, b->first);
+         b->first--) {
         by -= length;
         length = arc_length(&(--piece)->arc);
     }
     double s = 1 - by / length;
-    if (s * length < SPARE * b->least)
+    if (!(s * length >= SPARE * b->least)) /* or a piece of no length */
         return place_on(b, piece, 0);
     struct place_on at = place_on(b, piece, s);
     struct arc_piece *rest = &b->some[b->n++];
@@ -103,12 +109,14 @@ static struct place_on finish(struct bridge *b, double by, struct arc_piece *res
     if (!b->past)
         return place_on(b, piece, 1);
     double length = arc_length(&(++piece)->arc);
-    for (b->end++; by > length && b->end < b->old->n && leads_on(b, piece, b->end); b->end++) {
+    for (b->end++;
+         by > length && b->end < b->old->n && b->end - b->at < OVER && leads_on(b, piece, b->end);
+         b->end++) {
         by -= length;
         length = arc_length(&(++piece)->arc);
     }
     double s = by / length;
-    if ((1 - s) * length < SPARE * b->least)
+    if (!((1 - s) * length >= SPARE * b->least))
         return place_on(b, piece, 1);
     struct place_on at = place_on(b, piece, s);
     *any = true;
@@ -176,7 +184,7 @@ static bool is_good(const struct bridge *b)
 
     for (size_t i = 0; i < b->n; i++) {
         struct deviation off = arc_piece_decision(b->reference, &b->some[i], 4, b->within);
-        if (ends_apart(&b->some[i]) < b->least || !deviation_within(&off, b->within) ||
+        if (!(ends_apart(&b->some[i]) >= b->least) || !deviation_within(&off, b->within) ||
             (i > 0 && !b->straight && turns(&b->some[i - 1], &b->some[i])))
             return false;
     }

@@ -59,11 +59,12 @@ static struct position position_at(const struct measurement *f, double s)
 static void measure_to_reference(struct measurement *f, const struct position *at)
 {
     const struct reference *t = f->reference;
-    double d = polyline_descend((struct polyline){t->n, t->point}, at->p, &f->point);
+    double d =
+        polyline_descend((struct polyline){t->n, t->point}, &t->point_stays, at->p, &f->point);
     f->found.point = fmax(f->found.point, d);
     if (f->alone)
         return;
-    d = polyline_descend((struct polyline){t->n, t->other}, at->other, &f->other);
+    d = polyline_descend((struct polyline){t->n, t->other}, &t->other_stays, at->other, &f->other);
     f->found.other = fmax(f->found.other, d);
 }
 

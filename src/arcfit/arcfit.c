@@ -42,7 +42,8 @@ static bool reach_by_line(struct greedy *g, size_t to, struct reach *reach)
 {
     const struct reference *t = g->reference;
     struct arc line = arc_line(g->from, t->point[to]);
-    if (vec_angle(line.tangent, g->tangent) > ARCFIT_KINK)
+    bool stays = to <= polyline_stay_end(&t->point_stays, g->at); /* it has no direction then */
+    if (!stays && vec_angle(line.tangent, g->tangent) > ARCFIT_KINK)
         return false;
     struct arc_piece m = start_piece(g, line, (double)to);
     if (!is_within(g, &m))
@@ -239,6 +240,7 @@ struct reference arcfit_reverse_reference(const struct reference *r)
         if (k > 0)
             back.chord[i] = r->chord[k - 1];
     }
+    reference_find_stays(&back);
     return back;
 }
 

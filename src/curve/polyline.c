@@ -10,43 +10,20 @@
 
 #include <stdbool.h>
 
+#include "polyline_boxes.h"
+
+enum {
+    STAY = 8,   /* pieces without length in a row that are worth to be known */
+    SHORT = 16, /* pieces of a walk that nobody counts */
+    OFTEN = 8,  /* times that all pieces are walked, before boxes are made */
+};
+
 struct walk {
-    struct polyline b;
+    struct polyline_feet b;
     double limit, slack;
     double reached; /* largest distance of a point so far: below the truth */
     double bound;   /* above the truth, of what has been looked at so far */
 };
-
-static double segment_length(struct polyline b, size_t j)
-{
-    return vec_distance(b.point[j], b.point[j + 1]);
-}
-
-static struct foot on_segment(struct polyline b, size_t j, struct vec3 q)
-{
-    if (b.n < 2)
-        return (struct foot){0, 0, vec_distance(q, b.point[0])};
-    struct vec3 d = vec_sub(b.point[j + 1], b.point[j]), e = vec_sub(q, b.point[j]);
-    double t = vec_segment_foot(b.point[j], b.point[j + 1], q);
-
-    return (struct foot){j, t, vec_length(vec_along(e, -t, d))};
-}
-
-/* Certainly, told without a root or a quotient: the piece is farther from q than `distance`. */
-static inline bool is_farther(struct polyline b, size_t j, struct vec3 q, double distance)
-{
-    const double surely = 1 + 1e-9;
-    struct vec3 d = vec_sub(b.point[j + 1], b.point[j]), e = vec_sub(q, b.point[j]);
-    double d2 = vec_dot(d, d), e2 = vec_dot(e, e), along = vec_dot(d, e);
-    double most = surely * distance * distance;
-
-    if (along <= 0)
-        return e2 > most;
-    if (along < d2)
-        return (e2 - most) * d2 > surely * along * along;
-    e = vec_sub(e, d);
-    return vec_dot(e, e) > most;
-}
 
 static double distance_squared(struct polyline b, size_t segment, struct vec3 q)
 {
@@ -54,7 +31,49 @@ static double distance_squared(struct polyline b, size_t segment, struct vec3 q)
     return vec_dot(d, d);
 }
 
-double polyline_descend(struct polyline b, struct vec3 q, size_t *segment)
+void polyline_find_stays(struct polyline b, struct stays *stays)
+{
+    for (size_t first = 0, last; first < b.n; first = last + 1) {
+        for (last = first; last + 1 < b.n && polyline_stays(b, last); last++) {
+        }
+        if (last - first >= STAY)
+            *array_push(stays) = (struct stay){first, last};
+    }
+}
+
+/* The stay that piece i is part of; NULL: none. */
+static const struct stay *stay_at(const struct stays *stays, size_t i)
+{
+    size_t lo = 0, hi = stays->n;
+
+    while (lo < hi) {
+        size_t middle = (lo + hi) / 2;
+        if (stays->item[middle].last <= i)
+            lo = middle + 1;
+        else
+            hi = middle;
+    }
+    return lo < stays->n && stays->item[lo].first <= i ? &stays->item[lo] : NULL;
+}
+
+size_t polyline_stay_end(const struct stays *stays, size_t i)
+{
+    const struct stay *stay = stays->n > 0 ? stay_at(stays, i) : NULL;
+
+    return stay ? stay->last : i;
+}
+
+/* Of the pieces of a stay, which are all as far away, the last in a direction in the place of
+ * piece i. */
+static size_t past_stay(const struct stays *stays, size_t i, bool onwards)
+{
+    const struct stay *stay = stay_at(stays, i);
+
+    return !stay ? i : onwards ? stay->last - 1 : stay->first;
+}
+
+double polyline_descend(struct polyline b, const struct stays *stays, struct vec3 q,
+                        size_t *segment)
 {
     double here = distance_squared(b, *segment, q);
     size_t best = *segment;
@@ -63,6 +82,7 @@ double polyline_descend(struct polyline b, struct vec3 q, size_t *segment)
         if (d > here)
             break;
         best = d < here ? i : best;
+        i = d < here ? i : past_stay(stays, i, true);
         here = d;
     }
     for (size_t i = *segment; i-- > 0;) {
@@ -70,43 +90,80 @@ double polyline_descend(struct polyline b, struct vec3 q, size_t *segment)
         if (d > here)
             break;
         best = d < here ? i : best;
+        i = d < here ? i : past_stay(stays, i, false);
         here = d;
     }
     *segment = best;
     return sqrt(here);
 }
 
-struct foot polyline_foot(struct polyline b, struct foot from, double step, struct vec3 q)
-{
-    struct foot best = on_segment(b, from.segment, q);
-    if (b.n < 2)
-        return best;
-    double reach = step + from.distance, length = segment_length(b, from.segment);
+/* ---- foot points */
 
-    double way = (1 - from.t) * length;
-    for (size_t j = from.segment + 1; j + 1 < b.n; j++) {
-        if (way > 1.5 * (reach + best.distance))
-            break;
-        if (!is_farther(b, j, q, best.distance)) {
-            struct foot f = on_segment(b, j, q);
-            if (f.distance <= best.distance)
-                best = f;
-        }
-        way += segment_length(b, j);
+struct polyline_feet polyline_feet_on(struct polyline b)
+{
+    return (struct polyline_feet){.b = b};
+}
+
+void polyline_feet_free(struct polyline_feet *feet)
+{
+    polyline_boxes_free(feet->boxes);
+    *feet = (struct polyline_feet){.b = feet->b};
+}
+
+/* The foot on piece j in the place of the one that is farther, or, looking back, as far. */
+static void take_nearer(struct polyline b, size_t j, struct vec3 q, bool onwards, struct foot *best)
+{
+    if (polyline_is_farther(b, j, q, best->distance))
+        return;
+    struct foot f = polyline_on_piece(b, j, q);
+    if (f.distance < best->distance || (onwards && f.distance <= best->distance))
+        *best = f;
+}
+
+/* Counts the pieces of a walk, if they are many. */
+static void count_walk(struct polyline_feet *feet, size_t pieces)
+{
+    feet->walked += pieces > SHORT ? pieces : 0;
+}
+
+static struct foot walk_to_foot(struct polyline_feet *feet, struct foot from, double reach,
+                                struct vec3 q)
+{
+    struct polyline b = feet->b;
+    struct foot best = polyline_on_piece(b, from.segment, q);
+    double length = polyline_piece_length(b, from.segment), way = (1 - from.t) * length;
+    size_t j;
+
+    for (j = from.segment + 1; j + 1 < b.n && !(way > polyline_farthest(reach, best.distance));
+         j++) {
+        take_nearer(b, j, q, true, &best);
+        way += polyline_piece_length(b, j);
     }
+    count_walk(feet, j - from.segment);
     way = from.t * length;
-    for (size_t j = from.segment; j-- > 0;) {
-        if (way > 1.5 * (reach + best.distance))
-            break;
-        if (!is_farther(b, j, q, best.distance)) {
-            struct foot f = on_segment(b, j, q);
-            if (f.distance < best.distance)
-                best = f;
-        }
-        way += segment_length(b, j);
+    for (j = from.segment; j > 0 && !(way > polyline_farthest(reach, best.distance)); j--) {
+        take_nearer(b, j - 1, q, false, &best);
+        way += polyline_piece_length(b, j - 1);
     }
+    count_walk(feet, from.segment - j);
     return best;
 }
+
+struct foot polyline_foot(struct polyline_feet *feet, struct foot from, double step, struct vec3 q)
+{
+    double reach = step + from.distance;
+
+    if (feet->b.n < 2)
+        return polyline_on_piece(feet->b, 0, q);
+    if (feet->boxes)
+        return polyline_boxes_foot(feet->boxes, from, reach, q);
+    struct foot foot = walk_to_foot(feet, from, reach, q);
+    if (feet->walked / OFTEN > feet->b.n)
+        feet->boxes = polyline_boxes_new(feet->b);
+    return foot;
+}
+
+/* ---- the largest distance */
 
 /* Nothing new: within what is known, and near enough. */
 static bool is_known(const struct walk *w, double bound)
@@ -130,16 +187,16 @@ static void measure_between(struct walk *w, struct vec3 p, struct foot fp, struc
     double bound = (fp.distance + fq.distance + length) / 2;
     if (is_known(w, bound))
         return;
-    bound = fmin(bound, fmax(fp.distance, on_segment(w->b, fp.segment, q).distance));
+    bound = fmin(bound, fmax(fp.distance, polyline_on_piece(w->b.b, fp.segment, q).distance));
     if (is_known(w, bound))
         return;
-    bound = fmin(bound, fmax(fq.distance, on_segment(w->b, fq.segment, p).distance));
+    bound = fmin(bound, fmax(fq.distance, polyline_on_piece(w->b.b, fq.segment, p).distance));
     if (bound <= w->reached + w->slack || length < w->slack) {
         w->bound = fmax(w->bound, bound);
         return;
     }
     struct vec3 middle = vec_mix(p, q, 0.5);
-    struct foot fm = polyline_foot(w->b, fp, length / 2, middle);
+    struct foot fm = polyline_foot(&w->b, fp, length / 2, middle);
     record_distance(w, fm.distance);
     measure_between(w, p, fp, middle, fm);
     measure_between(w, middle, fm, q, fq);
@@ -148,21 +205,22 @@ static void measure_between(struct walk *w, struct vec3 p, struct foot fp, struc
 double polyline_distance(struct polyline a, struct polyline b, double limit, double slack,
                          struct foot *foot)
 {
-    struct walk w = {b, limit, slack, 0, 0};
+    struct walk w = {polyline_feet_on(b), limit, slack, 0, 0};
     struct foot before = {0, 0, vec_distance(a.point[0], b.point[0])};
 
-    before = polyline_foot(b, before, 0, a.point[0]);
+    before = polyline_foot(&w.b, before, 0, a.point[0]);
     record_distance(&w, before.distance);
     if (foot != NULL)
         foot[0] = before;
     for (size_t i = 1; i < a.n && w.reached <= limit; i++) {
         double step = vec_distance(a.point[i - 1], a.point[i]);
-        struct foot here = polyline_foot(b, before, step, a.point[i]);
+        struct foot here = polyline_foot(&w.b, before, step, a.point[i]);
         record_distance(&w, here.distance);
         measure_between(&w, a.point[i - 1], before, a.point[i], here);
         before = here;
         if (foot != NULL)
             foot[i] = here;
     }
+    polyline_feet_free(&w.b);
     return w.bound;
 }

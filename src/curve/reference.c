@@ -31,7 +31,16 @@ void reference_free(struct reference *reference)
     free(reference->tangent);
     free(reference->chord);
     free(reference->length);
+    array_free(&reference->point_stays);
+    array_free(&reference->other_stays);
     *reference = (struct reference){0};
+}
+
+void reference_find_stays(struct reference *r)
+{
+    r->point_stays = r->other_stays = (struct stays){0};
+    polyline_find_stays((struct polyline){r->n, r->point}, &r->point_stays);
+    polyline_find_stays((struct polyline){r->n, r->other}, &r->other_stays);
 }
 
 static void set_point(struct reference *reference, size_t k, const struct run_point *p, bool centre)
@@ -107,6 +116,7 @@ struct reference reference_of(const struct run *run, size_t from, size_t n, bool
     run_tangents(&alone, forward, r.tangent);
     array_free(&alone);
     set_turns(&r);
+    reference_find_stays(&r);
     return r;
 }
 
@@ -248,7 +258,7 @@ double reference_place(const struct reference *r, struct vec3 q, double place)
     double part;
     size_t k = reference_interval(r, place, &part);
     struct polyline line = {r->n, r->point};
-    polyline_descend(line, q, &k);
+    polyline_descend(line, &r->point_stays, q, &k);
     return (double)k + vec_segment_foot(r->point[k], r->point[k + 1], q);
 }
 

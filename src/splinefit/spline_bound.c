@@ -185,22 +185,30 @@ void spline_bound_polyline(const struct bspline *curve, const struct reference *
             compare_at(curve, reference, k, (double)i / PARTS, proof);
 }
 
+/* Point k is farther from the curve than the tolerance at its parameter, and the curve there from
+ * all data beside it. */
+static bool is_off_at(const struct bspline *curve, const struct reference *reference, size_t k,
+                      double u, double tolerance, struct polyline_feet *data)
+{
+    struct vec3 p = bspline_at(curve, curve->pole, u);
+    double step = vec_distance(p, reference->point[k]);
+
+    if (step <= tolerance)
+        return false;
+    size_t segment = k + 1 < reference->n ? k : k - 1;
+    struct foot at = {segment, k + 1 < reference->n ? 0 : 1, 0};
+    return polyline_foot(data, at, step, p).distance > tolerance;
+}
+
 bool spline_bound_hopeless(const struct bspline *curve, const struct reference *reference,
                            const double *u, double tolerance)
 {
-    struct polyline data = {reference->n, reference->point};
+    struct polyline_feet data = polyline_feet_on((struct polyline){reference->n, reference->point});
+    bool off = false;
 
-    for (size_t stride = 61; stride > 0; stride /= 61) {
-        for (size_t k = stride / 2; k < reference->n; k += stride) {
-            struct vec3 p = bspline_at(curve, curve->pole, u[k]);
-            double step = vec_distance(p, reference->point[k]);
-            if (step <= tolerance)
-                continue;
-            size_t segment = k + 1 < reference->n ? k : k - 1;
-            struct foot at = {segment, k + 1 < reference->n ? 0 : 1, 0};
-            if (polyline_foot(data, at, step, p).distance > tolerance)
-                return true;
-        }
-    }
-    return false;
+    for (size_t stride = 61; stride > 0 && !off; stride /= 61)
+        for (size_t k = stride / 2; k < reference->n && !off; k += stride)
+            off = is_off_at(curve, reference, k, u[k], tolerance, &data);
+    polyline_feet_free(&data);
+    return off;
 }

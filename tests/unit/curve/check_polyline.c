@@ -147,6 +147,100 @@ START_TEST(repeated_and_single_points)
 }
 END_TEST
 
+/* A walk in one spot, and the same with each of its points many times. */
+static struct vec3 *in_one_spot(size_t n, size_t times)
+{
+    struct vec3 *point = malloc(n * times * sizeof *point);
+
+    seed = 17;
+    for (size_t i = 0; i < n * times; i++)
+        point[i] = i % times ? point[i - 1] : vec(chance(), chance(), chance());
+    return point;
+}
+
+/* Where all pieces are near boxes are made, and they find what the walk along the pieces does: of
+ * several as near, in the walk's order. */
+START_TEST(boxes_find_what_a_walk_finds)
+{
+    enum { N = 400, TIMES = 3 };
+    const double everywhere = 1e6;
+    struct vec3 *point = in_one_spot(N, TIMES);
+    struct polyline b = {N * TIMES, point};
+    struct polyline_feet feet = polyline_feet_on(b);
+
+    for (int i = 0; i < 200; i++) {
+        struct foot from = {(size_t)(chance() * (double)(b.n - 1)), chance(), 0};
+        struct vec3 q =
+            i % 2 ? vec(chance(), chance(), chance()) : point[(size_t)(chance() * (double)b.n)];
+        struct polyline_feet alone = polyline_feet_on(b);
+        struct foot walked = polyline_foot(&alone, from, everywhere, q);
+        struct foot found = polyline_foot(&feet, from, everywhere, q);
+        ck_assert_double_eq(found.distance, walked.distance);
+        ck_assert_uint_eq(found.segment, walked.segment);
+        ck_assert_double_eq(found.t, walked.t);
+        ck_assert_double_eq_tol(found.distance, nearest(b, q), 1e-12);
+        polyline_feet_free(&alone);
+    }
+    ck_assert_ptr_nonnull(feet.boxes);
+    polyline_feet_free(&feet);
+    free(point);
+}
+END_TEST
+
+/* No further than the foot can have moved, onwards and back. */
+START_TEST(boxes_keep_to_the_reach)
+{
+    enum { N = 4000 };
+    struct vec3 *point = malloc(N * sizeof *point);
+    struct polyline b = {N, point};
+    struct polyline_feet feet = polyline_feet_on(b);
+
+    for (size_t i = 0; i < N; i++) /* there and back, 0.1 mm aside */
+        point[i] = vec((double)(i < N / 2 ? i : N - i) / 1000, i < N / 2 ? 0 : 0.1, 0);
+    for (int i = 0; i < 100; i++) {
+        struct vec3 q = vec(0.6, 0.09, 0);
+        struct foot near = polyline_foot(&feet, (struct foot){590, 0, 0.01}, 0.01, q);
+        struct foot back = polyline_foot(&feet, (struct foot){3390, 0, 0.01}, 0.01, q);
+        struct foot far = polyline_foot(&feet, (struct foot){590, 0, 0.01}, 10, q);
+        ck_assert_double_eq_tol(near.distance, 0.09, 1e-9);
+        ck_assert_double_eq_tol(back.distance, 0.01, 1e-9);
+        ck_assert_double_eq_tol(far.distance, 0.01, 1e-9);
+    }
+    ck_assert_ptr_nonnull(feet.boxes);
+    polyline_feet_free(&feet);
+    free(point);
+}
+END_TEST
+
+/* 300,000 vertices in one place: a walk along them for each of 30,000 points would take minutes. */
+START_TEST(a_stay_is_gone_past_at_once)
+{
+    enum { N = 300000, FIRST = 10 };
+    struct vec3 *point = malloc(N * sizeof *point);
+    struct polyline b = {N, point};
+    struct stays stays = {0};
+
+    for (size_t i = 0; i < N; i++)
+        point[i] = i < FIRST       ? vec((double)i, 0, 0)
+                   : i < N - FIRST ? vec(FIRST, 0, 0)
+                                   : vec(FIRST, -(double)i, 0);
+    polyline_find_stays(b, &stays);
+    ck_assert_uint_eq(stays.n, 1);
+    ck_assert_uint_eq(stays.item[0].first, FIRST);
+    ck_assert_uint_eq(stays.item[0].last, N - FIRST - 1);
+    ck_assert_uint_eq(polyline_stay_end(&stays, FIRST + 5), N - FIRST - 1);
+    ck_assert_uint_eq(polyline_stay_end(&stays, 3), 3);
+    for (size_t i = 0; i < 30000; i++) {
+        size_t segment = FIRST + 5 * i;
+        double off = polyline_descend(b, &stays, vec(FIRST - 2.5, 0.5, 0), &segment);
+        ck_assert_double_eq_tol(off, 0.5, 1e-12);
+        ck_assert_uint_eq(segment, FIRST - 3);
+    }
+    array_free(&stays);
+    free(point);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("polyline");
@@ -157,6 +251,9 @@ int main(void)
     tcase_add_test(tests, stops_at_the_limit);
     tcase_add_test(tests, a_spiral_is_followed);
     tcase_add_test(tests, repeated_and_single_points);
+    tcase_add_test(tests, boxes_find_what_a_walk_finds);
+    tcase_add_test(tests, boxes_keep_to_the_reach);
+    tcase_add_test(tests, a_stay_is_gone_past_at_once);
     suite_add_tcase(suite, tests);
 
     SRunner *runner = srunner_create(suite);

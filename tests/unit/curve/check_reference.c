@@ -30,7 +30,8 @@ START_TEST(distances_go_downhill)
     struct reference t = reference_of(&run, 0, run.n, false, false);
     size_t k = 0;
     struct vec3 beside = vec_add(reference_point(&t, 30.5), vec(0, 0, 0.01));
-    ck_assert_double_lt(polyline_descend((struct polyline){t.n, t.point}, beside, &k), 0.01);
+    ck_assert_double_lt(
+        polyline_descend((struct polyline){t.n, t.point}, &t.point_stays, beside, &k), 0.01);
     ck_assert_uint_eq(k, 30);
     double part;
     ck_assert_uint_eq(reference_interval(&t, 30.5, &part), 30);
