@@ -147,7 +147,7 @@ static void look_into_box(struct search *s, int level, size_t k)
         size_t first = i << (BITS * level), end = (i + 1) << (BITS * level), at = n;
         if (end <= s->from || first >= s->to)
             continue;
-        if (level == 0) {
+        if (level <= 0) {
             look_at_piece(s, s->boxes->piece[i]);
             continue;
         }
@@ -167,13 +167,11 @@ static void look_into_box(struct search *s, int level, size_t k)
 
 static void look_between(struct search *s, size_t from, size_t to, size_t tie)
 {
-    int top = s->boxes->levels - 1;
-
     s->from = from;
     s->to = to;
     s->tie = tie;
-    for (size_t k = 0; from < to && k < boxes_of(s->boxes, top); k++)
-        look_into_box(s, top, k);
+    if (from < to)
+        look_into_box(s, s->boxes->levels - 1, 0);
 }
 
 struct foot polyline_boxes_foot(const struct polyline_boxes *boxes, struct foot from, double reach,
