@@ -1,7 +1,7 @@
 #!/bin/sh
-# all-stays.t - where the tip stays and the tool axis alone turns, point after point: both fitters in
-# a time that is linear in the points, what biarcfit writes within its tolerances by a reader of its
-# own, and no number that is none.
+# all-stays.t - where the tip stays and the tool axis alone turns, point after point: both fitters
+# in a time that is linear in the points, what biarcfit writes within its tolerances by a reader of
+# its own, and no number that is none.
 . "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
 cd "$TMP" || exit 1
 
