@@ -84,7 +84,8 @@ static size_t place_of(const struct polyline_boxes *boxes, size_t number)
     return lo;
 }
 
-/* The first piece looked at, from number `at` on, that is `most` mm and more behind vertex `from`. */
+/* The first piece looked at, from number `at` on, that is `most` mm and more behind vertex
+ * `from`. */
 static size_t place_beyond(const struct polyline_boxes *boxes, size_t at, size_t from, double most)
 {
     size_t lo = at, hi = boxes->n;
