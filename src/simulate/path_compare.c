@@ -245,13 +245,25 @@ static double look_beside(const struct compare *c, bool path, struct nc_motion_p
     return off;
 }
 
+/* Where the axes stand before a piece: an axis straight up leaves one of them where it was. */
+static struct axis_follow follow_before(const struct compare *c, size_t piece)
+{
+    enum { BEFORE = 64, STEPS = 4 };
+    struct axis_follow follow = {c->motion, {0, 0}};
+    size_t from = piece > BEFORE ? piece - BEFORE : 0;
+    for (size_t i = from; i < piece; i++)
+        for (int k = 1; k <= STEPS; k++)
+            axis_limits_place(&follow, i, (double)k / STEPS);
+    return follow;
+}
+
 /* The fastest that the tip can go all along a piece of the program, as no axis is faster than it
  * can be. */
 static double piece_allows(const struct compare *c, size_t piece)
 {
     enum { PIECES = 64 };
     const struct axis_limits *limits = c->options->limits;
-    struct axis_follow follow = {c->motion, {0, 0}};
+    struct axis_follow follow = follow_before(c, piece);
     struct axis_place a = axis_limits_place(&follow, piece, 0);
     double feed = HUGE_VAL;
     for (int i = 1; limits && i <= PIECES; i++) {

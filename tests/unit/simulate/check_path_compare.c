@@ -302,10 +302,35 @@ START_TEST(what_is_left_out_is_told_where_it_was_left)
 }
 END_TEST
 
+/* Upright C stands where the piece before left it, at 90 degrees, and turns away from there with the
+ * first of the next piece: slow as it is there, it is as fast as C allows. */
+START_TEST(an_axis_upright_stands_where_it_was)
+{
+    const struct axis_limits limits = {.rapid = {1e5, 1e5, 1e5, 7200, 7200, 7200}};
+    struct path_compare_options steep = options;
+    const struct vec3 up = {0, 0, 1}, a = {sin(0.2), 0, cos(0.2)}, b = {0, -sin(0.004), cos(0.004)};
+    struct nc_motion path = {.kinematics = verify_kinematics_trunnion('A', 1)}, program = path;
+    steep.limits = &limits;
+    steep.slow = 20;
+    for (int i = 0; i < 2; i++) {
+        struct nc_motion *m = i ? &program : &path;
+        *array_push(&m->piece) =
+            (struct nc_piece){.feed = 800, .p = {{-3, 0, 0}, {0, 0, 0}}, .q = {_i ? b : a, up}};
+        *array_push(&m->piece) =
+            (struct nc_piece){.feed = i ? 30 : 800, .p = {{0, 0, 0}, {0.1, 0, 0}}, .q = {up, b}};
+    }
+    struct path_compare found = path_compare_run(&program, &path, &steep);
+    ck_assert_uint_eq(found.slow.count > 0, _i > 0); /* C was at zero before: it stands */
+    nc_motion_free(&path);
+    nc_motion_free(&program);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("path_compare");
     TCase *tcase = tcase_create("path_compare");
+    tcase_add_loop_test(tcase, an_axis_upright_stands_where_it_was, 0, 2);
     tcase_add_test(tcase, the_same_is_the_same);
     tcase_add_test(tcase, inverse_time_is_as_good_as_digits);
     tcase_add_test(tcase, what_is_left_out_is_told_where_it_was_left);
