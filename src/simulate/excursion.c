@@ -10,6 +10,8 @@
 #define NEAR_END 0.1 /* of a piece, from its end: how it goes there */
 #define MOST 0.5     /* of its height: so far a spike amid a link rises over both its feet */
 
+#define SMOOTH 0.17 /* radians that the course bends where an arc goes on from what is before it */
+
 /* Spans of a curve: no pole or coefficient reaches over more than six; the last pole, which is the
  * curve's end, over the last alone, so that the ball leaves the part there or shortly before. */
 enum { REACH = 8, END_REACH = 2 };
@@ -189,6 +191,23 @@ static double up_the_tool(const struct search *s, size_t from, size_t top, size_
     return up;
 }
 
+/* The ball's course bends so much where a piece begins. */
+static double bend_before(const struct search *s, size_t piece)
+{
+    struct vec3 before = pose_of(s, piece - 1, 1 - NEAR_END / 4).p, at = pose_of(s, piece, 0).p;
+    return vec_angle(vec_sub(at, before), vec_sub(pose_of(s, piece, NEAR_END / 4).p, at));
+}
+
+/* An arc between pieces that go over into it and on from it: one of another centre bends there. */
+static bool is_smooth_arc(const struct search *s, size_t piece)
+{
+    const struct nc_piece *p = &s->motion->piece.item[piece];
+    if (p->shape != SHAPE_ARC || piece == 0 || piece + 1 == s->motion->piece.n || p[-1].rapid ||
+        p[1].rapid)
+        return false;
+    return bend_before(s, piece) < SMOOTH && bend_before(s, piece + 1) < SMOOTH;
+}
+
 /* A stretch of segments off the part, both ends among them. */
 static void look_at_stretch(struct search *s, size_t from, size_t to)
 {
@@ -214,7 +233,7 @@ static void look_at_stretch(struct search *s, size_t from, size_t to)
             look_at_end(s, to);
         return;
     }
-    if (spans >= REACH)
+    if (spans >= REACH || is_smooth_arc(s, segment[from].piece))
         return; /* a link */
     double height = clearance(s, segment[top].b);
     if (most > band && height > band &&

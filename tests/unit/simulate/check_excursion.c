@@ -232,11 +232,59 @@ START_TEST(a_layer_above_the_part_is_none)
 }
 END_TEST
 
+/* An arc in the plane of x and z from one place to another; it turns by so many radians, below zero
+ * over the chord. */
+static void add_arc(struct nc_motion *motion, struct vec3 from, struct vec3 to, double angle)
+{
+    struct vec3 chord = vec_sub(to, from), middle = vec_mix(from, to, 0.5);
+    struct vec3 left = vec_unit(vec(-chord.z, 0, chord.x)); /* of the way, up */
+    double up = vec_length(chord) / 2 / tan(angle / 2);
+    *array_push(&motion->arc) =
+        (struct nc_motion_arc){vec_along(middle, up, left), vec(0, -1, 0), angle};
+    *array_push(&motion->piece) = (struct nc_piece){.shape = SHAPE_ARC,
+                                                    .index = motion->arc.n - 1,
+                                                    .p = {from, to},
+                                                    .q = {{0, 0, 1}, {0, 0, 1}}};
+}
+
+/* A link of arcs that go over into each other, from the part over to it again, and the same with
+ * the centre of the highest moved. */
+START_TEST(a_link_of_smooth_arcs)
+{
+    const double lean = PI / 4, r = 0.9 / (1 - cos(lean)), away = r * sin(lean);
+    struct nc_motion motion = {.kinematics.tool = {0, 0, 1}, .track = NC_MOTION_TIP};
+    struct centre_path path = {0};
+    struct vec3s points = {0};
+    struct deviation_map roll;
+    const struct deviation_map_options setup = {RADIUS, 0.02, 1.25, 1, false, HUGE_VAL};
+    for (double x = -14; x <= 14; x += 0.5)
+        for (double y = -4; y <= 4; y += 0.5)
+            *array_push(&points) = vec(x, y, 0);
+    struct vec3 a = vec(-4 - away, 0, 0), b = vec(-4, 0, 0.9), c = vec(4, 0, 0.9);
+    struct vec3 d = vec(4 + away, 0, 0), z = {0, 0, 1};
+    *array_push(&motion.piece) = (struct nc_piece){.p = {vec(-12, 0, 0), a}, .q = {z, z}};
+    add_arc(&motion, a, b, lean);
+    add_arc(&motion, b, c, -2 * (_i ? 1.6 * lean : lean));
+    add_arc(&motion, c, d, lean);
+    *array_push(&motion.piece) = (struct nc_piece){.p = {d, vec(12, 0, 0)}, .q = {z, z}};
+    centre_path_cut(&motion, RADIUS, 0.001, &path);
+    deviation_map_run(&path, points.item, points.n, &setup, &roll);
+    struct excursion leap = excursion_find(&motion, &path, points.item, points.n,
+                                           &(struct excursion_options){RADIUS, setup.band});
+    ck_assert_uint_eq(leap.count, (size_t)_i);
+    deviation_map_free(&roll);
+    nc_motion_free(&motion);
+    array_free(&path);
+    array_free(&points);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("excursion");
     TCase *tcase = tcase_create("excursion");
     tcase_add_test(tcase, a_curve_that_jumps);
+    tcase_add_loop_test(tcase, a_link_of_smooth_arcs, 0, 2);
     tcase_add_test(tcase, a_curve_that_jumps_last);
     tcase_add_test(tcase, a_long_rise_is_a_link);
     tcase_add_test(tcase, a_curve_that_turns_the_tool_over);
