@@ -81,9 +81,9 @@ static int retract_from(struct nc_move *up, const struct nc_program *whole,
     return post_ik_check_linear(&planner, &target);
 }
 
-/* The part begins with this move, or above it where the path still rises above it. */
-static void begin_above(struct nc_plan *part, const struct nc_program *whole,
-                        const struct nc_move *first)
+/* The part begins, or ends, above this move where the path still rises above it. */
+static void add_above(struct nc_plan *part, const struct nc_program *whole,
+                      const struct nc_move *first)
 {
     struct error unheard;
     struct nc_move over;
@@ -188,15 +188,15 @@ static int make_part(struct nc_plan *part, const struct nc_program *whole, size_
         struct nc_move over = plan->move.item[first];
         over.kind = NC_RAPID;
         over.why = NC_WHY_PART;
-        begin_above(part, whole, &over);
+        add_above(part, whole, &over);
         *array_push(&part->move) = over;
     } else if (before && first < to && plan->move.item[first].kind == NC_RAPID) {
-        begin_above(part, whole, &plan->move.item[first]);
+        add_above(part, whole, &plan->move.item[first]);
     } else if (before && first < to) {
         struct nc_move down = *before, up;
         if (before->kind != NC_RAPID && retract_from(&up, whole, before, false, error) != 0)
             return -1;
-        begin_above(part, whole, before->kind != NC_RAPID ? &up : before);
+        add_above(part, whole, before->kind != NC_RAPID ? &up : before);
         if (before->kind != NC_RAPID)
             *array_push(&part->move) = up;
         down.why = NC_WHY_PART;
@@ -212,6 +212,8 @@ static int make_part(struct nc_plan *part, const struct nc_program *whole, size_
     if (last && last->kind != NC_RAPID && last->kind != NC_HOLE &&
         retract_from(array_push(&part->move), whole, last, false, error) != 0)
         return -1;
+    if (last && last->kind == NC_RAPID && to < plan->move.n)
+        add_above(part, whole, last); /* it is amid an approach */
     for (first = 0; first < part->move.n && !nc_moves(&part->move.item[first]);)
         first++;
     return before && first < part->move.n ? begin_within(part, whole, first, error) : 0;
