@@ -7,6 +7,7 @@
 #include "verify_judge.h"
 
 #define BESIDE 0.2       /* of the ball's radius: no rapid move stays so near to the part ... */
+#define EVEN RADIANS(25) /* that a move at rapid goes on as the cut, at most */
 #define ALONG 0.7        /* ... that leads up or down the tool by less of its length */
 #define WAY 0.1          /* mm that a way is shorter than the head says: it has one decimal there */
 #define LAST_BIT 1.0     /* mm: nearer to the part no rapid move comes back */
@@ -131,6 +132,31 @@ static bool comes_back(const struct verdict *v, size_t last)
     return end >= LAST_BIT && up >= end && down >= end;
 }
 
+/* The way of a piece at its start or end. */
+static struct vec3 course(const struct verdict *v, size_t piece, bool end)
+{
+    const double near = 1.0 / 64;
+    return end ? vec_sub(ball_at(v, piece, 1), ball_at(v, piece, 1 - near))
+               : vec_sub(ball_at(v, piece, near), ball_at(v, piece, 0));
+}
+
+/* A lone rapid move on the course of the cut before and after it, and no farther off the part than
+ * the ball is thick: one block of the cut that has G0. */
+static bool goes_on(const struct verdict *v, const struct kdtree *part, size_t piece)
+{
+    const struct nc_motion *motion = v->program.motion;
+    const struct nc_piece *p = &motion->piece.item[piece];
+    double radius = v->options.radius;
+    if (piece + 1 >= motion->piece.n || p[-1].rapid || p[1].rapid)
+        return false;
+    struct vec3 way = course(v, piece, false), axis = nc_motion_at(motion, p, 0).a;
+    return vec_length(way) > 0 && fabs(vec_dot(way, axis)) < ALONG * vec_length(way) &&
+           vec_angle(course(v, piece - 1, true), way) < EVEN &&
+           vec_angle(course(v, piece, true), course(v, piece + 1, false)) < EVEN &&
+           vec_distance(ball_at(v, piece, 0), ball_at(v, piece, 1)) < 2 * radius &&
+           off_part(v, part, piece, 0) <= radius && off_part(v, part, piece, 1) <= radius;
+}
+
 /* A rapid move that stays beside the part from end to end, across the tool. */
 static bool goes_beside(const struct verdict *v, const struct kdtree *part, size_t piece)
 {
@@ -172,7 +198,7 @@ static void judge_touches(struct verdict *v)
         if (off_part(v, part, i, 1) <= on && !(still && begins) && !comes_back(v, i) &&
             !comes_nearer(v, part, i))
             first = touches++ == 0 ? i : first;
-        else if (i > 0 && goes_beside(v, part, i))
+        else if (i > 0 && (goes_beside(v, part, i) || goes_on(v, part, i)))
             beside = besides++ == 0 ? i : beside;
     }
     if (touches > 0)

@@ -660,6 +660,35 @@ START_TEST(an_end_on_the_part)
 }
 END_TEST
 
+/* A block of a cut that is a millimetre off the part, at rapid: on its course, or not. */
+static const struct {
+    double aside, up, after; /* its end and that of the next block, mm */
+    bool said;
+} alone[] = {{0, 0, 0, true},
+             {0.3, 0, 0.6, true},
+             {1, 0, 1, false},   /* at 45 degrees */
+             {0, 3, 3, false},   /* up */
+             {0, 0, -3, false}}; /* the cut goes on elsewhere */
+
+START_TEST(a_block_at_rapid_on_the_course_of_a_cut)
+{
+    const struct vec3 z = {0, 0, 1};
+    struct trial t;
+    trial_begin(&t);
+    move_to(&t.motion, vec(3, 0, 1), z, false);
+    move_to(&t.motion, vec(4, 0, 1), z, false);
+    move_to(&t.motion, vec(5, alone[_i].aside, 1 + alone[_i].up), z, true);
+    move_to(&t.motion, vec(6, alone[_i].after, 1 + alone[_i].up), z, false);
+    move_to(&t.motion, vec(6, 0, 30), z, true);
+    verify_judge(&t.v);
+    check_said(&t.v,
+               alone[_i].said ? "N60 (line 6): a rapid move goes along beside the part (blocks: 1)"
+                              : NULL,
+               alone[_i].said);
+    trial_free(&t);
+}
+END_TEST
+
 /* The axis leans about Y by `out` degrees over `length` mm, then by `back` over as much. */
 static const struct {
     double out, back, length;
@@ -846,6 +875,8 @@ int main(void)
     tcase_add_loop_test(tests, rapids_at_the_part, 0, COUNT(rapids));
     tcase_add_loop_test(tests, rapids_that_come_back, 0, COUNT(returns));
     tcase_add_test(tests, an_end_on_the_part);
+    tcase_add_loop_test(tests, a_block_at_rapid_on_the_course_of_a_cut, 0,
+                        sizeof alone / sizeof *alone);
     tcase_add_loop_test(tests, turns_of_the_axis, 0, COUNT(turns));
     tcase_add_loop_test(tests, against_the_path, 0, COUNT(paths));
     tcase_add_loop_test(tests, tool_of_the_path, 0, (int)(sizeof tools / sizeof *tools));
