@@ -19,6 +19,7 @@
 #include "stage/tool_options.h"
 #include "machine/machine_options.h"
 #include "ncread/ncread.h"
+#include "ncread/ncread_made.h"
 #include "stage/cloud_options.h"
 #include "stage/path_motion.h"
 #include "verify/verify.h"
@@ -288,14 +289,27 @@ static void say_contradictions(const struct settings *s, const struct ncread_hea
             said->set);
 }
 
-static struct machine read_machine(const struct settings *s)
+/* The machine, with what the head says of its offset and coolant. */
+static struct machine read_machine(const struct settings *s, const struct ncread_head *said)
 {
     struct machine machine;
     struct error error;
     int status = machine_options_read(&s->machine, &machine, &error);
     if (status)
         die_status(status, &error);
+    ncread_made_set(&machine, said, &s->machine.set);
     return machine;
+}
+
+/* Words of the machine's own for coolant. */
+static void add_coolant(const struct machine *machine, struct ncread_options *options)
+{
+    const struct machine_templates *b = &machine->blocks;
+    options->coolant[0] = b->coolant_on;
+    options->coolant[1] = b->coolant_mist;
+    options->coolant[2] = b->coolant_thru;
+    options->coolant[3] = b->coolant_air;
+    options->coolant_off = b->coolant_off;
 }
 
 static struct verify_program read_program(const struct settings *s, const struct machine *machine,
@@ -318,6 +332,7 @@ static struct verify_program read_program(const struct settings *s, const struct
     options.words = machine->text.words;
     options.tool = machine->tool;
     options.tools = machine->tools;
+    add_coolant(machine, &options);
     options.dialect = ncread_of(control);
     options.tcp = *tcp = machine_has_tcp(machine, control);
     ncread_wraps(machine, &options.kinematics, options.wraps);
@@ -341,7 +356,9 @@ static struct verify_program read_program(const struct settings *s, const struct
                                    .made_for = head->machine,
                                    .unmet = s->accept ? 0 : head->unmet,
                                    .unmet_first = head->unmet_first,
+                                   .wet = head->numbered && !head->dry && !s->accept,
                                    .contact_feed = head->contact_feed,
+                                   .of_whole = head->of_whole && !s->left_given && !s->accept,
                                    .post = head->post,
                                    .axis = head->axis,
                                    .rapid = s->accept || head->of_whole ? 0 : head->rapid};
@@ -531,9 +548,13 @@ int main(int argc, char **argv)
     read_options(&s, &cli, argc, argv);
     struct ncread_head said = {.post = -1, .axis = -1};
     adopt_head(&s, cli.file[0], &said);
-    struct machine machine = read_machine(&s);
+    struct machine machine = read_machine(&s, &said);
     say_contradictions(&s, &said);
     struct verify_program program = read_program(&s, &machine, cli.file[0], &motion, &head, &tcp);
+    char work[NCREAD_MADE_TEXT];
+    if (!s.accept && ncread_made_work(&machine, &head, &s.machine.set, work))
+        program.work = work;
+    note("work offset: %s", *motion.work ? motion.work : "none");
     find_tolerance(&s, &head);
     find_ball(&s, &head);
     find_tool(&s, &head);

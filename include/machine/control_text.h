@@ -49,6 +49,9 @@ enum control_section control_section_find(const char *line);
 int control_section_add(struct control_text *text, enum control_section section, const char *line,
                         struct error *error);
 
+/* A field, as `{coolant}`, stands in some section. */
+bool control_text_has(const struct control_text *text, const char *field);
+
 /* The file of a control of control.h, NULL: the name is none of them. */
 const char *control_text_built_in(const char *name);
 

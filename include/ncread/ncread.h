@@ -41,7 +41,9 @@ struct ncread_dialect;
 enum {
     NCREAD_HEAD_TEXT = 1200,
     NCREAD_HEAD_NAME = 120,
+    NCREAD_HEAD_SET = 320,
     NCREAD_SCANS = 500,
+    NCREAD_COOLANTS = 4,
     NCREAD_HEAD_REGION = 40000
 };
 struct ncread_head {
@@ -58,6 +60,7 @@ struct ncread_head {
     bool contact_feed;              /* feeds are those of the contact point */
     bool centre;                    /* places are the ball's centre, not the tip */
     bool numbered;                  /* by ncpost: in even steps */
+    bool dry;                       /* its first cut is made without coolant */
     bool of_whole;                  /* the program is a part, and this of all of it: ... */
     double rapid;                   /* way of rapid moves, mm; 0: not said */
     char machine[NCREAD_HEAD_TEXT]; /* its name, as far as it is there; "": not said */
@@ -69,7 +72,7 @@ struct ncread_head {
     size_t scans;                        /* ... of the first ones */
     struct transform place;              /* from the numbers of its files to mm of the program */
     int place_rows;                      /* bits of its rows that are said; 7: all */
-    char set[NCREAD_HEAD_NAME];          /* keys of --set, as far as they are there */
+    char set[NCREAD_HEAD_SET];           /* keys of --set, as far as they are there */
     size_t unmet;                        /* statements of what could not be kept, ... */
     char unmet_first[NCREAD_HEAD_TEXT];  /* ... and how the first of them begins */
 };
@@ -81,8 +84,10 @@ struct ncread_options {
     bool
         wraps[2]; /* that axis's words are within 0 to 360, and the shortest way is taken to them */
     bool cutcom;  /* radius compensation is wear alone: the path is the tool's centre */
-    const char *words;               /* what the control's file says of words, "": nothing */
-    const struct machine_tool *tool; /* the machine's, with their lengths */
+    const char *words;                    /* what the control's file says of words, "": nothing */
+    const char *coolant[NCREAD_COOLANTS]; /* blocks of the machine's own that switch it on, */
+    const char *coolant_off;              /* and off; NULL, "": M7, M8, M9 alone */
+    const struct machine_tool *tool;      /* the machine's, with their lengths */
     size_t tools;
     struct ncread_head *head; /* is filled; NULL: not wanted */
 };

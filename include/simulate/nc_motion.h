@@ -108,6 +108,7 @@ struct nc_motion {
     } remark;
     double unit;                       /* of the lengths in the program, mm; 0: 1 */
     bool coolant;                      /* is on at the first cut */
+    char work[60];                     /* the work offset there, as its words say it; "": none */
     int turns;                         /* the spindle there: 1 clockwise, -1, 0: not known */
     double speed;                      /* rev/min, 0: none is said */
     int tool, offset;                  /* number, -1: a name, and that of its length; 0: none */

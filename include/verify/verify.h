@@ -81,10 +81,13 @@ struct verify_program {
     const struct nc_motion *path;         /* that it was made from; NULL: not known */
     /* by what its head says: */
     bool contact_feed;    /* feeds are those of the contact point */
+    bool of_whole;        /* it is a part of a program: what is left is no fault of it */
     bool guarded;         /* by this scan: it ends above all of it */
     double post, axis;    /* off the path by, mm and degrees; below zero: not said */
     double rapid;         /* way of its rapid moves, mm; 0: not said */
     const char *made_for; /* the machine; "": not said */
+    bool wet;             /* its first cut has coolant, unless the path says otherwise */
+    const char *work;     /* its work offset, "": the active preset; NULL: not known */
     size_t unmet;         /* what its makers could not keep, and the first of it */
     const char *unmet_first;
 };

@@ -40,6 +40,14 @@ int control_section_add(struct control_text *text, enum control_section section,
     return 0;
 }
 
+bool control_text_has(const struct control_text *text, const char *field)
+{
+    for (int i = 0; i < CONTROL_SECTIONS; i++)
+        if (strstr(text->section[i], field))
+            return true;
+    return false;
+}
+
 #define ROW(name, title, tcp_of_machine, dc) extern const char control_text_##name[];
 CONTROL_TABLE(ROW)
 #undef ROW

@@ -99,6 +99,16 @@ static void read_name(char *to, size_t size, const char *s)
     to[n] = '\0';
 }
 
+/* The same after what is there, which ended before a blank. */
+static void add_name(char *to, size_t size, const char *s)
+{
+    size_t n = strlen(to);
+    if (n == 0 || n + 2 > size)
+        return;
+    to[n] = ' ';
+    read_name(to + n + 1, size - n - 1, s);
+}
+
 /* A row of the placing: four numbers. */
 static void read_place(struct ncread_head *head, int row, const char *s)
 {
@@ -219,6 +229,10 @@ void ncread_head_line(struct ncread_head *head, const char *line)
         read_place(head, 2, s);
     } else if (has_key(&s, "SET: ")) {
         read_name(head->set, sizeof head->set, s);
+    } else if (has_key(&s, "SET+: ")) {
+        add_name(head->set, sizeof head->set, s);
+    } else if (has_key(&s, "COOLANT: NONE")) {
+        head->dry = true;
     } else if (has_key(&s, "FEED: CONTACT")) {
         head->contact_feed = true;
     } else if (has_key(&s, "*** ATTENTION: X Y Z ARE THE CENTRE OF THE BALL")) {
@@ -227,11 +241,8 @@ void ncread_head_line(struct ncread_head *head, const char *line)
         if (head->unmet++ == 0)
             read_name(head->unmet_first, sizeof head->unmet_first, s);
     } else if (has_word(&s, "UNMET+:")) {
-        size_t n = strlen(head->unmet_first), room = sizeof head->unmet_first - n;
-        if (head->unmet == 1 && n > 0 && room > 1) {
-            head->unmet_first[n] = ' ';
-            read_name(head->unmet_first + n + 1, room - 1, s);
-        }
+        if (head->unmet == 1)
+            add_name(head->unmet_first, sizeof head->unmet_first, s);
     } else if (has_word(&s, "cloudmill ncpost")) {
         head->numbered = true;
         s += strcspn(s, ",");

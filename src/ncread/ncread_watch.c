@@ -1,4 +1,5 @@
 /* ncread_watch - see ncread_watch.h. */
+#include <ctype.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -22,6 +23,24 @@ static void set_value(struct ncread *c, enum watched what, double value)
     w->block[what] = c->block;
 }
 
+/* The work offset, as words say it: those before the first cut are remembered. */
+static void set_offset(struct ncread *c, double value, const char *words)
+{
+    if (!c->watch.cuts)
+        snprintf(c->watch.work, sizeof c->watch.work, "%s", words);
+    set_value(c, WORK_OFFSET, value);
+}
+
+/* The text of a block from its first word on, as far as it goes. */
+static void set_offset_text(struct ncread *c)
+{
+    char words[sizeof c->watch.work];
+    const char *s = c->text + strspn(c->text, " 0123456789");
+    size_t n = strcspn(s, ";\r\n");
+    snprintf(words, sizeof words, "%.*s", (int)(n < sizeof words ? n : sizeof words - 1), s);
+    set_offset(c, (double)c->line, words);
+}
+
 /* The first name in quotes as a number below zero, others as others (FNV-1a). */
 static double named(const char *text)
 {
@@ -35,17 +54,23 @@ static double named(const char *text)
 static void watch_g(struct ncread *c, const struct ncread_word *g)
 {
     double code = g->value[0], offset = code;
+    char text[60];
     const struct ncread_word *p = ncread_word_find(&c->words, "P");
     const struct ncread_word *h = ncread_word_find(&c->words, "H");
     enum ncread_meaning meaning = ncread_meaning_of_word(c, g);
-    if (meaning == MEANS_OFFSET)
-        set_value(c, WORK_OFFSET, 1000 * code + (h ? h->value[0] : 0));
+    if (meaning == MEANS_OFFSET) {
+        snprintf(text, sizeof text, "G%.6g H%.6g", code, h ? h->value[0] : 0);
+        set_offset(c, 1000 * code + (h ? h->value[0] : 0), text);
+    }
     if (meaning != MEANS_NOTHING_KNOWN)
         return;
-    if (fabs(code - 54.1) < 1e-6 && p)
+    snprintf(text, sizeof text, "G%.6g", code);
+    if (fabs(code - 54.1) < 1e-6 && p) {
         offset += p->value[0];
+        snprintf(text, sizeof text, "G54.1 P%.6g", p->value[0]);
+    }
     if ((code >= 54 && code < 59.95) || (code >= 500 && code <= 599))
-        set_value(c, WORK_OFFSET, offset);
+        set_offset(c, offset, text);
 }
 
 static void watch_m(struct ncread *c, double code)
@@ -57,6 +82,31 @@ static void watch_m(struct ncread *c, double code)
     if (code == 7 || code == 8 || code == 13 || code == 14)
         set_value(c, COOLANT, 1);
     else if (code == 9)
+        set_value(c, COOLANT, 0);
+}
+
+/* The block has that block of the machine file in it, and not in a comment. */
+static bool has_block(const char *text, const char *block)
+{
+    char own[60];
+    if (!block || !*block || strcmp(block, "none") == 0)
+        return false;
+    snprintf(own, sizeof own, "%.*s", (int)strcspn(block, "|"), block);
+    for (size_t n = strlen(own); n && own[n - 1] == ' '; n--)
+        own[n - 1] = '\0';
+    const char *at = *own ? strstr(text, own) : NULL;
+    size_t n = strlen(own);
+    return at && (at == text || at[-1] == ' ') && !isdigit((unsigned char)at[n]) && at[n] != '.' &&
+           strcspn(text, "(;") >= (size_t)(at - text);
+}
+
+/* Coolant by words of the machine's own. */
+static void watch_own_coolant(struct ncread *c)
+{
+    for (int i = 0; i < NCREAD_COOLANTS; i++)
+        if (has_block(c->text, c->options->coolant[i]))
+            set_value(c, COOLANT, 1);
+    if (has_block(c->text, c->options->coolant_off))
         set_value(c, COOLANT, 0);
 }
 
@@ -103,6 +153,7 @@ void ncread_watch_words(struct ncread *c)
             break;
         }
     }
+    watch_own_coolant(c);
 }
 
 void ncread_watch_text(struct ncread *c, int n, const char *const word[])
@@ -111,9 +162,10 @@ void ncread_watch_text(struct ncread *c, int n, const char *const word[])
         set_value(c, TOOL, *word[2] == '"' ? named(c->text) : strtod(word[2], NULL));
     if (n > 2 && strcmp(word[0], "CYCL") == 0 &&
         (strncmp(word[2], "7.", 2) == 0 || strcmp(word[2], "247") == 0))
-        set_value(c, WORK_OFFSET, (double)c->line);
+        set_offset_text(c);
     if (n > 0 && strcmp(word[0], "TRANS") == 0)
-        set_value(c, WORK_OFFSET, (double)c->line);
+        set_offset_text(c);
+    watch_own_coolant(c);
     for (int i = 0; i < n; i++)
         if (word[i][0] == 'M')
             watch_m(c, strtod(word[i] + 1, NULL));
@@ -161,6 +213,7 @@ static void tell_first(const struct ncread *c)
 {
     const struct ncread_watch *w = &c->watch;
     c->motion->coolant = w->known[COOLANT] && w->value[COOLANT] != 0;
+    snprintf(c->motion->work, sizeof c->motion->work, "%s", w->work);
     c->motion->turns = w->turns;
     c->motion->speed = c->speed;
     c->motion->tool = number_of(w, TOOL);

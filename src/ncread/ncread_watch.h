@@ -15,6 +15,7 @@ enum { NCREAD_WATCHED = 5 };
 struct ncread_watch {
     bool cuts;                    /* a cut was seen */
     int turns;                    /* the spindle, as in nc_motion */
+    char work[60];                /* the work offset before it, as its words say it */
     bool known[NCREAD_WATCHED];   /* a word stood before it, */
     double value[NCREAD_WATCHED]; /* this */
     bool changed[NCREAD_WATCHED]; /* another one since, not told yet, in ... */

@@ -7,6 +7,7 @@
 
 #include "math/elementary.h"
 #include "base/num.h"
+#include "post_statement.h"
 
 enum { PLANES_SHOWN = 12 };
 
@@ -170,6 +171,8 @@ static void head_tool(struct nc_program *p)
         nc_comment(&p->w, "X Y Z are the tool tip");
     }
     tool_key(p);
+    if (nc_cuts_dry(p))
+        key_line(p, "COOLANT", "NONE");
 }
 
 /* To four decimals, never too small. */

@@ -263,6 +263,17 @@ void nc_coolant(struct nc_program *p)
         start_coolant(p, p->tooling.coolant);
 }
 
+bool nc_cuts_dry(const struct nc_program *p)
+{
+    struct nc_tooling now = p->tooling;
+    const struct nc_move *move = p->plan->move.item, *end = move + p->plan->move.n;
+    for (; move < end && (!nc_moves(move) || move->kind == NC_RAPID); move++)
+        if (move->kind == NC_TEXT)
+            says_tooling(p->path->text.item[move->index], &now);
+    return move < end &&
+           (now.coolant <= COOLANT_OFF || !control_text_has(&p->machine->text, "{coolant}"));
+}
+
 /* ---- what is missing */
 
 void nc_warn_standing(struct nc_program *p, const struct nc_move *move)

@@ -56,6 +56,10 @@ void nc_stop_optional(struct nc_program *p);
 void nc_warn_standing(struct nc_program *p, const struct nc_move *move);
 void nc_warn_no_tool(struct nc_program *p);
 
+/* Its first cut is made without coolant: the path asks for none there, or the control's file has no
+ * place for it. */
+bool nc_cuts_dry(const struct nc_program *p);
+
 /* What the whole plan lacks and was not said to be left out. */
 struct nc_missing {
     bool spindle, tool, coolant;

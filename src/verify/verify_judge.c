@@ -10,6 +10,7 @@
 #include "base/array.h"
 #include "ncread/ncread.h"
 #include "verify_finding.h"
+#include "verify_made.h"
 #include "verify_rapid.h"
 
 /* Steps of a piece, for its tool axis; parts of a curve that count as blocks. */
@@ -95,7 +96,8 @@ static size_t left_in_region(const struct verdict *v)
 }
 
 /* What is left beyond the limit, where the tool could have cut: a fault where it is a share of the
- * points that are judged, or at the border of a region far more than that. */
+ * points that are judged, or at the border of a region far more than that; never of a part of a
+ * program, for the others cut beside it. */
 static void judge_left(struct verdict *v)
 {
     const struct deviation_map *r = &v->map;
@@ -115,10 +117,11 @@ static void judge_left(struct verdict *v)
     bool far = !whole && r->over > border;
     double limit = whole ? v->limit : far && n <= most ? border : v->options.left;
     struct more_than text = more_than(whole ? left->worst : r->over, limit);
-    finding_add(v, far || n > most, piece_at(v, at),
+    finding_add(v, (far || n > most) && !v->program.of_whole, piece_at(v, at),
                 "%s mm of material is left at %.3f %.3f %.3f, at most %s (%zu points%s; %zu points "
-                "may be)",
-                text.more, p.x, p.y, p.z, text.limit, n, what, most);
+                "may be%s)",
+                text.more, p.x, p.y, p.z, text.limit, n, what, most,
+                v->program.of_whole ? "; another part may cut it" : "");
 }
 
 static void judge_surface(struct verdict *v)
@@ -374,41 +377,6 @@ static void judge_remarks(struct verdict *v)
     }
 }
 
-static size_t first_cut(const struct nc_motion *motion)
-{
-    size_t i = 0;
-    while (i + 1 < motion->piece.n && motion->piece.item[i].rapid)
-        i++;
-    return i;
-}
-
-/* What the first cut of a program is made with, against its path. */
-static void judge_tool(struct verdict *v, size_t cut)
-{
-    const struct nc_motion *path = v->program.path, *motion = v->program.motion;
-    const double even = 0.01;
-    bool known = path->speed > 0 && motion->turns != 0;
-    if (path->coolant && !motion->coolant)
-        finding_add(v, true, cut, "the path has coolant on, the program cuts without");
-    if (known && path->turns != motion->turns)
-        finding_add(v, true, cut, "the path turns the spindle %s, the program the other way",
-                    path->turns > 0 ? "clockwise" : "anticlockwise");
-    if (known && motion->speed == 0)
-        finding_add(v, true, cut, "the path's spindle turns at %g, the program says no speed",
-                    path->speed);
-    else if (known && fabs(motion->speed - path->speed) > fmax(1, even * path->speed))
-        finding_add(v, true, cut, "the path's spindle turns at %g, the program's at %g",
-                    path->speed, motion->speed);
-    if (path->tool > 0 && motion->tool == 0)
-        finding_add(v, false, cut, "the path is for tool %d, the program calls none", path->tool);
-    if (path->tool > 0 && motion->tool > 0 && path->tool != motion->tool)
-        finding_add(v, true, cut, "the path is for tool %d, the program takes tool %d", path->tool,
-                    motion->tool);
-    if (path->offset > 0 && motion->offset > 0 && path->offset != motion->offset)
-        finding_add(v, true, cut, "the path is for the length H%d, the program switches on H%d",
-                    path->offset, motion->offset);
-}
-
 /* A program against its path. */
 static void judge_path(struct verdict *v)
 {
@@ -439,7 +407,6 @@ static void judge_path(struct verdict *v)
     if (found.slow.count > 0)
         finding_add(v, true, found.slow.piece, "the feed is 1/%.4g of the path's",
                     found.slow.value);
-    judge_tool(v, first_cut(v->program.motion));
 }
 
 /* What its makers knew of and this judge may not: as where a scan has no point on an edge. */
@@ -457,6 +424,7 @@ void verify_judge(struct verdict *v)
     judge_remarks(v);
     if (v->program.path)
         judge_path(v);
+    verify_made(v);
     verify_rapid(v);
     if (v->map.points > 0)
         judge_surface(v);
