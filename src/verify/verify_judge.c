@@ -12,6 +12,7 @@
 #include "verify_finding.h"
 #include "verify_made.h"
 #include "verify_rapid.h"
+#include "verify_swerve.h"
 
 /* Steps of a piece, for its tool axis; parts of a curve that count as blocks. */
 enum { TURN_STEPS = 4, CURVE_PARTS = 4 };
@@ -438,6 +439,7 @@ void verify_judge(struct verdict *v)
     judge_axes(v);
     judge_jumps(v);
     judge_excursions(v);
+    verify_swerve(v);
     if (v->cut.n == 0 && v->program.motion->piece.n > 0)
         finding_add(v, v->options.left < HUGE_VAL, 0,
                     "nothing is cut, all moves are rapid"); /* a part of many */
