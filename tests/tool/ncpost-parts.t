@@ -213,7 +213,8 @@ for control in fanuc siemens heidenhain linuxcnc; do
 		status 0 "$control: $part is accepted" ncverify -g hills.xyz "$part"
 		has "$control: what it leaves is told" 'notice: .* left at .*; another part may cut it' err
 	done
-	status 3 "$control: nothing less may be left where it is said" ncverify -q -g hills.xyz --left 0.3 hill-1.nc
+	status 3 "$control: nothing less may be left where it is said" \
+		ncverify -q -g hills.xyz --left 0.3 hill-1.nc
 	for k in 1 2 3; do # before the K-th cut from a rapid move
 		awk -v k=$k -v h="$([ $control = heidenhain ] && echo 1)" '
 			{ line[NR] = $0; rapid = / G0 |FMAX/ ? 1 : / G[123] | F[0-9]/ ? 0 : rapid }

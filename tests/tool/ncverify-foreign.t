@@ -31,7 +31,8 @@ done
 # ---- words of a machine file: clamps, smoothing, offsets, a user's own M
 
 reads() { # DESC CONTROL "SED": the program of that control, changed, is still accepted
-	ncpost -q -c "$2" -m table-ac five.cl | sed 's/CLOUDMILL NCPOST/ANOTHER SYSTEM/; s/cloudmill ncpost/another system/' >good.nc
+	ncpost -q -c "$2" -m table-ac five.cl |
+		sed 's/CLOUDMILL NCPOST/ANOTHER SYSTEM/; s/cloudmill ncpost/another system/' >good.nc
 	sed "$3" good.nc >changed.nc
 	if cmp -s good.nc changed.nc; then result 1 "$1 (nothing is changed)"; return; fi
 	status 0 "$1" ncverify -c "$2" -m table-ac -g dome.xyz -r 6 -e 0.1 changed.nc

@@ -18,7 +18,8 @@ judge() { # STATUS DESC PROGRAM [OPTION ...]
 
 # again SED: blocks of good.nc changed, those without words dropped, and all numbered anew
 again() {
-	sed -E "$1" good.nc | awk -v control=$control 'control == "heidenhain" { if ($2 == "") next; $1 = k++ }
+	sed -E "$1" good.nc |
+		awk -v control=$control 'control == "heidenhain" { if ($2 == "") next; $1 = k++ }
 		/^N[0-9]+ *$/ { next }
 		/^N/ { n += 10; sub(/^N[0-9]+/, "N" n) }
 		{ print }' >bad.nc
@@ -37,7 +38,8 @@ for control in fanuc siemens heidenhain linuxcnc okuma; do
 	judge 0 "a program with coolant" good.nc
 	again 's/^(N?[0-9]+) M8$/\1/'
 	judge 3 "coolant that is never on" bad.nc
-	has "$control: is named by its first cut" '^fault +N[0-9]+ \(line [0-9]+\): .* without coolant' report
+	has "$control: is named by its first cut" \
+		'^fault +N[0-9]+ \(line [0-9]+\): .* without coolant' report
 	judge 3 "with its path, too" bad.nc -p wet.cl
 	judge 0 "judged alone" bad.nc --accept
 	post dry.cl
@@ -67,7 +69,8 @@ for control in fanuc siemens heidenhain linuxcnc okuma; do
 	judge 0 "an offset that the head says" good.nc -p wet.cl
 	judge 0 "or an option" good.nc --set "offset=$is"
 	judge 3 "not another one" good.nc --set "offset=$other"
-	has "$control: both are told" "work offset is $(echo "$is" | sed 's/+/./'), .* made for $(echo "$other" | sed 's/+/./')" report
+	told="work offset is $(echo "$is" | sed 's/+/./'), .* made for $(echo "$other" | sed 's/+/./')"
+	has "$control: both are told" "$told" report
 	again "/SET: /!s/$(echo "$is" | sed 's/+/[+]/')/$other/"
 	judge 3 "another one all along" bad.nc
 	has "$control: is named" '^fault +N[0-9]+ \(line [0-9]+\): the work offset is' report

@@ -478,7 +478,8 @@ has "ncverify asks for them" 'made with --set x.max=900' err
 ncverify -g dome.xyz --set x.max=900 set.mpf >out 2>err
 hasnt "unless it has them" 'made with --set' err
 
-awk 'NR == 2 { print; print "(TOOL: BALL R6 FLUTE 24)"; print "(cloudmill ncpost for Fanuc, Fork head C/A)"; print "(COOLANT: NONE)"; next } { print }' \
+awk 'NR == 2 { print; print "(TOOL: BALL R6 FLUTE 24)"
+	print "(cloudmill ncpost for Fanuc, Fork head C/A)"; print "(COOLANT: NONE)"; next } { print }' \
 	dome.fanuc >said.nc
 ncverify -g dome.xyz -r 6 -c fanuc dome.fanuc >given
 status 0 "the radius is the head's" ncverify -v -g dome.xyz -c fanuc said.nc

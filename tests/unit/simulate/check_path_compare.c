@@ -302,8 +302,8 @@ START_TEST(what_is_left_out_is_told_where_it_was_left)
 }
 END_TEST
 
-/* Upright C stands where the piece before left it, at 90 degrees, and turns away from there with the
- * first of the next piece: slow as it is there, it is as fast as C allows. */
+/* Upright C stands where the piece before left it, at 90 degrees, and turns away from there with
+ * the first of the next piece: slow as it is there, it is as fast as C allows. */
 START_TEST(an_axis_upright_stands_where_it_was)
 {
     const struct axis_limits limits = {.rapid = {1e5, 1e5, 1e5, 7200, 7200, 7200}};
