@@ -229,18 +229,24 @@ static void keep_feet(const struct edge_work *work, bool certain, struct cliff *
     }
 }
 
-/* The wall may be beyond the place: this is on the way to a point below it, before all others of
- * these or, as at a corner, far beside them, and no other point of the flank is nearer. */
-static bool is_before_wall(const struct cliff *cliff, double u, double v)
+/* No other point of the flank is nearer to the place. */
+static bool is_own(const struct cliff *cliff, double u, double v)
 {
-    const double beside = 0.7, past = 0.3; /* cosine of 45 degrees; of its way from the point */
-    bool before = false;
-
     for (size_t k = 0; k < cliff->on.n; k++) {
         double x = cliff->on.item[k].x - cliff->from.x, y = cliff->on.item[k].y - cliff->from.y;
         if (2 * (u * x + v * y) > x * x + y * y)
             return false;
     }
+    return true;
+}
+
+/* The wall may be beyond the place: this is on the way to a point below it, before all others of
+ * these or, as at a corner, far beside them. */
+static bool is_before_feet(const struct cliff *cliff, double u, double v)
+{
+    const double beside = 0.7, past = 0.3; /* cosine of 45 degrees; of its way from the point */
+    bool before = false;
+
     for (size_t k = 0; k < cliff->below.n; k++) {
         double x = cliff->below.item[k].x - cliff->from.x;
         double y = cliff->below.item[k].y - cliff->from.y, ahead = u * x + v * y;
@@ -251,6 +257,11 @@ static bool is_before_wall(const struct cliff *cliff, double u, double v)
             before || (k < cliff->feet && ahead > beside * sqrt((u * u + v * v) * (x * x + y * y)));
     }
     return before;
+}
+
+static bool is_before_wall(const struct cliff *cliff, double u, double v)
+{
+    return is_own(cliff, u, v) && is_before_feet(cliff, u, v);
 }
 
 /* A point under the flank is on the way to the place, seen from above: no wall stands up to
@@ -369,6 +380,20 @@ static struct vec3 nearest_below(const struct cliff *cliff, struct vec3 at)
     return foot;
 }
 
+/* A place beside it is not before the wall: from here it may go down. */
+static bool is_last(const struct cliff *cliff, double pitch, int j, int k)
+{
+    static const int beside[6][2] = {{0, 1}, {0, -1}, {1, 0}, {-1, 0}, {1, -1}, {-1, 1}};
+
+    for (int b = 0; b < 6; b++) {
+        double u, v;
+        triangles_at(pitch, k + beside[b][1], j + beside[b][0], &u, &v);
+        if (!is_before_feet(cliff, u, v))
+            return true;
+    }
+    return false;
+}
+
 /* The flank of point i goes on up to the points below: where the wall between is nobody knows. */
 static void fill_cliff(const struct edge_work *work, const struct cliff *cliff, struct vec3s *to)
 {
@@ -383,8 +408,11 @@ static void fill_cliff(const struct edge_work *work, const struct cliff *cliff, 
             if (hypot_compare(u, v, cliff->reach) > 0 || !is_before_wall(cliff, u, v))
                 continue;
             struct vec3 at = place_above(cliff, cliff->from.x + u, cliff->from.y + v);
-            if (is_before_edges(work, cliff, at, false))
-                *array_push(to) = at;
+            if (!is_before_edges(work, cliff, at, false))
+                continue;
+            *array_push(to) = at;
+            if (is_last(cliff, pitch, j, k))
+                edge_wall_add(work, at, nearest_below(cliff, at), to);
         }
 }
 

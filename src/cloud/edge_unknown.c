@@ -119,32 +119,44 @@ static double goes_on(const struct edge_hood *near, const struct sharp_edge *edg
     return fmin(fmax(steepest[0] * widest[1], steepest[1] * widest[0]), reach);
 }
 
-/* The scan ends beside the point: seen from above three of eight sectors beside each other have no
- * neighbour. */
+/* Turns seen from above, of how many nothing is, beside each other. */
+enum { TURNS = 24 };
+
+static unsigned turn_of(struct vec3 to)
+{
+    return 1u << (unsigned)((atan2(to.y, to.x) + PI) / (2 * PI) * TURNS) % TURNS;
+}
+
+static int widest_open(unsigned has)
+{
+    int widest = 0, run = 0;
+
+    for (int k = 0; k < 2 * TURNS; k++) {
+        run = has & 1u << k % TURNS ? 0 : run + 1;
+        widest = run > widest ? run : widest;
+    }
+    return widest < TURNS ? widest : TURNS;
+}
+
+/* The scan ends beside the point: seen from above it has no neighbour over three eighths of the
+ * turn. */
 static bool is_at_border(const struct edge_hood *near)
 {
-    enum { SECTORS = 8, EMPTY = 3 };
+    enum { OPEN = 9 };
     unsigned has = 0;
 
-    for (size_t k = 1; k < near->n; k++) {
-        double x = near->point[k].x - near->point[0].x, y = near->point[k].y - near->point[0].y;
-        has |= 1u << (unsigned)((atan2(y, x) + PI) / (2 * PI) * SECTORS) % SECTORS;
-    }
-    for (unsigned k = 0; k < SECTORS; k++) {
-        unsigned twice = has | has << SECTORS;
-        if ((twice >> k & ((1u << EMPTY) - 1)) == 0)
-            return true;
-    }
-    return false;
+    for (size_t k = 1; k < near->n; k++)
+        has |= turn_of(vec_sub(near->point[k], near->point[0]));
+    return widest_open(has) >= OPEN;
 }
 
 bool edge_unknown_spur(const struct edge_work *work, size_t i)
 {
-    enum { SECTORS = 24, OPEN = 18 };
+    enum { OPEN = 18 };
     const struct point_grid *grid = work->options->point_grid;
     struct sizes about = {0};
     struct edge_hood near;
-    unsigned has = 0, widest = 0, run = 0;
+    unsigned has = 0;
 
     if (!(work->gap[i] > 0))
         return false;
@@ -154,14 +166,10 @@ bool edge_unknown_spur(const struct edge_work *work, size_t i)
         struct vec3 to = vec_sub(grid->point[about.item[k]], near.point[0]);
         double far = hypot(to.x, to.y);
         if (far > 0 && -to.z < fmin(far, EDGE_REACH * near.spacing))
-            has |= 1u << (unsigned)((atan2(to.y, to.x) + PI) / (2 * PI) * SECTORS) % SECTORS;
-    }
-    for (unsigned k = 0; k < 2 * SECTORS; k++) {
-        run = has & 1u << k % SECTORS ? 0 : run + 1;
-        widest = run > widest ? run : widest;
+            has |= turn_of(to);
     }
     array_free(&about);
-    return widest >= OPEN;
+    return widest_open(has) >= OPEN;
 }
 
 bool edge_on_known(const struct edge_work *work, size_t i)

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "edge_trial.h"
+#include "noisy.h"
 
 static const double HIGH = 3;
 
@@ -93,6 +94,58 @@ static struct vec3s scan_of_gap(double turn)
         }
     return scan;
 }
+
+/* The upper side of a nut, its points anywhere. */
+static double hexagon(double x, double y)
+{
+    double far = 0;
+
+    for (int k = 0; k < 3; k++)
+        far = fmax(far, fabs(x * cos(PI / 3 * k) + y * sin(PI / 3 * k)));
+    return far < 6.5 ? HIGH : 0;
+}
+
+/* How far from the middle, that way, places are that are no lower and no higher. */
+static double farthest(const struct vec3s *to, double turn, double low, double high)
+{
+    const double beside = 0.08;
+    double far = 0;
+
+    for (size_t k = 0; k < to->n; k++) {
+        struct vec3 p = to->item[k];
+        if (p.z > low && p.z < high && fabs(p.x * sin(turn) - p.y * cos(turn)) < beside)
+            far = fmax(far, p.x * cos(turn) + p.y * sin(turn));
+    }
+    return far;
+}
+
+/* Walls hang from all of the rim as far as it goes on, not only before each point of the floor: all
+ * but everywhere. */
+START_TEST(walls_from_all_of_the_rim)
+{
+    const double high[2] = {HIGH - 1e-6, HIGH + 1e-6}, amid[2] = {HIGH / 2 - 0.2, HIGH / 2 + 0.2};
+    struct edge_trial trial;
+    struct vec3s scan = {0}, to = {0}, edge = {0};
+    int bare = 0;
+
+    noisy_seed(5 + (unsigned)_i);
+    for (int i = 0; i < 1600; i++) {
+        double x = 20 * (noisy_uniform() - 0.5), y = 20 * (noisy_uniform() - 0.5);
+        *array_push(&scan) = vec(x, y, hexagon(x, y));
+    }
+    edge_trial_of(&trial, scan, 0.5, 0);
+    edge_flanks_find(&trial.work);
+    for (size_t i = 0; i < trial.grid.n; i++)
+        edge_cliff_add(&trial.work, i, &edge, &to);
+    for (double turn = 0; turn < 2 * PI; turn += 0.01)
+        bare +=
+            farthest(&to, turn, amid[0], amid[1]) < farthest(&to, turn, high[0], high[1]) - 0.15;
+    ck_assert_int_le(bare, 12); /* of 628; before each point of the floor alone: 300 and more */
+    array_free(&to);
+    array_free(&edge);
+    edge_trial_free(&trial);
+}
+END_TEST
 
 /* Whichever way, no place is farther from one of the flank than the middle of a triangle of these,
  * 0.65 * 0.2 mm wide, is from its corners, as far as triangles fit in. */
@@ -271,6 +324,7 @@ int main(void)
     SRunner *runner = srunner_create(suite);
     tcase_add_test(tests, mesa_goes_on);
     tcase_add_test(tests, mesa_goes_on_as_far);
+    tcase_add_loop_test(tests, walls_from_all_of_the_rim, 0, 4);
     tcase_add_loop_test(tests, goes_on_all_ways, 0, 12);
     tcase_add_loop_test(tests, floor_without_a_surface, 0, 2);
     tcase_add_loop_test(tests, roof_has_none, 0, 2);

@@ -173,6 +173,30 @@ START_TEST(noise_is_none)
 }
 END_TEST
 
+/* A cliff that winds from border to border of a scan whose border is ragged. */
+START_TEST(ragged_border_is_none)
+{
+    const double pitch = 0.4, ragged = 0.15;
+    struct vec3s scan = {0}, to = {0};
+    struct edge_trial trial;
+    struct edge_gaps gaps;
+
+    noisy_seed(31 + (unsigned)_i);
+    for (int j = -20; j <= 20; j++)
+        for (int i = -20; i <= 20; i++) {
+            double x = pitch * i + ragged * (2 * noisy_uniform() - 1);
+            double y = pitch * j + ragged * (2 * noisy_uniform() - 1);
+            double z = 4 * tanh(1.2 * x + 2 * sin(y / 4) + 6 - _i) + sin(y) / 2;
+            *array_push(&scan) = vec(x, y, z);
+        }
+    edge_trial_of(&trial, scan, pitch, 0);
+    edge_points(&trial.options, &to, &gaps);
+    ck_assert_uint_eq(gaps.unknown, 0);
+    array_free(&to);
+    edge_trial_free(&trial);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("edge_unknown");
@@ -183,6 +207,7 @@ int main(void)
     tcase_add_test(tests, rib_is_guarded);
     tcase_add_loop_test(tests, nothing_told, 0, 8);
     tcase_add_loop_test(tests, noise_is_none, 0, 6);
+    tcase_add_loop_test(tests, ragged_border_is_none, 0, 12);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);
     int failed = srunner_ntests_failed(runner);
