@@ -27,8 +27,8 @@ struct noise {
     double sigma; /* standard deviation of the points from the surface, along its normal, mm; 0
                      where the surface explains all */
     bool alike;   /* the points are spread about the surface alike everywhere and however wide one
-                     looks, and less than they are apart: by the scanner, not by the shape of a
-                     rough part */
+                     looks, less than they are apart, and each otherwise than its neighbour: by the
+                     scanner, not by the shape of a rough part */
     double even;  /* not alike: the standard deviation of those places that a quadric explains, mm,
                      where they are a fifth of all, alike among themselves, and the others, a tenth
                      or more, as over steps, far off; or where it explains one side of most

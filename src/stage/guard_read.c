@@ -306,12 +306,16 @@ static void say_edges(const struct edge_gaps *gaps, size_t points, struct unmets
             at.x, at.y, at.z, gaps->unknown, gaps->depth);
 }
 
+/* Of what points are apart: noise of so much hides shapes that small; what may be noise or shape,
+ * and is so much, may be steps. */
+static const double MUCH = 0.125, STEPPED = 0.05;
+
 /* So much noise, measured of the scan: steps and ribs that a few points each are on may be it. */
 static void say_rough(double sigma, double spacing, const struct guard_read_options *rule)
 {
-    const double part = 0.125, many = 5; /* times the tolerance */
+    const double many = 5; /* times the tolerance */
 
-    if (sigma > part * spacing && sigma > many * rule->tolerance)
+    if (sigma > MUCH * spacing && sigma > many * rule->tolerance)
         unmet_say(
             rule->unmet,
             "noise of %.2g mm is much for points that are %.2g mm apart: shapes so small cannot "
@@ -336,11 +340,13 @@ static void say_unknown(double rough)
 }
 
 /* Near so many points the surface between them is uncertain.  Where it is so near all of them, and
- * they are far apart for the ball, nothing keeps it off between them. */
-static void say_vague(const struct guard_points *surface, size_t points,
+ * they are far apart for the ball, nothing keeps it off between them: less far, where they are off
+ * smooth surfaces by what may be steps. */
+static void say_vague(const struct guard_points *surface, size_t points, bool stepped,
                       const struct guard_read_options *rule)
 {
-    const double all = 0.95, far = 0.45, most = 0.5, farther = 0.6; /* of the points; the radius */
+    const double all = 0.95, most = 0.5, farther = 0.6; /* of the points; of the radius */
+    double far = stepped ? 0.25 : 0.45;
     double vague = (double)surface->vague / (double)points, gap = surface->gap / rule->radius;
     bool nowhere = (vague > all && gap > far) || (vague > most && gap > farther);
 
@@ -394,7 +400,7 @@ static struct guard_points surface_of_scan(struct point_grid *grid, double spaci
     if (rule->noise > 0)
         say("noise of %.2g mm taken out of the scan that guards (%zu of %zu points moved)",
             rule->noise, surface.moved, grid->n);
-    say_vague(&surface, grid->n, rule);
+    say_vague(&surface, grid->n, rough > STEPPED * spacing, rule);
     note("guarded by %zu points of the scan and %zu inserted between them", grid->n, surface.added);
     if (surface.edges > 0)
         note("and by %zu points on sharp edges that its surfaces meet in", surface.edges);

@@ -79,6 +79,44 @@ START_TEST(none)
 }
 END_TEST
 
+/* Pockets with upright walls, 3 mm wide, in a dome of 30 mm. */
+static double dome_pockets(double x, double y)
+{
+    double u = x - 5 * floor(x / 5 + 0.5), v = y - 5 * floor(y / 5 + 0.5);
+
+    return sqrt(900 - x * x - y * y) - 0.4 * (fmax(fabs(u), fabs(v)) < 1.5);
+}
+
+static double dome(double x, double y)
+{
+    return sqrt(900 - x * x - y * y);
+}
+
+/* Of points anywhere, 1 mm apart, those over pockets are as far off smooth surfaces as noise would
+ * have it, and alike everywhere; but their neighbours are, too. */
+START_TEST(what_neighbours_share_is_none)
+{
+    enum { POINTS = 625, WIDE = 25 };
+    double sigma = _i % 2 ? 0.02 : 0;
+    struct point_grid grid;
+    struct error error;
+
+    for (int noise = 0; noise < 2; noise++) {
+        noisy_seed(40 + (unsigned)_i);
+        for (int i = 0; i < POINTS; i++) {
+            double x = WIDE * (noisy_uniform() - 0.5), y = WIDE * (noisy_uniform() - 0.5);
+            double z = noise ? dome(x, y) + 0.1 * noisy_normal() : dome_pockets(x, y);
+            *array_push(&scan) = vec(x, y, z + sigma * noisy_normal());
+        }
+        ck_assert_int_eq(point_grid_make(scan.item, scan.n, 1, 1, &grid, &error), 0);
+        struct noise found = noise_measure(&grid, 1);
+        ck_assert(found.sigma > 0.05 && found.alike == (noise == 1));
+        point_grid_free(&grid);
+        array_free(&scan);
+    }
+}
+END_TEST
+
 START_TEST(a_few_outliers_do_not_count)
 {
     noisy_seed(1);
@@ -243,6 +281,7 @@ int main(void)
     SRunner *runner = srunner_create(suite);
     tcase_add_loop_test(tests, as_put_on, 0, 3);
     tcase_add_loop_test(tests, none, 0, 3);
+    tcase_add_loop_test(tests, what_neighbours_share_is_none, 0, 16);
     tcase_add_test(tests, a_few_outliers_do_not_count);
     tcase_add_test(tests, over_steps);
     tcase_add_test(tests, over_low_walls);
