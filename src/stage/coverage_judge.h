@@ -31,6 +31,9 @@ struct coverage_judge_options {
 size_t coverage_judge_left(const struct vec3 *point, double *height, size_t n, struct vec3s *place,
                            const struct coverage_judge_options *options);
 
+/* Moves the points of a scan to where a judge takes them to be, without their noise. */
+void coverage_judge_settle(struct vec3s *scan, double radius, double noise, int threads);
+
 /* Unit vectors up the tool, evenly over the upper half of the sphere, that the machine's rotary
  * axes reach within their travel; the one at zero is the first. */
 struct vec3s coverage_judge_axes(const struct kinematic_chain *chain);

@@ -20,31 +20,47 @@ static const double ROUNDED = 0.001;
  * so for four with up to 1.14 times as much as may be left.  Beyond this it may not. */
 static const double FITTED = 2;
 
-static double share(const struct path_judged *judged)
-{
-    return 100 * ((double)judged->left + JUDGED * (double)judged->n);
-}
-
-/* More than so many times the share that may be left. */
-static bool is_much(const struct path_coverage *c, const struct path_judged *judged, double times)
+/* With so many judged left it is more than so many times the share that may be left. */
+static bool is_much(const struct path_coverage *c, const struct path_judged *judged, size_t n,
+                    double times)
 {
     double may = path_options.left_share * (double)coverage_report(c->coverage).points;
 
-    return share(judged) > times * may;
+    return 100 * ((double)judged->left + JUDGED * (double)n) > times * may;
 }
 
-/* What is on the points out of reach or kept off, where it is more than `least`; else 0. */
-static double *ask(const struct path_coverage *c, double least)
-{
-    size_t n;
-    const struct coverage_point *point = coverage_points(c->coverage, &n);
-    double *height = mem_alloc(n + 1, sizeof *height);
+/* What a judge is asked of, and what is on it. */
+struct asked {
+    struct coverage_point *point;
+    double *height;
+    size_t n, own; /* own: those before the ones that it takes for elsewhere */
+};
 
+/* Of points those on which is more than `least` are asked for: those cut are not. */
+static void add_asked(const struct coverage_point *point, size_t n, double least, bool left,
+                      struct asked *asked)
+{
     for (size_t i = 0; i < n; i++) {
-        bool may = point[i].state == COVERAGE_KEPT || point[i].state == COVERAGE_OUT;
-        height[i] = may && point[i].height > least ? point[i].height : 0;
+        bool may = point[i].state == COVERAGE_KEPT || point[i].state == COVERAGE_OUT ||
+                   (left && point[i].state == COVERAGE_LEFT);
+        asked->point[asked->n] = point[i];
+        asked->height[asked->n++] = may && point[i].height > least ? point[i].height : 0;
     }
-    return height;
+}
+
+/* The points out of reach or kept off, and those left, too, that a judge takes for elsewhere. */
+static struct asked ask(const struct path_coverage *c, double least)
+{
+    size_t n, odd = 0;
+    const struct coverage_point *point = coverage_points(c->coverage, &n), *other = NULL;
+    if (c->odd)
+        other = coverage_points(c->odd, &odd);
+    struct asked asked = {mem_alloc(n + odd + 1, sizeof *asked.point),
+                          mem_alloc(n + odd + 1, sizeof *asked.height), 0, n};
+
+    add_asked(point, n, least, false, &asked);
+    add_asked(other, odd, least, true, &asked);
+    return asked;
 }
 
 static size_t left_beyond(const struct path_coverage *c, double limit)
@@ -58,7 +74,8 @@ static size_t left_beyond(const struct path_coverage *c, double limit)
 }
 
 /* Leaves what is on those that are judged to be within reach. */
-static void judge(const struct path_coverage *c, struct vec3s *place, double limit, double *height)
+static void judge(const struct path_coverage *c, struct vec3s *place, double limit,
+                  const struct asked *asked)
 {
     const struct coverage_judge_options options = {.radius = c->options.radius,
                                                    .limit = limit,
@@ -68,29 +85,25 @@ static void judge(const struct path_coverage *c, struct vec3s *place, double lim
                                                    .chain = &c->rule->chain,
                                                    .scan = c->scan,
                                                    .threads = c->options.threads};
-    size_t n;
-    const struct coverage_point *point = coverage_points(c->coverage, &n);
-    struct vec3s asked = {0};
+    struct vec3s at = {0};
 
-    for (size_t i = 0; i < n; i++)
-        *array_push(&asked) = point[i].p;
-    coverage_judge_left(asked.item, height, n, place, &options);
-    array_free(&asked);
+    for (size_t i = 0; i < asked->n; i++)
+        *array_push(&at) = asked->point[i].p;
+    coverage_judge_left(at.item, asked->height, asked->n, place, &options);
+    array_free(&at);
 }
 
 /* Where so much may be left. */
-static struct path_judged judged_by(const struct path_coverage *c, double limit,
-                                    const double *height)
+static struct path_judged judged_by(const struct asked *asked, double limit)
 {
-    size_t n;
-    const struct coverage_point *point = coverage_points(c->coverage, &n);
     struct path_judged judged = {.limit = limit};
 
-    for (size_t i = 0; i < n; i++) {
-        if (height[i] <= limit)
+    for (size_t i = 0; i < asked->n; i++) {
+        if (asked->height[i] <= limit)
             continue;
-        if (judged.n++ == 0 || height[i] > judged.worst.height)
-            judged.worst = point[i];
+        judged.odd += i >= asked->own;
+        if (judged.n++ == 0 || asked->height[i] > judged.worst.height)
+            judged.worst = asked->point[i];
     }
     return judged;
 }
@@ -98,19 +111,22 @@ static struct path_judged judged_by(const struct path_coverage *c, double limit,
 struct path_verdicts path_judged(const struct path_coverage *c, struct vec3s *place)
 {
     double limit = c->allowed + ROUNDED, last = c->allowed + STAGES * c->tolerance;
-    double *height = ask(c, limit);
+    struct asked asked = ask(c, limit);
 
-    judge(c, place, limit, height);
-    struct path_verdicts verdicts = {.worse = judged_by(c, last, height),
-                                     .as_is = judged_by(c, limit, height)};
-    free(height);
+    judge(c, place, limit, &asked);
+    struct path_verdicts verdicts = {.worse = judged_by(&asked, last),
+                                     .as_is = judged_by(&asked, limit)};
+    free(asked.point);
+    free(asked.height);
     verdicts.worse.left = coverage_report(c->coverage).left.n;
     verdicts.as_is.left = left_beyond(c, limit);
-    verdicts.worse.much = is_much(c, &verdicts.worse, 1);
-    if (!verdicts.worse.much && is_much(c, &verdicts.as_is, FITTED)) {
+    verdicts.worse.much = is_much(c, &verdicts.worse, verdicts.worse.n, 1);
+    /* a tolerance makes up for what another place of a point leaves: that is no row too far off */
+    size_t own = verdicts.as_is.n - verdicts.as_is.odd;
+    if (!verdicts.worse.much && is_much(c, &verdicts.as_is, own, FITTED)) {
         verdicts.worse = verdicts.as_is;
         verdicts.worse.much = true;
     }
-    verdicts.as_is.much = !verdicts.worse.much && is_much(c, &verdicts.as_is, 1);
+    verdicts.as_is.much = !verdicts.worse.much && is_much(c, &verdicts.as_is, verdicts.as_is.n, 1);
     return verdicts;
 }
