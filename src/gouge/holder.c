@@ -1,6 +1,8 @@
 /* holder - see holder.h. */
 #include "gouge/holder.h"
 
+static const double ROUNDING = 1e-9; /* mm */
+
 double holder_reach(const struct holder *holder)
 {
     double reach = 0, height = 0;
@@ -77,13 +79,41 @@ double holder_distance(const struct holder *holder, struct vec3 centre, struct v
     return inside ? -least : least;
 }
 
+/* How far a place, or all that is so far along from it either way, is outside the cylinders about
+ * the parts; not above 0 if it is inside one. */
+static double outside_all(const struct holder *holder, struct place at, double along)
+{
+    double least = HUGE_VAL;
+
+    for (int i = 0; i < holder->n; i++) {
+        const struct holder_part *part = &holder->part[i];
+        double apart = fmax(beyond(part, at.h) + part->length / 2 - along, 0) - part->length / 2;
+        least = smaller(least, outside(at.r + smaller(-part->low, -part->high), apart));
+        at.h -= part->length;
+    }
+    return least;
+}
+
+/* Of more than a cylinder; what is outside all parts by more is soon said. */
+static double stack_distance_below(const struct holder *holder, struct vec3 centre,
+                                   struct vec3 axis, struct vec3 p, double below)
+{
+    struct vec3 d = vec_sub(p, centre);
+    double h = vec_dot(d, axis), least = below > 0 ? below : 0;
+    const struct place at = {vec_length(vec_along(d, -h, axis)), h};
+
+    if (outside_all(holder, at, 0) - ROUNDING > least)
+        return least;
+    return holder_distance(holder, centre, axis, p);
+}
+
 double holder_distance_below(const struct holder *holder, struct vec3 centre, struct vec3 axis,
                              struct vec3 p, double below)
 {
     const struct holder_part *part = &holder->part[0];
 
     if (!is_cylinder(holder))
-        return holder_distance(holder, centre, axis, p);
+        return stack_distance_below(holder, centre, axis, p, below);
     struct vec3 d = vec_sub(p, centre);
     double h = vec_dot(d, axis), along = beyond(part, h), far = part->low + below;
     if (along >= below)
@@ -104,16 +134,15 @@ static double reach_along(struct vec3 half, struct vec3 way)
 static double cylinder_bound(const struct holder_part *part, struct vec3 axis, struct vec3 d,
                              struct vec3 half, double below)
 {
-    const double rounding = 1e-9; /* mm */
     double h = vec_dot(d, axis), from = fabs(h - part->length / 2) - reach_along(half, axis);
     if (from - part->length / 2 > below) /* along it alone: that is quick to say */
-        return from - part->length / 2 - rounding;
+        return from - part->length / 2 - ROUNDING;
     struct vec3 aside = vec_along(d, -h, axis);
     double r = vec_length(aside), near = r > 0 ? r - reach_along(half, aside) / r : 0;
 
     near = near > 0 ? near : 0;
     from = from > 0 ? from : 0;
-    return outside(near - part->low, from - part->length / 2) - rounding;
+    return outside(near - part->low, from - part->length / 2) - ROUNDING;
 }
 
 /* Squared distance of the segment from the corner of the box that is furthest from it. */
@@ -140,14 +169,19 @@ double holder_bound_below(const struct holder *holder, struct vec3 centre, struc
 {
     if (is_cylinder(holder))
         return cylinder_bound(&holder->part[0], axis, vec_sub(middle, centre), half, below);
-    double spread = vec_length(half);
-    double bound = holder_distance(holder, centre, axis, middle) - spread;
+    struct vec3 d = vec_sub(middle, centre);
+    double h = vec_dot(d, axis), depth2 = HUGE_VAL, spread = vec_length(half);
+    struct vec3 aside = vec_along(d, -h, axis);
+    const struct place at = {vec_length(aside), h};
+    const struct place reach = {spread, reach_along(half, axis)};
+    double near = at.r > 0 ? fmax(at.r - reach_along(half, aside) / at.r, 0) : 0;
+    double away = outside_all(holder, (struct place){near, h}, reach.h) - ROUNDING;
+    if (away > 0 && away > below)
+        return away;
+    double bound =
+        fmax(holder_distance(holder, centre, axis, middle) - spread, away > 0 ? away : -HUGE_VAL);
     if (bound >= 0)
         return bound;
-    struct vec3 d = vec_sub(middle, centre);
-    double h = vec_dot(d, axis), depth2 = HUGE_VAL;
-    const struct place at = {vec_length(vec_along(d, -h, axis)), h};
-    const struct place reach = {spread, reach_along(half, axis)};
     struct place last = {0, 0};
     for (int i = 0; i < holder->n; i++) {
         const struct holder_part *part = &holder->part[i];

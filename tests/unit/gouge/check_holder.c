@@ -91,10 +91,16 @@ START_TEST(bound_of_a_box)
             struct vec3 p = vec_add(middle, vec(half.x * random_in(&state, -1, 1),
                                                 half.y * random_in(&state, -1, 1),
                                                 half.z * random_in(&state, -1, 1)));
-            least = fmin(least, holder_distance(&stack, c, axis, p));
+            double d = holder_distance(&stack, c, axis, p), below = random_in(&state, -6, 30);
+            double told = holder_distance_below(&stack, c, axis, p, below);
+            ck_assert(d < below ? told == d : told >= below);
+            least = fmin(least, d);
         }
         ck_assert_msg(bound <= least, "%d: %.9f, found %.9f", trial, bound, least);
         ck_assert_double_ge(bound, least - 2 * vec_length(half));
+        double some = random_in(&state, -6, 30);
+        double quick = holder_bound_below(&stack, c, axis, middle, half, some);
+        ck_assert(quick <= bound && (quick == bound || quick > some - 1e-8));
     }
     struct vec3 flat = vec(4, 4, 0), up = vec(0, 0, 1);
     ck_assert_double_eq_tol(holder_bound(&stack, c, up, vec_along(c, 113, up), flat), -7, 1e-12);
