@@ -40,8 +40,8 @@ static const double CELL = 3; /* width of a cell in mean spacings of the points 
 /* Noise of a point tells nothing of its neighbour's.  What a fit leaves of it does, and against it:
  * the covariance of two residuals is the one beside the diagonal of the projection off the fit,
  * below zero for neighbours (Belsley, Kuh and Welsch, Regression Diagnostics, 1980, 2.1).  As the
- * product of what two neighbours are off by the square of what one is: of noise -0.35 to -0.48 as
- * measured, of steps and of texture that points are too far apart for -0.12 to 0.1. */
+ * product of what two neighbours are off by the square of what one is: of noise -0.3 to -0.5 as
+ * measured, of steps that points are too far apart for -0.19 to 0.15. */
 static const double NOISE_ALONE = -0.2;
 
 struct measurement {
@@ -76,17 +76,22 @@ static size_t find_neighbours(const struct point_grid *b, struct vec3 from, size
 }
 
 /* Of the nearest points what each is off the surface, times what its neighbour is, as a share of
- * the square. */
+ * the square.  The neighbour is the nearest along the surface: of points as far along it the
+ * nearest in space would be the one that is off alike. */
 static double shared_off(const struct quadric *q, const struct vec3 *near)
 {
     double off[FEWEST], product = 0, square = 0;
+    struct vec3 at[FEWEST];
 
-    for (size_t i = 0; i < FEWEST; i++)
+    for (size_t i = 0; i < FEWEST; i++) {
         off[i] = quadric_off(q, near[i]);
+        at[i] = quadric_local(q, near[i]);
+        at[i].z = 0;
+    }
     for (size_t i = 0; i < FEWEST; i++) {
         size_t next = i == 0 ? 1 : 0;
         for (size_t j = 0; j < FEWEST; j++)
-            if (j != i && vec_distance(near[i], near[j]) < vec_distance(near[i], near[next]))
+            if (j != i && vec_distance(at[i], at[j]) < vec_distance(at[i], at[next]))
                 next = j;
         product += off[i] * off[next];
         square += off[i] * off[i];
