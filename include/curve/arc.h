@@ -24,7 +24,8 @@ struct arc {
 
 struct arc arc_line(struct vec3 from, struct vec3 to);
 
-/* The arc from `from`, where its unit tangent is given, to `to`. */
+/* The arc from `from`, where its unit tangent is given, to `to`; the line where that is zero, as of
+ * a piece of no length. */
 struct arc arc_to(struct vec3 from, struct vec3 tangent, struct vec3 to);
 
 /*

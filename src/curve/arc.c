@@ -16,6 +16,8 @@ struct arc arc_line(struct vec3 from, struct vec3 to)
 
 struct arc arc_to(struct vec3 from, struct vec3 tangent, struct vec3 to)
 {
+    if (vec_dot(tangent, tangent) <= 0) /* of a piece of no length: it tells no plane */
+        return arc_line(from, to);
     tangent = vec_unit(tangent);
     struct vec3 e = vec_sub(to, from), p = vec_reject(e, tangent);
     double ahead = vec_dot(e, tangent), aside = vec_length(p), e2 = vec_dot(e, e);

@@ -17,6 +17,16 @@ static struct vec3 random_vec(unsigned *seed)
     return vec(x, y, random_unit(seed));
 }
 
+/* A piece of no length has no direction, and what goes on from it no plane. */
+START_TEST(without_a_tangent)
+{
+    struct vec3 from = vec(1, 2, 3), none = arc_line(from, from).tangent;
+    struct arc arc = arc_to(from, none, vec(1.001, 2, 3));
+
+    ck_assert(arc_straight(&arc) && arc.to.x == 1.001);
+}
+END_TEST
+
 START_TEST(quarter_circle)
 {
     struct arc a = arc_to(vec(1, 0, 5), vec(0, 1, 0), vec(-1, 2, 5));
@@ -115,6 +125,7 @@ END_TEST
 int main(void)
 {
     TCase *t = tcase_create("arc");
+    tcase_add_test(t, without_a_tangent);
     tcase_add_test(t, quarter_circle);
     tcase_add_test(t, more_than_half_a_circle);
     tcase_add_test(t, straight_lines);
