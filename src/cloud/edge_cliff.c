@@ -380,6 +380,18 @@ static struct vec3 nearest_below(const struct cliff *cliff, struct vec3 at)
     return foot;
 }
 
+/* Points below are straight under the flank's: the wall was seen here, and is not farther on. */
+static bool is_wall_seen(const struct cliff *cliff, double spacing)
+{
+    enum { FEWEST = 2 }; /* one may be a floor's */
+    const double beside = 0.3;
+    int under = 0;
+
+    for (size_t k = 0; k < cliff->below.n; k++)
+        under += edge_plan_distance(cliff->below.item[k], cliff->from) < beside * spacing;
+    return under >= FEWEST;
+}
+
 /* A place beside it is not before the wall: from here it may go down. */
 static bool is_last(const struct cliff *cliff, double pitch, int j, int k)
 {
@@ -400,6 +412,7 @@ static void fill_cliff(const struct edge_work *work, const struct cliff *cliff, 
     const double dense = 0.65;
     double pitch = dense * work->options->along;
     int rings = (int)fmin(triangles_rings(cliff->reach, pitch), RINGS);
+    bool hangs = !is_wall_seen(cliff, point_grid_spacing(work->options->point_grid));
 
     for (int j = -rings; j <= rings; j++)
         for (int k = -rings; k <= rings; k++) {
@@ -411,7 +424,7 @@ static void fill_cliff(const struct edge_work *work, const struct cliff *cliff, 
             if (!is_before_edges(work, cliff, at, false))
                 continue;
             *array_push(to) = at;
-            if (is_last(cliff, pitch, j, k))
+            if (hangs && is_last(cliff, pitch, j, k))
                 edge_wall_add(work, at, nearest_below(cliff, at), to);
         }
 }
