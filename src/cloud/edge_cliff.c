@@ -383,7 +383,7 @@ static struct vec3 nearest_below(const struct cliff *cliff, struct vec3 at)
 /* Points below are straight under the flank's: the wall was seen here, and is not farther on. */
 static bool is_wall_seen(const struct cliff *cliff, double spacing)
 {
-    enum { FEWEST = 2 }; /* one may be a floor's */
+    enum { FEWEST = 3 }; /* fewer may be of a floor */
     const double beside = 0.3;
     int under = 0;
 
