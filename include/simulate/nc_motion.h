@@ -128,6 +128,10 @@ int nc_motion_bounded(const struct nc_motion *m, struct error *error);
 struct nc_motion_pose nc_motion_at(const struct nc_motion *m, const struct nc_piece *piece,
                                    double s);
 
+/* The same, but for where the ball's centre is where the tip is tracked; `radius` of the ball, mm. */
+struct nc_motion_pose nc_motion_ball(const struct nc_motion *m, size_t piece, double s,
+                                     double radius);
+
 /* The angles of the rotary axes there, degrees, if the piece gives them (AXIS_ROTARY_LINEAR); else
  * false, and they follow from the pose's axis. */
 bool nc_motion_angles(const struct nc_motion *m, const struct nc_piece *piece, double s,

@@ -70,10 +70,7 @@ static double clearance(struct search *s, struct vec3 centre)
 /* Where the ball's centre is at a part of a piece, from 0 to 1, and the axis. */
 static struct nc_motion_pose pose_of(const struct search *s, size_t piece, double part)
 {
-    struct nc_motion_pose pose = nc_motion_at(s->motion, &s->motion->piece.item[piece], part);
-    if (s->motion->track == NC_MOTION_TIP)
-        pose.p = vec_along(pose.p, s->options->radius, pose.a);
-    return pose;
+    return nc_motion_ball(s->motion, piece, part, s->options->radius);
 }
 
 static void add_excursion(struct search *s, size_t segment, double height)

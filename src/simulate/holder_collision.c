@@ -249,11 +249,7 @@ struct stretch {
 /* The ball's centre and the axis at s of the piece. */
 static struct nc_motion_pose pose_at(const struct follower *f, double s)
 {
-    const struct nc_motion *motion = f->options->motion;
-    struct nc_motion_pose pose = nc_motion_at(motion, &motion->piece.item[f->piece], s);
-    if (motion->track == NC_MOTION_TIP)
-        pose.p = vec_along(pose.p, f->options->radius, pose.a);
-    return pose;
+    return nc_motion_ball(f->options->motion, f->piece, s, f->options->radius);
 }
 
 /* No place of the stack moves further than this, if the ball goes straight. */

@@ -144,6 +144,16 @@ struct nc_motion_pose nc_motion_at(const struct nc_motion *m, const struct nc_pi
     return turned_pose(m, piece, p, q);
 }
 
+struct nc_motion_pose nc_motion_ball(const struct nc_motion *m, size_t piece, double s,
+                                     double radius)
+{
+    struct nc_motion_pose pose = nc_motion_at(m, &m->piece.item[piece], s);
+
+    if (m->track == NC_MOTION_TIP)
+        pose.p = vec_along(pose.p, radius, pose.a);
+    return pose;
+}
+
 bool nc_motion_angles(const struct nc_motion *m, const struct nc_piece *piece, double s,
                       double turn[VERIFY_KINEMATICS_AXES])
 {

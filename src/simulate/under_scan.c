@@ -28,12 +28,7 @@ struct search {
 /* The ball's centre and the axis at s of a piece. */
 static struct nc_motion_pose pose_at(const struct search *s, size_t piece, double t)
 {
-    const struct nc_motion *motion = s->options->motion;
-    struct nc_motion_pose pose = nc_motion_at(motion, &motion->piece.item[piece], t);
-
-    if (motion->track == NC_MOTION_TIP)
-        pose.p = vec_along(pose.p, s->options->radius, pose.a);
-    return pose;
+    return nc_motion_ball(s->options->motion, piece, t, s->options->radius);
 }
 
 /* How far the nearest upright line from a roof point down to the bottom is from a place, where that

@@ -17,10 +17,7 @@
 /* The ball's centre at s of a piece. */
 static struct vec3 ball_at(const struct verdict *v, size_t piece, double s)
 {
-    const struct nc_motion *motion = v->program.motion;
-    struct nc_motion_pose pose = nc_motion_at(motion, &motion->piece.item[piece], s);
-    double up = motion->track == NC_MOTION_TIP ? v->options.radius : 0;
-    return vec_along(pose.p, up, pose.a);
+    return nc_motion_ball(v->program.motion, piece, s, v->options.radius).p;
 }
 
 /* How far the ball is off the part there. */

@@ -42,11 +42,7 @@ struct swerves {
 
 static struct nc_motion_pose ball_at(const struct verdict *v, size_t piece, double s)
 {
-    const struct nc_motion *m = v->program.motion;
-    struct nc_motion_pose pose = nc_motion_at(m, &m->piece.item[piece], s);
-    if (m->track == NC_MOTION_TIP)
-        pose.p = vec_along(pose.p, v->options.radius, pose.a);
-    return pose;
+    return nc_motion_ball(v->program.motion, piece, s, v->options.radius);
 }
 
 static struct step step_of(const struct verdict *v, size_t piece, bool on)
