@@ -59,9 +59,10 @@ size_t run_motion_at(const struct run *run, size_t from, size_t to, struct vec3 
 
 /*
  * Appends the indices of the inner points where the ball's path turns by more than 60 degrees: the
- * corners.  With `edges` also those where each tangent would take a curve astray and the path bends
- * at neither neighbour half as much for each mm, as where a ball comes from one face to another.
- * Tangents on the two sides of a corner are those of the two pieces that it parts.
+ * corners; and the ends of each block off the part that swings the ball (run_densify).  With
+ * `edges` also those where each tangent would take a curve astray and the path bends at neither
+ * neighbour half as much for each mm, as where a ball comes from one face to another.  Tangents on
+ * the two sides of a corner are those of the two pieces that it parts.
  */
 void run_corners(const struct run *run, struct sizes *corner);
 
@@ -69,11 +70,14 @@ void run_corners(const struct run *run, struct sizes *corner);
  * The reference curve of a run: between two points the centre follows the cubic Hermite curve with
  * run_tangents' tangents (at a speed that comes nearest to a circle), the axis the cubic with
  * three-point derivatives by the centre's path, made a unit vector (the great circle where axes are
- * more than 60 degrees apart or the centre stands still), and the tip follows from both; corners
- * are kept, and so are straight lines, along which what is beside them begins and ends.  Appends to
- * `dense` (which has the same radius) all points and as many between, that straight lines between
- * neighbours stay within `chord` mm of the curve at the tip and the centre: an interval that is
- * straight enough gets none, so that dense data comes back as it is.
+ * more than 60 degrees apart or the centre stands still), and the tip follows from both.  In a
+ * block off the part that moves the centre farther than the tip and turns the axis by more than 15
+ * degrees, or that would take the tip off the line that its points are on, the tip goes straight,
+ * as a control has it, and the centre follows from tip and axis.  Corners are kept, and so are
+ * straight lines, along which what is beside them begins and ends.  Appends to `dense` (which has
+ * the same radius) all points and as many between, that straight lines between neighbours stay
+ * within `chord` mm of the curve at the tip and the centre: an interval that is straight enough
+ * gets none, so that dense data comes back as it is.
  * Returns the largest distance between the curve and the straight lines of the *input*.
  */
 double run_densify(const struct run *run, double chord, struct run *dense);

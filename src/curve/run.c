@@ -11,6 +11,8 @@
 static const double SAME = 1e-7;          /* mm: centres nearer than this are one station */
 static const double CORNER = PI / 3;      /* a turn above this in one point is a corner */
 static const double AXIS_SMOOTH = PI / 3; /* axes further apart than this: great circle */
+static const double SWING = PI / 12;      /* axes further apart than this swing the ball */
+static const double EVEN = PI / 180;      /* a tip's path that turns by less is straight */
 static const double SHARP = PI / 18;      /* and one above this may be beside one */
 static const double ASTRAY = 0.01;        /* mm: what a curve may be off a chord unasked */
 static const double NEAR = 0.003;         /* mm: a curve so near a chord is as good as it */
@@ -246,11 +248,49 @@ static bool has_no_tangent(const struct run *run, const struct stations *s, size
            worst_bulge(bessel_tangent(run, s, k), w.in, w.out) > ASTRAY;
 }
 
+/* The tip's path does not turn at point i of the run, where it is between two others. */
+static bool is_tip_straight(const struct run *run, size_t i)
+{
+    if (i == 0 || i + 1 >= run->n)
+        return true;
+    struct vec3 in = vec_sub(run->item[i].tip, run->item[i - 1].tip);
+    struct vec3 out = vec_sub(run->item[i + 1].tip, run->item[i].tip);
+    return vec_length(vec_cross(in, out)) <= EVEN * vec_length(in) * vec_length(out);
+}
+
+/*
+ * In the block off the part from point i on the axis turns so far that centre and tip cannot both
+ * go nearly straight, and the centre is swung about: the tip goes straight, as a control has it.
+ * Unless its points are on a line, an axis that turns less, or about the centre, may be that of a
+ * round way of both.
+ */
+static bool is_swing(const struct run *run, size_t i)
+{
+    const struct run_point *a = &run->item[i], *b = &run->item[i + 1];
+
+    double way = vec_distance(a->ball, b->ball);
+
+    if (run_point_touches(a) || run_point_touches(b) || way <= SAME)
+        return false;
+    double half = vec_length(vec_mix(a->axis, b->axis, 0.5)); /* cosine of half the turn */
+    if (half < cos(SWING / 2) && vec_distance(a->tip, b->tip) < way)
+        return true;
+    return run->radius * (1 - half) > NEAR && is_tip_straight(run, i) &&
+           is_tip_straight(run, i + 1);
+}
+
+/* The same from station k to the next. */
+static bool is_swing_after(const struct run *run, const struct stations *s, size_t k)
+{
+    return is_swing(run, s->item[k].last);
+}
+
 void run_corners(const struct run *run, struct sizes *corner)
 {
     struct stations s = find_stations(run);
     for (size_t k = 1; k + 1 < s.n; k++)
         if (vec_angle(chord_of(run, &s, k - 1), chord_of(run, &s, k)) > CORNER ||
+            is_swing_after(run, &s, k - 1) || is_swing_after(run, &s, k) ||
             (run->edges && has_no_tangent(run, &s, k)))
             *array_push(corner) = s.item[k].first;
     array_free(&s);
@@ -272,6 +312,7 @@ struct run_curve {
     struct vec3 wa, wb; /* derivatives of the axis */
     bool great_circle;  /* that has the axis instead of these: its ends are more than 60 degrees
                            apart */
+    bool swing;         /* so it has, and the tip goes straight */
 };
 
 /*
@@ -306,6 +347,12 @@ static struct vec3 hermite(struct vec3 p, struct vec3 v, struct vec3 q, struct v
 static struct run_point run_curve_pose(const struct run_curve *c, double t, double radius)
 {
     struct run_point p = {.ball = hermite(c->a->ball, c->va, c->b->ball, c->vb, t)};
+    if (c->swing) {
+        p.axis = vec_slerp(c->a->axis, c->b->axis, t);
+        p.tip = vec_mix(c->a->tip, c->b->tip, t);
+        p.ball = vec_along(p.tip, radius, p.axis);
+        return p;
+    }
     p.axis = c->great_circle ? vec_slerp(c->a->axis, c->b->axis, t)
                              : vec_unit(hermite(c->a->axis, c->wa, c->b->axis, c->wb, t));
     p.tip = vec_along(p.ball, -radius, p.axis);
@@ -442,6 +489,7 @@ static double densify_piece(const struct run *piece, double chord, struct run *d
             (struct run_curve_end){&piece->item[i], here->tangent, here->turn},
             (struct run_curve_end){&piece->item[i + 1], next->tangent, next->turn});
         c.great_circle = c.great_circle || here == next; /* the axis turns in one place */
+        c.swing = is_swing(piece, i);
         if (piece->item[i].straight) {
             c.va = c.vb = vec_sub(c.b->ball, c.a->ball);
             c.great_circle = true;

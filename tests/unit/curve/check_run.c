@@ -322,6 +322,30 @@ START_TEST(axes_far_apart_go_on_the_great_circle)
 }
 END_TEST
 
+/* Off the part the axis turns in one block, where the tip stays or goes on, and turns back in the
+ * next: the tip is on its line all the way, and the centre the radius above it. */
+START_TEST(a_swing_leaves_the_tip_on_its_line)
+{
+    const double radius = 4, turn = RADIANS(((const double[]){90, 30, 8})[_i]);
+    struct run run = {.radius = radius}, dense = {.radius = radius};
+
+    for (int i = 0; i < 12; i++) {
+        struct vec3 axis = i == 6 ? vec(sin(turn), 0, cos(turn)) : vec(0, 0, 1);
+        struct vec3 tip = vec(0.5 * (i > 5 ? i - 1 : i), 0, 10);
+        *array_push(&run) = pose(vec_along(tip, radius, axis), axis, radius);
+    }
+    run_densify(&run, 0.001, &dense);
+    ck_assert_uint_gt(dense.n, run.n + 3);
+    for (size_t i = 0; i < dense.n; i++) {
+        struct run_point p = dense.item[i];
+        ck_assert_double_lt(hypot(p.tip.y, p.tip.z - 10), 1e-12);
+        ck_assert_double_eq_tol(vec_distance(p.tip, p.ball), radius, 1e-12);
+    }
+    array_free(&run);
+    array_free(&dense);
+}
+END_TEST
+
 START_TEST(any_input_gives_finite_numbers)
 {
     unsigned seed = 12345;
@@ -365,6 +389,7 @@ int main(void)
     tcase_add_test(t, a_straight_line_stays_one);
     tcase_add_test(t, an_axis_that_turns_in_place_goes_on_the_great_circle);
     tcase_add_test(t, axes_far_apart_go_on_the_great_circle);
+    tcase_add_loop_test(t, a_swing_leaves_the_tip_on_its_line, 0, 3);
     tcase_add_test(t, any_input_gives_finite_numbers);
     Suite *s = suite_create("run");
     suite_add_tcase(s, t);
