@@ -29,6 +29,7 @@ struct noise {
     bool alike;   /* the points are spread about the surface alike everywhere and however wide one
                      looks, less than they are apart, and each otherwise than its neighbour: by the
                      scanner, not by the shape of a rough part */
+    bool mixed;   /* and each so little otherwise that a part of it may be shape */
     double even;  /* not alike: the standard deviation of those places that a quadric explains, mm,
                      where they are a fifth of all, alike among themselves, and the others, a tenth
                      or more, as over steps, far off; or where it explains one side of most

@@ -42,7 +42,9 @@ size_t outliers_twice(const struct point_grid *point_grid, unsigned char *out);
  * But no outlier is a point that lies on a surface that others make (edge_flank_holds: one side of
  * a thin edge), nor one of OUTLIERS_FEATURE that follow each other from the surface on, each within
  * one and a half spacings of the next (a needle), nor one of OUTLIERS_ROW and more in a straight
- * row, 1.2 to 3 spacings apart, to 0.4 of that (a rib that each scan line saw once), nor one
+ * row, 1.2 to 3 spacings apart, to 0.4 of that (a rib that each scan line saw once), nor one of
+ * as many that stand as high over what is about them, to a fifth, within six spacings and not all
+ * within three (a rib whose points are anywhere), nor one
  * of a step or a cliff: two points and more within two and a half spacings, seen from above, are
  * over it, two and more under it, and these go up a cliff or are about as little on one smooth
  * surface as it is; nor one below a rim: two points and more within that are over it, and in three

@@ -44,6 +44,9 @@ static const double CELL = 3; /* width of a cell in mean spacings of the points 
  * measured, of steps that points are too far apart for -0.19 to 0.15. */
 static const double NOISE_ALONE = -0.2;
 
+/* Noise and facets as small as a few points have -0.15 to -0.28, noise alone -0.28 to -0.5. */
+static const double NOISE_MIXED = -0.28;
+
 struct measurement {
     const struct point_grid *point_grid;
     const uint32_t *place;
@@ -263,11 +266,13 @@ struct noise noise_measure_at(const struct point_grid *point_grid, const uint32_
     if (fewer > 0 && twice > 0) {
         double narrow = m.fewer[fewer / 2], wide = m.twice[twice / 2];
         noise.sigma = sqrt(fmax((GROWTH * narrow - wide) / (GROWTH - 1), 0));
+        double shared = doubles_select(m.shared, places, places / 2);
         noise.alike = noise.sigma < point_grid->cell / CELL && wide <= WHITE * WHITE * narrow &&
                       m.fewer[9 * fewer / 10] <= EVEN * EVEN * m.fewer[fewer / 10] &&
-                      doubles_select(m.shared, places, places / 2) <= NOISE_ALONE;
+                      shared <= NOISE_ALONE;
+        noise.mixed = noise.alike && shared > NOISE_MIXED;
         double lower = lower_group(m.fewer, fewer);
-        if (!(lower > 0))
+        if (!(lower > 0) && shared <= NOISE_ALONE)
             lower = lower_part(m.fewer, fewer, m.twice, twice);
         if (!(lower > 0) && !noise.alike && sqrt(narrow) > NOISE_NONE * point_grid->cell) {
             lower = by_sides(&m, places, threads);

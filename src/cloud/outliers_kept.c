@@ -25,6 +25,14 @@ static const double NEXT = 1.2, FURTHEST = 3;
  * their middle is (0.42 where the rim is straight), and half a spacing may the wall be undercut. */
 static const double SEEN = 2.5, LOPSIDED = 0.25, UNDERCUT = 0.5;
 
+/* In spacings: points so far about each other that stand as high are of one thin feature, and are
+ * not all so near. */
+static const double FEATURE_WITHIN = 6, FEATURE_LONG = 3;
+
+/* Of their height over what is about them: thin features are as high to this; points of one stand
+ * over it by so much. */
+static const double LEVEL = 0.2, STANDS = 0.6;
+
 /* A feature that the marked points make: those within reach of each other. */
 struct group {
     struct sizes member;
@@ -231,6 +239,45 @@ static bool is_on_step(const struct point_grid *b, const unsigned char *out, siz
     return fabs(quadric_off(&q, b->point[i])) <= much * sqrt(squares / (double)n);
 }
 
+/* How far point i is over the middle one of those not marked near it, seen from above. */
+static double height_over(const struct point_grid *b, const unsigned char *out, size_t i)
+{
+    struct vec3 near[MOST];
+    double z[MOST];
+    size_t above = 0, below = 0, n = gather_seen_from_above(b, out, i, near, &above, &below);
+
+    for (size_t k = 0; k < n; k++)
+        z[k] = near[k].z;
+    doubles_sort(z, n);
+    return n > 0 ? b->point[i].z - z[n / 2] : 0;
+}
+
+/*
+ * Keeps marked point i, and the marked ones about it, where several stand as high over what is
+ * about them and are not in one place as a clump is: a thin rib whose points are anywhere.  Stray
+ * points stand as high as others by chance alone.
+ */
+static void keep_as_high(const struct point_grid *b, const unsigned char *out, size_t i, bool *kept)
+{
+    double spacing = point_grid_spacing(b), high = height_over(b, out, i), widest = 0;
+    struct sizes about = {0}, alike = {0};
+
+    if (high > spacing)
+        point_grid_within(b, b->point[i], FEATURE_WITHIN * spacing, &about);
+    for (size_t k = 0; k < about.n; k++) {
+        size_t j = about.item[k];
+        if (fabs(b->point[j].z - b->point[i].z) > LEVEL * high ||
+            height_over(b, out, j) < STANDS * high)
+            continue;
+        *array_push(&alike) = j;
+        widest = fmax(widest, vec_distance(b->point[i], b->point[j]));
+    }
+    for (size_t k = 0; alike.n >= ROW && widest > FEATURE_LONG * spacing && k < alike.n; k++)
+        kept[alike.item[k]] = true;
+    array_free(&about);
+    array_free(&alike);
+}
+
 void outliers_keep(const struct point_grid *b, double sigma, unsigned char *out)
 {
     const double reach = 1.5 * point_grid_spacing(b);
@@ -240,6 +287,9 @@ void outliers_keep(const struct point_grid *b, double sigma, unsigned char *out)
     for (size_t i = 0; i < b->n; i++)
         kept[i] = out[i] == MARKED &&
                   (edge_flank_holds(b, sigma, i) || is_on_step(b, out, i) || is_in_row(b, out, i));
+    for (size_t i = 0; i < b->n; i++)
+        if (out[i] == MARKED && !kept[i])
+            keep_as_high(b, out, i, kept);
     for (size_t i = 0; i < b->n; i++)
         if (kept[i])
             out[i] = 0;

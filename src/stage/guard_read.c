@@ -310,17 +310,24 @@ static void say_edges(const struct edge_gaps *gaps, size_t points, struct unmets
  * and is so much, may be steps. */
 static const double MUCH = 0.125, STEPPED = 0.05;
 
-/* So much noise, measured of the scan: steps and ribs that a few points each are on may be it. */
-static void say_rough(double sigma, double spacing, const struct guard_read_options *rule)
+/* So much noise, measured of the scan: steps and ribs that a few points each are on may be it; or
+ * edges of facets, where a part of it may be shape. */
+static void say_rough(const struct believed *found, double spacing,
+                      const struct guard_read_options *rule)
 {
     const double many = 5; /* times the tolerance */
 
-    if (sigma > MUCH * spacing && sigma > many * rule->tolerance)
+    if (found->sigma > MUCH * spacing && found->sigma > many * rule->tolerance)
         unmet_say(
             rule->unmet,
             "noise of %.2g mm is much for points that are %.2g mm apart: shapes so small cannot "
             "be told from it, and are not guarded",
-            sigma, spacing);
+            found->sigma, spacing);
+    else if (found->noise.mixed && found->sigma > rule->tolerance)
+        unmet_say(rule->unmet,
+                  "noise of %.2g mm may be shape in part, as edges of facets a few points wide: "
+                  "these are not guarded (--noise)",
+                  found->sigma);
 }
 
 /* What is left by smooth surfaces where no noise was found and it may be of both; else 0. */
@@ -339,16 +346,17 @@ static void say_unknown(double rough)
             rough);
 }
 
-/* Near so many points the surface between them is uncertain.  Where it is so near all of them, and
+/* Near so many points the surface between them is uncertain.  Where it is so near most of them, and
  * they are far apart for the ball, nothing keeps it off between them: less far, where they are off
- * smooth surfaces by what may be steps. */
+ * smooth surfaces, or two sheets are apart, by what may be steps. */
 static void say_vague(const struct guard_points *surface, size_t points, bool stepped,
                       const struct guard_read_options *rule)
 {
-    const double all = 0.95, most = 0.5, farther = 0.6; /* of the points; of the radius */
-    double far = stepped ? 0.25 : 0.45;
+    const double most = 0.5, many = 0.8, all = 0.95;          /* of the points */
+    const double farther = 0.6, coarse = 1 / 3.0, far = 0.25; /* of the radius */
     double vague = (double)surface->vague / (double)points, gap = surface->gap / rule->radius;
-    bool nowhere = (vague > all && gap > far) || (vague > most && gap > farther);
+    bool nowhere = (vague > most && gap > farther) || (vague > many && gap > coarse) ||
+                   (vague > all && gap > far && stepped);
 
     if (surface->vague > 0)
         unmet_say(nowhere ? rule->unmet : NULL,
@@ -382,7 +390,7 @@ static struct guard_points surface_of_scan(struct point_grid *grid, double spaci
     bool sided = rule->noise < 0 && found.noise.sided;
     double rough = rule->noise < 0 ? rough_of(&found, rule->tolerance) : 0;
     if (rule->noise < 0) {
-        say_rough(found.sigma, spacing, rule);
+        say_rough(&found, spacing, rule);
         say_unknown(rough);
         rule->noise = removed ? found.sigma : 0;
     }
@@ -400,7 +408,8 @@ static struct guard_points surface_of_scan(struct point_grid *grid, double spaci
     if (rule->noise > 0)
         say("noise of %.2g mm taken out of the scan that guards (%zu of %zu points moved)",
             rule->noise, surface.moved, grid->n);
-    say_vague(&surface, grid->n, rough > STEPPED * spacing, rule);
+    bool stepped = rough > STEPPED * spacing || found.apart > 2 * STEPPED * spacing;
+    say_vague(&surface, grid->n, stepped, rule);
     note("guarded by %zu points of the scan and %zu inserted between them", grid->n, surface.added);
     if (surface.edges > 0)
         note("and by %zu points on sharp edges that its surfaces meet in", surface.edges);

@@ -41,16 +41,19 @@ facets() {
 }
 
 # Of the first who judges found four points left, at most three may be, where all had ended with 0.
+# By default these are unmet, for a part of what is taken for noise is edges; with a noise that is
+# told they are not.
 for seed in 23 1 5 12 59; do
 	facets $((9973 * seed + 17 + 7919 * ${SEED:-0})) >scan.xyz
 	ok "$seed: a mesh" cloud2mesh -q -t 2 -o mesh.ply scan.xyz
-	meshnorm -q -r 2.5 --avoid -g scan.xyz -o path.cl mesh.ply 2>err
+	status 3 "$seed: edges in the noise" meshnorm -q -r 2.5 --avoid -g scan.xyz -o path.cl mesh.ply
+	meshnorm -q -r 2.5 --avoid --noise 0.032 -g scan.xyz -o path.cl mesh.ply 2>err
 	made=$?
 	ok "$seed: status 0, or 3 with what is left ($made)" \
 		test $made = 0 -o "$(grep -cE 'for left though|^meshnorm: left though' err)" -gt 0
 	[ $made = 0 ] || continue
-	ok "$seed: a fit" biarcfit -q -e 0.01 -g scan.xyz -o fit.cl path.cl
+	ok "$seed: a fit" biarcfit -q -e 0.01 --noise 0.032 -g scan.xyz -o fit.cl path.cl
 	ok "$seed: a program" ncpost -q -c siemens -o program.mpf fit.cl
-	status 0 "$seed: accepted" ncverify -q -r 2.5 -g scan.xyz program.mpf
+	status 0 "$seed: accepted" ncverify -q -r 2.5 --noise 0.032 -g scan.xyz program.mpf
 done
 done_testing

@@ -168,7 +168,7 @@ awk 'BEGIN { for (y = -15; y <= 15; y += 3) for (x = -15; x < 15; x += 0.7) {
 cloud2mesh -q -o lines.ply lines.xyz 2>err
 meshnorm -r 5 --scallop 0.1 --avoid -g lines.xyz -o lines.cl lines.ply 2>err
 has "lines too far apart for the ball are told" '^[$][$]-> UNMET/.*the scan is too sparse' lines.cl
-meshnorm -r 9 --scallop 0.1 --avoid -g lines.xyz -o lines.cl lines.ply 2>err
+meshnorm -r 12 --scallop 0.1 --avoid -g lines.xyz -o lines.cl lines.ply 2>err
 hasnt "not for a larger one, that ends with 3 by it" '^[$][$]-> UNMET/.*too sparse' lines.cl
 
 done_testing

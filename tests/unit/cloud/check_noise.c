@@ -116,6 +116,52 @@ START_TEST(what_neighbours_share_is_none)
 }
 END_TEST
 
+/* A dome of some sixty tangent planes, whose edges are as far apart as three points. */
+static double dome_facets(double x, double y)
+{
+    enum { FACETS = 60 };
+    double z = HUGE_VAL;
+
+    for (int k = 0; k < FACETS; k++) {
+        double r = 13 * sqrt((k + 0.5) / FACETS), t = 2.39996 * k;
+        double u = r * cos(t), v = r * sin(t), h = sqrt(400 - u * u - v * v);
+        z = fmin(z, h + (u * (u - x) + v * (v - y)) / h);
+    }
+    return z;
+}
+
+/* Of points 1 mm apart, on a grid turned by a little and anywhere: facets without noise are none;
+ * with noise as large as what edges are off, what is found may be shape in part or is not noise
+ * alone, as it is on a smooth dome. */
+START_TEST(facets_and_noise)
+{
+    enum { ACROSS = 25 };
+    enum { FACETTED, BOTH, SMOOTH };
+    double a = 0.2 + 0.1 * _i;
+
+    for (int what = FACETTED; what <= SMOOTH; what++) {
+        struct point_grid grid;
+        struct error error;
+        noisy_seed(60 + (unsigned)_i);
+        for (int i = 0; i < ACROSS * ACROSS; i++) {
+            double u = i % ACROSS - ACROSS / 2, v = i / ACROSS - ACROSS / 2;
+            u = _i % 2 ? ACROSS * (noisy_uniform() - 0.5) : u;
+            v = _i % 2 ? ACROSS * (noisy_uniform() - 0.5) : v;
+            double x = u * cos(a) - v * sin(a), y = u * sin(a) + v * cos(a);
+            double z = what == SMOOTH ? dome(x, y) : dome_facets(x, y);
+            *array_push(&scan) = vec(x, y, z + (what == FACETTED ? 0 : 0.02 * noisy_normal()));
+        }
+        ck_assert_int_eq(point_grid_make(scan.item, scan.n, 1, 1, &grid, &error), 0);
+        struct noise found = noise_measure(&grid, 1);
+        ck_assert(what == BOTH || !found.mixed);
+        ck_assert(what == FACETTED ? !found.alike && !(found.even > 0)
+                                   : found.alike == (what == SMOOTH || found.mixed));
+        point_grid_free(&grid);
+        array_free(&scan);
+    }
+}
+END_TEST
+
 START_TEST(a_few_outliers_do_not_count)
 {
     noisy_seed(1);
@@ -281,6 +327,7 @@ int main(void)
     tcase_add_loop_test(tests, as_put_on, 0, 3);
     tcase_add_loop_test(tests, none, 0, 3);
     tcase_add_loop_test(tests, what_neighbours_share_is_none, 0, 16);
+    tcase_add_loop_test(tests, facets_and_noise, 0, 8);
     tcase_add_test(tests, a_few_outliers_do_not_count);
     tcase_add_test(tests, over_steps);
     tcase_add_test(tests, over_low_walls);

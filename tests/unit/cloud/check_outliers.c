@@ -350,6 +350,33 @@ START_TEST(rib_across_lines)
 }
 END_TEST
 
+/* A rib 0.4 mm thick and 1 mm high that is straight or goes round, amid points anywhere, as far
+ * apart as it is thick: its points are kept, lone ones of any height are not. */
+START_TEST(rib_of_points_anywhere)
+{
+    enum { POINTS = 1736, STRAYS = 12 };
+    size_t lost = 0, missed = 0;
+
+    noisy_seed(40 + (unsigned)_i);
+    for (int k = 0; k < POINTS; k++) {
+        double x = 20 * noisy_uniform() - 10, y = 20 * noisy_uniform() - 10;
+        double away = _i % 2 ? x - 6 : hypot(x - 4, y) - 4;
+        *array_push(&scan) = vec(x, y, x > -1 && fabs(away) < 0.2 ? 1 : 0);
+    }
+    for (int k = 0; k < STRAYS; k++)
+        *array_push(&scan) = vec(-9 + 2.5 * (k % 3), -9 + 6 * (k / 3), 0.6 + 0.3 * (k * 5 % 12));
+    sort();
+    outliers_isolated(&point_grid, 0, 2, out);
+    for (size_t i = 0; i < point_grid.n; i++) {
+        struct vec3 p = point_grid.point[i];
+        lost += out[i] && p.x > -1;
+        missed += !out[i] && p.x < -1 && p.z > 0.5;
+    }
+    ck_assert_uint_le(lost, 1); /* where the next is more than six spacings away */
+    ck_assert_uint_eq(missed, 0);
+}
+END_TEST
+
 START_TEST(points_twice)
 {
     noisy_seed(4);
@@ -427,6 +454,7 @@ int main(void)
     tcase_add_test(tests, marks_in_a_row);
     tcase_add_test(tests, mark_on_a_needle);
     tcase_add_loop_test(tests, rib_across_lines, 0, 4);
+    tcase_add_loop_test(tests, rib_of_points_anywhere, 0, 8);
     tcase_add_test(tests, points_twice);
     tcase_add_test(tests, under_a_roof);
     tcase_add_test(tests, a_pocket);
