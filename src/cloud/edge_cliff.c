@@ -17,6 +17,7 @@ static const double STEEP_STEP = 0.35; /* of the way: so high over it no surface
 static const double EVEN_SINKS =
     2.5;                           /* sinkings of the ball: a flank that is even is off by less */
 static const double MANY_OFF = 25; /* times as high as a flank is off its points: a step */
+static const double SURELY_OFF = 100; /* and one where little about is known, too */
 static const double FARTHER = 4;   /* spacings: farther than that a flank is a plane */
 
 /* Seen from above the flank is open about a point of a corner by more: its sides make less than 75
@@ -100,7 +101,8 @@ static bool is_high(const struct edge_work *work, size_t k, double step)
 {
     const struct edge_flank *flank = &work->flank[k];
 
-    return is_fair(flank) && step > MANY_OFF * flank->rms && edge_on_known(work, k);
+    return is_fair(flank) && step > MANY_OFF * flank->rms &&
+           (step > SURELY_OFF * flank->rms || edge_on_known(work, k));
 }
 
 /* A wall stands on the flank of point k, so far from the rim, which is so high over it and it over

@@ -6,7 +6,8 @@
 #include "base/parallel.h"
 #include "gouge/axis_smooth.h"
 
-static const double AIR = RADIANS(60);      /* how far axes in the air may be off those they had */
+static const double AIR = RADIANS(60);    /* how far axes in the air may be off those they had */
+static const double TURNED = RADIANS(60); /* about the pole: those on both sides of it are alike */
 static const double STEEPEST = RADIANS(80); /* of an axis from the normal */
 
 /* The rules of a run, averaged. */
@@ -30,6 +31,32 @@ static void allow_some(void *context, size_t from, size_t to)
         struct axis_station *s = &c->at[i];
         double spare = run_point_touches(s->point) ? AXIS_CHAIN_SPARE : 0;
         s->allow = fmax(fmax(s->allow - spare, 0), vec_angle(s->point->axis, s->rule));
+    }
+}
+
+static bool is_at_pole(const struct axis_station *s)
+{
+    return fabs(s->was.lean) <= AXIS_CHAIN_POLE;
+}
+
+/* Where the axis comes to the pole and goes back to the side that it came from, it leans to that
+ * side by as good as nothing, so that it may go with those about it. */
+static void leave_pole(struct axis_chain *c)
+{
+    for (size_t i = 1, end; i + 1 < c->n; i = end + 1) {
+        for (end = i; end < c->n && is_at_pole(&c->at[end]); end++)
+            ;
+        if (end == i || end == c->n || is_at_pole(&c->at[i - 1]))
+            continue;
+        struct rotary_angles before = c->at[i - 1].was, after = c->at[end].was;
+        if (before.lean * after.lean <= 0 || fabs(before.turn - after.turn) > TURNED)
+            continue;
+        for (size_t k = i; k < end; k++) {
+            double part = (double)(k + 1 - i) / (double)(end + 1 - i);
+            c->at[k].was.lean = copysign(2 * AXIS_CHAIN_POLE, before.lean);
+            c->at[k].was.turn = before.turn + part * (after.turn - before.turn);
+            c->at[k].angles = c->at[k].was;
+        }
     }
 }
 
@@ -63,6 +90,7 @@ struct axis_chain axis_chain_of(const struct axis_calm_options *options,
         }
         free(rules);
     }
+    leave_pole(&c);
     parallel_for(axis_chain_threads(&c), c.n, allow_some, &c);
     return c;
 }

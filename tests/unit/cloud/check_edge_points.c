@@ -956,6 +956,38 @@ START_TEST(rims_of_steps)
 }
 END_TEST
 
+/* A boss on ground that falls away from it, so that no floor is level, scanned on lines so far apart
+ * that the nearest points of two rows are half its radius apart and few surfaces are certain: a ball
+ * over its rim touches it. */
+START_TEST(boss_between_lines)
+{
+    enum { WAYS = 360, LINES = 6 };
+    const double wide = 4, between = 2, along = 0.7, level = 0.45, deep = 2 * TOLERANCE;
+    struct guarded g = {0};
+    int deeper = 0;
+
+    noisy_seed(240 + (unsigned)_i);
+    double ox = noisy_uniform(), oy = noisy_uniform();
+    for (int line = -LINES; line <= LINES; line++) {
+        double shift = along * noisy_uniform();
+        for (double u = -12 + shift; u < 12; u += along) {
+            double x = u - ox, y = between * line - oy, r = hypot(x, y);
+            *array_push(&g.scan) = vec(x, y, r < wide ? 5 : 3 - 0.25 * r);
+        }
+    }
+    guarded_make(&g, sqrt(between * along), 0);
+    struct gouge_check *guard = guarded_gouge(&g);
+    for (int i = 0; i < WAYS; i++) {
+        double t = 2 * PI * i / WAYS, r = wide - 1e-6 + (RADIUS - deep) * level;
+        struct vec3 c = vec(r * cos(t), r * sin(t), 5 + (RADIUS - deep) * sqrt(1 - level * level));
+        deeper += gouge_depth(guard, c, RADIUS) <= 0;
+    }
+    ck_assert_int_le(deeper, WAYS / 100);
+    gouge_free(guard);
+    guarded_free(&g);
+}
+END_TEST
+
 static double bowl(double x, double y)
 {
     return (x * x + y * y) / 40;
@@ -1006,6 +1038,7 @@ int main(void)
     tcase_add_loop_test(tests, noisy_flanks, 0, 4);
     tcase_add_loop_test(tests, rims_of_pockets, 0, 6);
     tcase_add_loop_test(tests, rims_of_steps, 0, 8);
+    tcase_add_loop_test(tests, boss_between_lines, 0, 6);
     tcase_add_loop_test(tests, no_tips_by_noise, 1, 4);
     suite_add_tcase(suite, tests);
     tcase_set_timeout(tests, 60);

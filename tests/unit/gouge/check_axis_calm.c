@@ -286,6 +286,34 @@ END_TEST
 
 /* A needle of points in the air, midway between two stations 12 mm apart: upright, the flute would
  * be clear of it at both and meet it on the way.  Axes that lean away there must go on to do so. */
+/* An axis that is upright at one point of a row that leans leans with it, by itself; one that the
+ * row goes over to its other side by stays. */
+START_TEST(back_from_the_pole)
+{
+    for (int over = 0; over < 2; over++) {
+        struct vec3s scan = {0};
+        struct gouge_check *guard = floor_and_wall(0, &scan);
+        struct axis_calm_options options = options_of(guard);
+        const int at = POINTS / 2;
+        struct rows r;
+        make_rows(&r);
+        for (int i = 0; i < POINTS; i++) {
+            double lean = i == at ? 0 : tan(RADIANS(over && i > at ? -3 : 3));
+            r.point[i].axis = vec_unit(vec(0, lean, 1));
+            r.point[i].tip = vec_along(r.point[i].ball, -RADIUS, r.point[i].axis);
+            r.rule[i] = vec_unit(vec(0, over && i > at ? -tan(RADIANS(3)) : tan(RADIANS(3)), 1));
+        }
+        axis_calm_chain(&options, r.run, 1);
+        double leans = vec_angle(r.point[at].axis, vec(0, 0, 1));
+        ck_assert(over ? leans <= 0 : leans > RADIANS(2));
+        for (int i = 1; i < POINTS && !over; i++)
+            ck_assert_double_lt(vec_angle(r.point[i - 1].axis, r.point[i].axis), RADIANS(0.5));
+        gouge_free(guard);
+        array_free(&scan);
+    }
+}
+END_TEST
+
 START_TEST(clear_on_the_way)
 {
     enum { N = 8, BEFORE = 3 };
@@ -339,6 +367,7 @@ int main(void)
     tcase_add_test(tests, slowly_past_a_wall);
     tcase_add_test(tests, a_link_in_the_air_loosens_no_row);
     tcase_add_test(tests, over_the_pole);
+    tcase_add_test(tests, back_from_the_pole);
     tcase_add_test(tests, clear_on_the_way);
     suite_add_tcase(suite, tests);
 
