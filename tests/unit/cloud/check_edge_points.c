@@ -956,9 +956,9 @@ START_TEST(rims_of_steps)
 }
 END_TEST
 
-/* A boss on ground that falls away from it, so that no floor is level, scanned on lines so far apart
- * that the nearest points of two rows are half its radius apart and few surfaces are certain: a ball
- * over its rim touches it. */
+/* A boss on ground that falls away from it, so that no floor is level, scanned on lines so far
+ * apart that the nearest points of two rows are half its radius apart and few surfaces are certain:
+ * a ball over its rim touches it. */
 START_TEST(boss_between_lines)
 {
     enum { WAYS = 360, LINES = 6 };
