@@ -21,6 +21,9 @@ static const double HURRIED = 0.5; /* of the usual work: searches would take min
 static const double LINE = 0.021;     /* mm: the next block is read before a shorter one is over */
 static const double LINE_ROOM = 0.75; /* of the tolerance: for the points left out for it */
 
+/* Points of more data that no number of even knots serves: free ones would not either. */
+enum { VAIN = 64 };
+
 /* More poles than EVEN_MOST with fewer points for each than EVEN_POINTS follow noise. */
 enum { EVEN_MOST = 24, EVEN_POINTS = 12 };
 
@@ -354,8 +357,10 @@ static void search_with(const struct reference *reference, const struct splinefi
 
     if (turns)
         fit_by_least_squares(&s, &squares);
-    bool found = fit_free_knots(&s, squares.within ? squares.curve.poles : 0, NULL, fit),
-         cut = fit->cut;
+    bool vain = turns && squares.kind == SPLINEFIT_POLYLINE && reference->n > VAIN;
+    bool found = !vain &&
+                 fit_free_knots(&s, squares.within ? squares.curve.poles : 0, NULL, fit),
+         cut = !vain && fit->cut;
     if (!turns && (!found || cut))
         fit_by_least_squares(&s, &squares);
     if (!found)
