@@ -43,6 +43,7 @@ struct stream_vertex {
 
 struct cloud_stream {
     const char *file;
+    bool once;                       /* it can be read but once, as a pipe: the spool is needed */
     struct transform place;          /* from its units to mm */
     int threads;                     /* one reads, the other works on what was read */
     struct cloud_count count;        /* what was read, and what was skipped */
@@ -69,7 +70,8 @@ bool cloud_stream_serves(const struct cloudmesh_options *options);
 enum { CLOUD_STREAM_KEEP = (32 << 20) / sizeof(struct vec3) /* points that are no great matter */ };
 
 /* The first two looks, at a file whose points `place` puts into mm; they are kept where there are
- * no more than `keep`.  1: it is no regular file, or its points carry no surface; -1: an error. */
+ * no more than `keep`.  With 0 it may be a pipe.  1: it is no regular file, or its points carry no
+ * surface; -1: an error, of a pipe that too. */
 int cloud_stream_begin(const char *file, const struct transform *place,
                        const struct cloudmesh_options *options, size_t keep, int threads,
                        struct cloud_stream *stream, struct error *error);

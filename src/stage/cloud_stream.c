@@ -276,6 +276,28 @@ static bool is_regular(const char *file, size_t *most)
     return regular;
 }
 
+static void gather(struct look *l, const struct vec3 *point, size_t n)
+{
+    for (size_t i = 0; i < n; i++)
+        *array_push(&l->placed) = point[i];
+}
+
+/* The points seem to carry no surface: 1, whoever reads the file again says what they do; of what
+ * can be read but once it is said here, -1, or 0 where they do. */
+static int carries_none(struct cloud_stream *s, struct error *error)
+{
+    struct look look = {.stream = s};
+    struct error why;
+
+    if (!s->once)
+        return 1;
+    int status = s->n > 0 ? look_again(&look, gather, error) : 0;
+    if (status == 0 && plan_extent_check(look.placed.item, look.placed.n, &why) < 0)
+        status = error_at(error, s->file, 0, "%s", why.text);
+    array_free(&look.placed);
+    return status;
+}
+
 static int begin(struct look *l, struct error *error)
 {
     struct cloud_stream *s = l->stream;
@@ -284,14 +306,18 @@ static int begin(struct look *l, struct error *error)
     if (cloud_read_blocks(s->file, take_first, l, s->threads, &s->count, error) < 0)
         return -1;
     cloud_spool_end(s->spool);
+    if (s->once && !cloud_spool_holds(s->spool) && s->n > 0)
+        return error_at(error, s->file, 0,
+                        "found no room to set its points aside in TMPDIR, /var/tmp or /tmp, "
+                        "expected up to 24 bytes each: it cannot be read again as a file can");
     if (s->n < 3 || distance2_xy(l->from, l->far) == 0)
-        return 1;
+        return carries_none(s, error);
     if (!(s->options.direction != 0))
         s->turned = s->flat;
     l->early = s->options.spacing > 0 && begin_nodes(s, error) == 0; /* else it is said later */
     if (find_spacing(l, error) < 0)
         return -1;
-    return l->clumps || l->line;
+    return l->clumps || l->line ? carries_none(s, error) : 0;
 }
 
 int cloud_stream_begin(const char *file, const struct transform *place,
@@ -307,7 +333,8 @@ int cloud_stream_begin(const char *file, const struct transform *place,
                                     .flat = plan_extent_begin(0),
                                     .turned = plan_extent_begin(options->direction)};
     size_t most;
-    if (!is_regular(file, &most))
+    stream->once = !is_regular(file, &most);
+    if (stream->once && keep > 0)
         return 1;
     array_reserve(&stream->kept, most < keep ? most : keep);
     int status = begin(&look, error);

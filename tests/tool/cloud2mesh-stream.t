@@ -84,6 +84,25 @@ cloud2mesh -q -t 1 --normals facet "$TMP/large.xyz" | sed '/^comment/d' >"$TMP/a
 cloud2mesh -q -t 1 --normals facet <"$TMP/large.xyz" | sed '/^comment/d' >"$TMP/b"
 same 'a large file: the same mesh as through a pipe' "$TMP/a" "$TMP/b"
 
+# a pipe is set aside too: the mesh of the file, with noise, and no memory that goes with points
+awk 'BEGIN { for (i = 0; i < 40000; i++) { x = i % 200; y = int(i / 200)
+	printf "%.4f %.4f %.4f\n", x / 7, y / 7, sin(x / 40) * cos(y / 30) + (i * 7919 % 1009) / 20000 } }' \
+	>"$TMP/noisy.xyz"
+for how in facet quadric; do
+	cloud2mesh -q -t 1 --stream --normals $how "$TMP/noisy.xyz" | grep -v -e '^comment s' >"$TMP/a"
+	cat "$TMP/noisy.xyz" | cloud2mesh -q -t 1 --stream --normals $how |
+		grep -v -e '^comment s' >"$TMP/b"
+	same "--normals $how: through a pipe the same mesh" "$TMP/a" "$TMP/b"
+done
+has 'with the noise of the scan' '^comment noise' "$TMP/b"
+for cloud in line two bad; do
+	cloud2mesh -q --stream "$TMP/$cloud.xyz" 2>&1 | sed 's|^[^:]*: [^:]*:||' >"$TMP/a"
+	cat "$TMP/$cloud.xyz" | cloud2mesh -q --stream 2>&1 | sed 's|^[^:]*: [^:]*:||' >"$TMP/b"
+	same "$cloud: the same refusal through a pipe" "$TMP/a" "$TMP/b"
+done
+(ulimit -f 0 && cat "$TMP/noisy.xyz" | cloud2mesh -q --stream 2>&1 >/dev/null) | cat >"$TMP/said"
+has 'no room for a pipe: it says so' 'no room to set its points aside' "$TMP/said"
+
 # points set aside in a file: no folder shows it, and where there is no room the cloud is read again
 mkdir "$TMP/aside"
 without_room() { # BLOCKS OPTIONS...
