@@ -22,8 +22,9 @@ done
 shift $((OPTIND - 1))
 [ $# -ge 3 ] || usage
 case $parts in
-'' | 0* | *[!0-9]* | ??????*)
-	echo "parallel.sh: found \`$parts' parts, expected 1 to 99999" >&2
+10000) ;; # as many as --part takes
+'' | 0* | *[!0-9]* | ?????*)
+	echo "parallel.sh: found \`$parts' parts, expected 1 to 10000" >&2
 	exit 2
 	;;
 esac
@@ -48,15 +49,25 @@ ship_scan() {
 	ship="$ship --basefile $name"
 }
 
+# rename_scan FILE FROM TO: what the path in FILE calls a scan.
+rename_scan() {
+	awk -v from="$(printf %s "$2" | sed 's/\\/&&/g')" -v to="$(printf %s "$3" | sed 's/\\/&&/g')" '
+		match($0, /^\$\$-> SCAN\/[0-9]*,[0-9a-f]*,/) && substr($0, RLENGTH + 1) == from {
+			$0 = substr($0, 1, RLENGTH) to
+		}
+		{ print }' "$1" >"$work/renamed" && mv "$work/renamed" "$1" || exit 1
+}
+
 # What is shipped: the path, the scans that it or an option names, what is to be done with a part.
 cp "$path" "$work/path.cl" || exit 1
-ship='--basefile path.cl --basefile part.sh' guards='' n=0
+ship='--basefile path.cl --basefile part.sh' n=0
 : >"$work/scans"
 case " $* " in *' -g'* | *' --guard'* | *' --no-guard '*) named=/dev/null ;; *) named=$path ;; esac
 sed -n 's/^\$\$-> SCAN\/[0-9]*,[0-9a-f]*,//p' "$named" >"$work/named"
 while IFS= read -r scan; do
+	[ -f "$scan" ] || continue # each part says that it is gone, as one run does
 	ship_scan "$scan"
-	guards="$guards -g $name"
+	rename_scan "$work/path.cl" "$scan" "$name"
 done <"$work/named"
 quoted='' before=''
 for option; do
@@ -71,7 +82,7 @@ for option; do
 done
 cat >"$work/part.sh" <<END
 exec 2>"said.\$1"
-$fitter -q -j 1 --part "\$1/$parts" -o "fitted.\$1" $guards $quoted path.cl
+$fitter -q -j 1 --part "\$1/$parts" -o "fitted.\$1" $quoted path.cl
 s=\$?
 echo \$s >"status.\$1"
 [ \$s -eq 0 ] || [ \$s -eq 3 ]
@@ -98,11 +109,7 @@ for k in $(seq "$parts"); do
 done >joined
 # The scans have their own names again.
 while IFS= read -r name && IFS= read -r scan; do
-	awk -v name="$name" -v scan="$(printf %s "$scan" | sed 's/\\/&&/g')" '
-		/^\$\$-> SCAN\// && substr($0, length($0) - length(name)) == "," name {
-			$0 = substr($0, 1, length($0) - length(name)) scan
-		}
-		{ print }' joined >renamed && mv renamed joined || exit 1
+	rename_scan joined "$name" "$scan"
 done <scans
 cd "$here" && mv "$work/joined" "$out" || exit 1
 ! grep -q 3 "$work"/status.* || exit 3

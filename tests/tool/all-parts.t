@@ -73,7 +73,7 @@ same "its part is run again" joined whole.biarcfit
 status 1 "no such path" sh "$together" -n 2 biarcfit none.cl none.out
 status 1 "an option that is none" sh "$together" -n 2 biarcfit "$passes" none.out --wrong
 ok "nothing is written" test ! -e none.out
-for n in 0 -1 x 2.5 ''; do
+for n in 0 -1 x 2.5 10001 ''; do
 	status 2 "-n '$n'" sh "$together" -n "$n" biarcfit "$passes" none.out
 	ok "nothing is written" test ! -e none.out
 done
@@ -107,6 +107,19 @@ status $whole "on two hosts, with the scan" \
 	sh "$together" -n 3 -s one,two biarcfit guarded.cl joined
 has "the path names its scan" 'SCAN/.*scan.xyz' whole.cl
 same "on two hosts it is the same" joined whole.cl
+# A scan that is gone, was standard input, or has other points since: said, fitted, as in one run.
+mkdir gone
+sed 's|,[^,]*scan.xyz$|,none.xyz|' guarded.cl >gone/none.cl
+sed 's|,[^,]*scan.xyz$|,-|' guarded.cl >gone/pipe.cl
+sed '7,9d' scan.xyz >gone/changed.xyz
+sed 's|,[^,]*scan.xyz$|,gone/changed.xyz|' guarded.cl >gone/changed.cl
+for why in none pipe changed; do
+	biarcfit -q -o whole.cl gone/$why.cl 2>whole.err
+	status 3 "a scan that does not guard, $why" sh "$together" -n 2 biarcfit gone/$why.cl joined
+	has 'it is said' 'does not guard' err
+	for cl in whole.cl joined; do grep -v UNMET $cl >$cl.met; done
+	same "the same path" joined.met whole.cl.met
+done
 # A scan that an option names, from here and in a folder with an awkward name.
 mkdir "a folder"
 cp scan.xyz "a folder/it's.xyz"
