@@ -86,7 +86,8 @@ same 'a large file: the same mesh as through a pipe' "$TMP/a" "$TMP/b"
 
 # a pipe is set aside too: the mesh of the file, with noise, and no memory that goes with points
 awk 'BEGIN { for (i = 0; i < 40000; i++) { x = i % 200; y = int(i / 200)
-	printf "%.4f %.4f %.4f\n", x / 7, y / 7, sin(x / 40) * cos(y / 30) + (i * 7919 % 1009) / 20000 } }' \
+	z = sin(x / 40) * cos(y / 30) + (i * 7919 % 1009) / 20000
+	printf "%.4f %.4f %.4f\n", x / 7, y / 7, z } }' \
 	>"$TMP/noisy.xyz"
 for how in facet quadric; do
 	cloud2mesh -q -t 1 --stream --normals $how "$TMP/noisy.xyz" | grep -v -e '^comment s' >"$TMP/a"
