@@ -21,7 +21,8 @@ static const double HURRIED = 0.5; /* of the usual work: searches would take min
 static const double LINE = 0.021;     /* mm: the next block is read before a shorter one is over */
 static const double LINE_ROOM = 0.75; /* of the tolerance: for the points left out for it */
 
-/* Points of more data that no number of even knots serves: free ones would not either. */
+/* Points of data that no number of even knots serves: of more, free ones would not serve either, and
+ * take long to tell. */
 enum { VAIN = 64 };
 
 /* More poles than EVEN_MOST with fewer points for each than EVEN_POINTS follow noise. */
@@ -348,24 +349,25 @@ void splinefit_paper(const struct reference *reference, const struct splinefit_o
     search_free(&s);
 }
 
+/* `grown`: knots were found where they were asked for. */
 static void search_with(const struct reference *reference, const struct splinefit_options *options,
-                        struct splinefit *fit)
+                        bool grown, struct splinefit *fit)
 {
     struct search s = search_new(reference, options, false);
     struct splinefit squares = {0};
-    bool turns = reference->turns; /* there the search is long: it is good to know before */
+    bool many = !grown && reference->n > VAIN && is_open(options);
+    bool first = reference->turns || many; /* the search is long: it is good to know before */
 
-    if (turns)
+    if (first)
         fit_by_least_squares(&s, &squares);
-    bool vain = turns && squares.kind == SPLINEFIT_POLYLINE && reference->n > VAIN;
-    bool found = !vain &&
-                 fit_free_knots(&s, squares.within ? squares.curve.poles : 0, NULL, fit),
-         cut = !vain && fit->cut;
-    if (!turns && (!found || cut))
+    bool vain = first && squares.kind == SPLINEFIT_POLYLINE && reference->n > VAIN;
+    size_t known = reference->turns && squares.within ? squares.curve.poles : 0;
+    bool found = !vain && fit_free_knots(&s, known, NULL, fit), cut = !vain && fit->cut;
+    if (!first && (!found || cut))
         fit_by_least_squares(&s, &squares);
     if (!found)
         *fit = squares;
-    else if (turns || cut)
+    else if (first || cut)
         keep_fewer(fit, &squares);
     fit->cut = cut;
     set_paper_error(&s, fit);
@@ -374,16 +376,16 @@ static void search_with(const struct reference *reference, const struct splinefi
 
 /* With knot spans of any length first: as a rule none of them is too short. */
 static void search_spans(const struct reference *reference, const struct splinefit_options *options,
-                         struct splinefit *fit)
+                         bool grown, struct splinefit *fit)
 {
     struct splinefit_options any = *options;
     struct splinefit longer;
 
     any.least = 0;
-    search_with(reference, &any, fit);
+    search_with(reference, &any, grown, fit);
     if (fit->kind == SPLINEFIT_POLYLINE || !bspline_has_short_span(&fit->curve, options->least))
         return;
-    search_with(reference, options, &longer);
+    search_with(reference, options, grown, &longer);
     if (longer.kind == SPLINEFIT_POLYLINE) { /* the tolerance forbids it */
         splinefit_free(&longer);
         return;
@@ -422,8 +424,9 @@ void splinefit_search(const struct reference *reference, const struct splinefit_
         *fit = soon;
         return;
     }
-    search_spans(reference, options, fit);
-    if (soon.curve.poles > 0)
+    bool grown = soon.curve.poles > 0;
+    search_spans(reference, options, grown, fit);
+    if (grown)
         keep_fewer(fit, &soon);
 }
 
