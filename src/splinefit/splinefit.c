@@ -21,8 +21,8 @@ static const double HURRIED = 0.5; /* of the usual work: searches would take min
 static const double LINE = 0.021;     /* mm: the next block is read before a shorter one is over */
 static const double LINE_ROOM = 0.75; /* of the tolerance: for the points left out for it */
 
-/* Points of data that no number of even knots serves: of more, free ones would not serve either, and
- * take long to tell. */
+/* Points of data that no number of even knots serves: of more, free ones would not serve either,
+ * and take long to tell. */
 enum { VAIN = 64 };
 
 /* More poles than EVEN_MOST with fewer points for each than EVEN_POINTS follow noise. */
