@@ -81,7 +81,7 @@ struct verify_program {
     const struct nc_motion *path;         /* that it was made from; NULL: not known */
     /* by what its head says: */
     bool contact_feed;    /* feeds are those of the contact point */
-    bool of_whole;        /* it is a part of a program: what is left is no fault of it */
+    bool of_whole;        /* it is a part of a program: what it leaves is no fault of it */
     bool guarded;         /* by this scan: it ends above all of it */
     double post, axis;    /* off the path by, mm and degrees; below zero: not said */
     double rapid;         /* way of its rapid moves, mm; 0: not said */

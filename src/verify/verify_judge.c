@@ -398,10 +398,12 @@ static void judge_path(struct verdict *v)
                     DEGREES(found.turned.value), found.turned.at.x, found.turned.at.y,
                     found.turned.at.z);
     if (found.missed.count > 0)
-        finding_add(v, true, found.missed.near,
-                    "the program leaves out line %zu of the path, %.3f mm off it at %.3f %.3f %.3f",
+        finding_add(v, !v->program.of_whole, found.missed.near,
+                    "the program leaves out line %zu of the path, %.3f mm off it at "
+                    "%.3f %.3f %.3f%s",
                     path->piece.item[found.missed.piece].line, found.missed.value,
-                    found.missed.at.x, found.missed.at.y, found.missed.at.z);
+                    found.missed.at.x, found.missed.at.y, found.missed.at.z,
+                    v->program.of_whole ? "; another part may go there" : "");
     if (found.fast.count > 0)
         finding_add(v, true, found.fast.piece, "the feed is %.4g times the path's",
                     found.fast.value);

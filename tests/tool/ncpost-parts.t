@@ -212,6 +212,10 @@ for control in fanuc siemens heidenhain linuxcnc; do
 	for part in hill-*; do # beside which the others cut
 		status 0 "$control: $part is accepted" ncverify -g hills.xyz "$part"
 		has "$control: what it leaves is told" 'notice: .* left at .*; another part may cut it' err
+		status 0 "$control: $part is accepted beside the whole path" \
+			ncverify -g hills.xyz -p hills.cl "$part"
+		has "$control: the rest of it is told" \
+			'notice: .*leaves out line .* of the path, .*; another part may go there' err
 	done
 	status 3 "$control: nothing less may be left where it is said" \
 		ncverify -q -g hills.xyz --left 0.3 hill-1.nc

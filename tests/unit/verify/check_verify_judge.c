@@ -843,17 +843,18 @@ START_TEST(a_tip_off_the_path)
 }
 END_TEST
 
-/* A path that goes on where the program is over. */
+/* A path that goes on where the program is over: a fault, but of a part of a program. */
 START_TEST(what_the_program_leaves_out)
 {
     struct trial t;
     trial_begin(&t);
+    t.v.program.of_whole = _i == 1;
     t.path = three_moves(0);
     t.path.piece.n = 2;
     move_to(&t.path, vec(20, 15, 0), vec(0, 0, 1), false);
     t.v.program.path = &t.path;
     verify_judge(&t.v);
-    ck_assert(verdict_refused(&t.v));
+    ck_assert_int_eq(verdict_refused(&t.v), _i == 0);
     ck_assert_ptr_nonnull(strstr(t.v.finding.item[0].text,
                                  "the program leaves out line 3 of the path, 15.000 mm off it at "
                                  "20.000 15.000 0.000"));
@@ -881,7 +882,7 @@ int main(void)
     tcase_add_loop_test(tests, against_the_path, 0, COUNT(paths));
     tcase_add_loop_test(tests, tool_of_the_path, 0, (int)(sizeof tools / sizeof *tools));
     tcase_add_test(tests, a_tip_off_the_path);
-    tcase_add_test(tests, what_the_program_leaves_out);
+    tcase_add_loop_test(tests, what_the_program_leaves_out, 0, 2);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);
     int failed = srunner_ntests_failed(runner);
