@@ -145,14 +145,16 @@ static void say_unmet(const struct path *in, const struct fitted_runs *runs, str
         const struct result *result = run->result;
         const struct spline_run *pieces = &result->pieces;
         for (size_t k = 0; k < pieces->n; k++) {
-            const struct splinefit *f = &pieces->item[k].fit;
-            if (pieces->item[k].still || f->within)
+            const struct spline_run_piece *piece = &pieces->item[k];
+            const struct splinefit *f = &piece->fit;
+            if (piece->still || f->within)
                 continue;
             unmet_say(unmet,
                       "%s:%u: pass %zu: %.6f mm at the tip, %.6f mm at the ball, %.4f degrees: "
                       "the tolerance is not kept",
-                      in->name, in->item.item[run->from].line, run->pass, f->proof.point,
-                      f->proof.other, DEGREES(f->proof.axis));
+                      in->name, in->item.item[run->from].line, run->pass,
+                      f->proof.point + piece->smooth, f->proof.other + piece->smooth,
+                      DEGREES(f->proof.axis));
             return;
         }
     }

@@ -42,6 +42,10 @@ same "for any number of threads" "$TMP/natural.cl" "$TMP/d.cl"
 status 3 "a tolerance that the way between points does not keep" bsplfit --interpolate -e 0.0001 \
 	-o "$TMP/tight.cl" "$passes"
 has "is named" 'the tolerance is not kept' "$TMP/err"
+status 3 "one that it does not keep with what the smooth path is off its points" \
+	bsplfit --interpolate -e 0.00015 -o "$TMP/tight.cl" "$passes"
+below "what is named is more than the tolerance" 0.00015 \
+	"$(sed -n 's/.*: pass [0-9]*: \([0-9.]*\) mm at the tip.*/\1/p' "$TMP/err")"
 
 status 2 "--ends alone" bsplfit --ends bessel "$passes"
 status 2 "with a degree" bsplfit --interpolate --degree 4 "$passes"
