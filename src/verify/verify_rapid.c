@@ -9,9 +9,11 @@
 #define BESIDE 0.2       /* of the ball's radius: no rapid move stays so near to the part ... */
 #define EVEN RADIANS(25) /* that a move at rapid goes on as the cut, at most */
 #define ALONG 0.7        /* ... that leads up or down the tool by less of its length */
+#define STRAIGHT 0.99    /* of its length that a way down the tool leads down it, at least */
 #define WAY 0.1          /* mm that a way is shorter than the head says: it has one decimal there */
 #define LAST_BIT 1.0     /* mm: nearer to the part no rapid move comes back */
-#define SAME_WAY 0.01    /* mm, and ... */
+#define PLUNGE 0.2    /* mm: so far down the tool it comes at feed, at least, to be off the part */
+#define SAME_WAY 0.01 /* mm, and ... */
 #define SAME_AXIS 0.0005 /* ... radians: by printed digits still the way on which the tool left */
 
 /* The ball's centre at s of a piece. */
@@ -166,14 +168,29 @@ static bool goes_beside(const struct verdict *v, const struct kdtree *part, size
            off_part(v, part, piece, 0) <= near && off_part(v, part, piece, 1) <= near;
 }
 
+/* Straight down the tool at feed, nearer to the part by half of that way: a ball that was on the
+ * part would be in it. */
+static bool plunges(const struct verdict *v, const struct kdtree *part, size_t piece)
+{
+    const struct nc_motion *motion = v->program.motion;
+    const struct nc_piece *p = &motion->piece.item[piece];
+    struct nc_motion_pose a = nc_motion_at(motion, p, 0);
+    struct vec3 way = vec_sub(nc_motion_at(motion, p, 1).p, a.p);
+    double down = -vec_dot(way, a.a);
+    return p->shape == SHAPE_LINE && down >= PLUNGE && down >= STRAIGHT * vec_length(way) &&
+           off_part(v, part, piece, 0) - fmax(0, off_part(v, part, piece, 1)) >= down / 2;
+}
+
 /* From the end of a rapid move the tool goes on at feed, nearer to the part: between points far
  * apart the ball may be as far off these when it is on it, but then it comes no nearer. */
 static bool comes_nearer(const struct verdict *v, const struct kdtree *part, size_t rapid)
 {
     const struct nc_motion *motion = v->program.motion;
     size_t next = rapid + 1;
-    return next < motion->piece.n && !motion->piece.item[next].rapid &&
-           off_part(v, part, next, 1) < off_part(v, part, rapid, 1) - LAST_BIT;
+    if (next >= motion->piece.n || motion->piece.item[next].rapid)
+        return false;
+    double nearer = off_part(v, part, rapid, 1) - off_part(v, part, next, 1);
+    return nearer > LAST_BIT || plunges(v, part, next);
 }
 
 /*

@@ -649,6 +649,38 @@ START_TEST(rapids_that_come_back)
 }
 END_TEST
 
+/* Over points far apart a rapid move ends no farther off them than a ball on the part may be; then
+ * the tool goes on at feed. */
+static const struct {
+    double up;
+    struct vec3 on;
+    bool said;
+} plunges[] = {{0.3, {5, 0, 0}, false},      /* down the tool: it was off the part */
+               {0.3, {5.1, 0, 0}, true},     /* aside */
+               {0.15, {5, 0, 0}, true},      /* by less than tells */
+               {0.3, {5, 0, 0.3}, true},     /* not at all */
+               {0.05, {5, 0, -0.25}, true}}; /* into the part */
+
+START_TEST(rapids_that_a_plunge_follows)
+{
+    const struct vec3 z = {0, 0, 1};
+    struct trial t;
+    trial_begin(&t);
+    t.v.map.touch = 0.4;
+    size_t last = t.motion.piece.n + 1;
+    move_to(&t.motion, vec(5, 0, 30), z, true);
+    move_to(&t.motion, vec(5, 0, plunges[_i].up), z, true);
+    move_to(&t.motion, plunges[_i].on, z, false);
+    move_to(&t.motion, vec(5, 0, 30), z, true);
+    verify_judge(&t.v);
+    char text[100];
+    snprintf(text, sizeof text, "N%zu (line %zu): a rapid move ends on the part (blocks: 1)",
+             10 * (last + 1), last + 1);
+    check_said(&t.v, plunges[_i].said ? text : NULL, plunges[_i].said);
+    trial_free(&t);
+}
+END_TEST
+
 START_TEST(an_end_on_the_part)
 {
     struct trial t;
@@ -875,6 +907,7 @@ int main(void)
     tcase_add_test(tests, pieces_summed);
     tcase_add_loop_test(tests, rapids_at_the_part, 0, COUNT(rapids));
     tcase_add_loop_test(tests, rapids_that_come_back, 0, COUNT(returns));
+    tcase_add_loop_test(tests, rapids_that_a_plunge_follows, 0, COUNT(plunges));
     tcase_add_test(tests, an_end_on_the_part);
     tcase_add_loop_test(tests, a_block_at_rapid_on_the_course_of_a_cut, 0,
                         sizeof alone / sizeof *alone);
