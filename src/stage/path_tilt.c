@@ -51,10 +51,27 @@ static struct pose tracked_pose(const struct path *path, const struct run_point 
     return (struct pose){path->head.track == TRACK_CENTRE ? p->ball : p->tip, p->axis};
 }
 
+/* The first cutting motion that is a curve already: its axis would stay; NULL: there is none. */
+static const struct path_item *find_fitted(const struct path *path)
+{
+    for (size_t i = 0; i < path->item.n; i++) {
+        const struct path_item *item = &path->item.item[i];
+        if (item->touches && (item->kind == PATH_ARC || item->kind == PATH_SPLINE))
+            return item;
+    }
+    return NULL;
+}
+
 int path_set_tilt(struct path *path, double angle, bool frenet, struct error *error)
 {
     if (path_ball(path) < 0)
         return error_set(error, "%s: found no ball cutter, expected one to tilt", path->name);
+    const struct path_item *fitted = find_fitted(path);
+    if (fitted)
+        return error_set(error,
+                         "%s:%u: found an arc or a spline in a cut, expected points to tilt at: "
+                         "tilt before fitting",
+                         path->name, fitted->line);
     struct vec3 side = {0};
     struct change before = {0};
     size_t done = 0;

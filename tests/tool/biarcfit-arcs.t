@@ -83,4 +83,14 @@ status 2 "two files" biarcfit "$passes" "$passes"
 status 1 "a path of contact points" biarcfit "$TMP/contact.cl"
 has "says so" 'contact points' "$TMP/err"
 
+head -n 200 "$passes" >"$TMP/points.cl"
+echo FINI >>"$TMP/points.cl"
+for fit in biarcfit bsplfit; do
+	$fit -q -o "$TMP/fitted.cl" "$TMP/points.cl"
+	status 1 "curves of $fit have no points to tilt at" \
+		biarcfit --tilt 30 -o "$TMP/tilted.cl" "$TMP/fitted.cl"
+	has "$fit: says so" 'fitted.cl:[0-9]+: found an arc or a spline in a cut' "$TMP/err"
+	ok "$fit: nothing is written" test ! -e "$TMP/tilted.cl"
+done
+
 done_testing
