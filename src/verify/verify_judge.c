@@ -446,5 +446,6 @@ void verify_judge(struct verdict *v)
         finding_add(v, v->options.left < HUGE_VAL, 0,
                     "nothing is cut, all moves are rapid"); /* a part of many */
     else if (!comes_near(v) && v->program.motion->piece.n > 0)
-        finding_add(v, true, 0, "the ball comes near no point of the part");
+        finding_add(v, !v->program.of_whole, 0, "the ball comes near no point of the part%s",
+                    v->program.of_whole ? "; another layer may" : "");
 }

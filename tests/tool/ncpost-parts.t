@@ -202,6 +202,10 @@ awk 'BEGIN { for (y = -8; y <= 8.001; y += 0.5) for (x = -20; x <= 20.001; x += 
 	printf "%.5f %.5f %.5f\n", x, y, 20 - (d * d * d * d / 100 + y * y) / 12 } }' >hills.xyz
 cloud2mesh -q -t 2 -o hills.ply hills.xyz
 meshnorm -q -r 3 --scallop 0.2 --avoid -o hills.cl hills.ply
+meshnorm -q -r 3 --scallop 0.5 --avoid --layers 2 --depth 1 -o layers.cl hills.ply
+ncpost -q -c fanuc --split 150 -o layer.nc layers.cl
+status 0 "a part that cuts in the upper layer alone" ncverify -g hills.xyz layer-2.nc
+has "is told" 'notice: .*comes near no point of the part; another layer may' err
 for control in fanuc siemens heidenhain linuxcnc; do
 	machine=table-ac
 	[ $control = linuxcnc ] && machine=linuxcnc-xyzac
