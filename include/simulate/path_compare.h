@@ -16,6 +16,7 @@ struct path_compare_options {
     double axis;       /* of the tool axis, radians */
     double fast, slow; /* times the path's feed that a program may be faster, slower */
     const struct axis_limits *limits; /* how fast its axes are, and what F counts; NULL: any */
+    bool part; /* the program is one of several that go along the path one after the other */
 };
 
 struct path_fault {
@@ -30,6 +31,7 @@ struct path_compare {
     struct path_fault off;    /* the program is off the path */
     struct path_fault turned; /* on it, with another axis */
     struct path_fault missed; /* the path goes where the program does not, with its axis */
+    struct path_fault beyond; /* the same before the first and after the last place of a part */
     struct path_fault fast, slow;
 };
 

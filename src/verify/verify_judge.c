@@ -385,9 +385,13 @@ static void judge_path(struct verdict *v)
     double tip = v->program.post >= 0 ? v->program.post + PATH_TIP_MORE : PATH_TIP;
     double axis = v->program.axis >= 0 ? v->program.axis + PATH_AXIS_MORE : PATH_AXIS;
     double more = v->program.contact_feed ? PATH_CONTACT : 1;
-    const struct path_compare_options options = {v->options.radius, tip,
-                                                 RADIANS(axis),     PATH_FAST * more,
-                                                 PATH_SLOW * more,  &v->options.limits};
+    const struct path_compare_options options = {.radius = v->options.radius,
+                                                 .tolerance = tip,
+                                                 .axis = RADIANS(axis),
+                                                 .fast = PATH_FAST * more,
+                                                 .slow = PATH_SLOW * more,
+                                                 .limits = &v->options.limits,
+                                                 .part = v->program.of_whole};
     struct path_compare found = path_compare_run(v->program.motion, path, &options);
     if (found.off.count > 0)
         finding_add(v, true, found.off.piece, "the tip is %.4f mm off the path at %.3f %.3f %.3f",
@@ -398,12 +402,16 @@ static void judge_path(struct verdict *v)
                     DEGREES(found.turned.value), found.turned.at.x, found.turned.at.y,
                     found.turned.at.z);
     if (found.missed.count > 0)
-        finding_add(v, !v->program.of_whole, found.missed.near,
-                    "the program leaves out line %zu of the path, %.3f mm off it at "
-                    "%.3f %.3f %.3f%s",
+        finding_add(v, true, found.missed.near,
+                    "the program leaves out line %zu of the path, %.3f mm off it at %.3f %.3f %.3f",
                     path->piece.item[found.missed.piece].line, found.missed.value,
-                    found.missed.at.x, found.missed.at.y, found.missed.at.z,
-                    v->program.of_whole ? "; another part may go there" : "");
+                    found.missed.at.x, found.missed.at.y, found.missed.at.z);
+    if (found.beyond.count > 0)
+        finding_add(v, false, 0,
+                    "the program leaves out line %zu of the path, %.3f mm off it at %.3f %.3f "
+                    "%.3f; another part may go there",
+                    path->piece.item[found.beyond.piece].line, found.beyond.value,
+                    found.beyond.at.x, found.beyond.at.y, found.beyond.at.z);
     if (found.fast.count > 0)
         finding_add(v, true, found.fast.piece, "the feed is %.4g times the path's",
                     found.fast.value);

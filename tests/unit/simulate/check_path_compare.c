@@ -8,7 +8,7 @@
 #include "base/array.h"
 #include "simulate/path_compare.h"
 
-static const struct path_compare_options options = {5, 0.01, 0.005, 1.5, 200, NULL};
+static const struct path_compare_options options = {5, 0.01, 0.005, 1.5, 200, NULL, false};
 
 /* Ten straight pieces of 2 mm along x, the axis leaning over more and more. */
 static struct nc_motion row(double y, bool links)
@@ -35,6 +35,29 @@ START_TEST(the_same_is_the_same)
     struct path_compare found = path_compare_run(&program, &path, &options);
     ck_assert_uint_eq(found.off.count + found.turned.count + found.missed.count, 0);
     ck_assert_uint_eq(found.fast.count + found.slow.count, 0);
+    nc_motion_free(&path);
+    nc_motion_free(&program);
+}
+END_TEST
+
+/* A part of a program, pieces 3 to 6 of ten: what comes before and after is another's; what it leaves
+ * out amid them is missed. */
+START_TEST(a_part_of_the_path)
+{
+    struct nc_motion path = row(0, false), program = row(0, false);
+    struct path_compare_options part = options;
+    part.part = _i > 0;
+    program.piece.n = 6;
+    for (size_t i = 2; i < 6; i++)
+        program.piece.item[i - 2] = program.piece.item[i];
+    program.piece.n = 4;
+    for (size_t k = 0; _i == 2 && k < 2; k++) { /* a detour of the path that the program has not */
+        struct nc_piece *p = &path.piece.item[3 + k];
+        p->p[1 - k].y = 3;
+    }
+    struct path_compare found = path_compare_run(&program, &path, &part);
+    ck_assert_int_eq(found.missed.count > 0, _i != 1);
+    ck_assert_int_eq(found.beyond.count > 0, _i > 0);
     nc_motion_free(&path);
     nc_motion_free(&program);
 }
@@ -332,6 +355,7 @@ int main(void)
     TCase *tcase = tcase_create("path_compare");
     tcase_add_loop_test(tcase, an_axis_upright_stands_where_it_was, 0, 2);
     tcase_add_test(tcase, the_same_is_the_same);
+    tcase_add_loop_test(tcase, a_part_of_the_path, 0, 3);
     tcase_add_test(tcase, inverse_time_is_as_good_as_digits);
     tcase_add_test(tcase, what_is_left_out_is_told_where_it_was_left);
     tcase_add_test(tcase, a_curve_without_tool_centre_point);

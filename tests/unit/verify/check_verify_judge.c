@@ -875,7 +875,7 @@ START_TEST(a_tip_off_the_path)
 }
 END_TEST
 
-/* A path that goes on where the program is over: a fault, but of a part of a program. */
+/* A path that goes on where the program is over: a fault, but not of a part of a program. */
 START_TEST(what_the_program_leaves_out)
 {
     struct trial t;
