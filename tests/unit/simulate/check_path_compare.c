@@ -40,8 +40,8 @@ START_TEST(the_same_is_the_same)
 }
 END_TEST
 
-/* A part of a program, pieces 3 to 6 of ten: what comes before and after is another's; what it leaves
- * out amid them is missed. */
+/* A part of a program, pieces 3 to 6 of ten: what comes before and after is another's; what it
+ * leaves out amid them is missed. */
 START_TEST(a_part_of_the_path)
 {
     struct nc_motion path = row(0, false), program = row(0, false);
