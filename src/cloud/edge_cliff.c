@@ -18,7 +18,7 @@ static const double EVEN_SINKS =
     2.5;                           /* sinkings of the ball: a flank that is even is off by less */
 static const double MANY_OFF = 25; /* times as high as a flank is off its points: a step */
 static const double SURELY_OFF = 100; /* and one where little about is known, too */
-static const double FARTHER = 4;   /* spacings: farther than that a flank is a plane */
+static const double FARTHER = 4;      /* spacings: farther than that a flank is a plane */
 
 /* Seen from above the flank is open about a point of a corner by more: its sides make less than 75
  * degrees.  Before blunter ones a ball is held off by the walls of both sides. */
