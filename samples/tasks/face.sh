@@ -1,12 +1,12 @@
 #!/bin/sh
 # face.sh [FOLDER] - a scanned face on a Fanuc and on a Siemens: one path, one fit of arcs, two programs,
-# each checked.  Of the scan the first POINTS points (3000; `make samples` takes all 26,493, with a
+# each checked.  Of the scan the first POINTS points (6000; `make samples` takes all 26,493, with a
 # scallop of 0.15 mm instead of 0.4).  The path is planned for the machine with the narrower limits:
 # its table tilts to B-5 alone, and its Z ends just above the part, hence the low clearance plane.
 # shellcheck source=samples/tasks/begin.sh
 . "$(dirname "$0")/begin.sh"
-points=${POINTS:-3000} scallop=0.4
-[ "$points" -le 3000 ] || scallop=0.15
+points=${POINTS:-6000} scallop=0.4
+[ "$points" -le 6000 ] || scallop=0.15
 head -n "$points" "$samples/face_nefertiti_26493.xyz" >face.xyz
 
 cloud2mesh -q face.xyz -o face.ply

@@ -1,6 +1,7 @@
 /* path_coverage - see path_coverage.h. */
 #include "stage/path_coverage.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "base/cli.h"
@@ -315,18 +316,22 @@ static void say_kept(const struct coverage_report *r, struct unmets *unmet)
             r->kept.highest, at.x, at.y, at.z);
 }
 
-static void say_left(const struct coverage_report *r, double limit, struct unmets *unmet)
+/* Rows that promise no scallop are as far apart as was asked for: nothing is too much between
+ * them. */
+static void say_left(const struct path_coverage *c, const struct coverage_report *r,
+                     struct unmets *unmet)
 {
     struct vec3 at = r->left.at;
+    char most[64] = "the rows promise no scallop";
 
+    if (c->scallop > 0)
+        snprintf(most, sizeof most, "at most %g", path_options.left_share);
     if (r->left.n > 0)
-        unmet_say(
-            unmet,
-            "left though within reach: %zu of %zu points (%.2f %%, at most %g), %.1f mm2, more "
-            "than "
-            "%.3f mm and up to %.3f mm, worst at %.3f %.3f %.3f",
-            r->left.n, r->points, 100 * (double)r->left.n / (double)r->points,
-            path_options.left_share, r->left.area, limit, r->left.highest, at.x, at.y, at.z);
+        unmet_say(unmet,
+                  "left though within reach: %zu of %zu points (%.2f %%, %s), %.1f mm2, more than "
+                  "%.3f mm and up to %.3f mm, worst at %.3f %.3f %.3f",
+                  r->left.n, r->points, 100 * (double)r->left.n / (double)r->points, most,
+                  r->left.area, c->options.limit, r->left.highest, at.x, at.y, at.z);
 }
 
 static void say_judged(const struct path_coverage *c, const struct path_judged *judged,
@@ -371,7 +376,7 @@ int path_coverage_conclude(const struct path_coverage *c, struct path_head *head
     struct unmets *unmet = unmet_left ? &head->unmet : NULL;
     say_out(&r);
     say_kept(&r, unmet);
-    say_left(&r, c->options.limit, unmet);
+    say_left(c, &r, unmet);
     if (unmet_left)
         say_judged(c, &judged, unmet);
     else if (verdicts.as_is.much)
