@@ -267,7 +267,6 @@ static bool is_tip_straight(const struct run *run, size_t i)
 static bool is_swing(const struct run *run, size_t i)
 {
     const struct run_point *a = &run->item[i], *b = &run->item[i + 1];
-
     double way = vec_distance(a->ball, b->ball);
 
     if (run_point_touches(a) || run_point_touches(b) || way <= SAME)
@@ -346,13 +345,15 @@ static struct vec3 hermite(struct vec3 p, struct vec3 v, struct vec3 q, struct v
 /* Centre, axis and tip at t in [0, 1].  `radius` of the ball, mm. */
 static struct run_point run_curve_pose(const struct run_curve *c, double t, double radius)
 {
-    struct run_point p = {.ball = hermite(c->a->ball, c->va, c->b->ball, c->vb, t)};
+    struct run_point p = {.ball = {0}};
+
     if (c->swing) {
         p.axis = vec_slerp(c->a->axis, c->b->axis, t);
         p.tip = vec_mix(c->a->tip, c->b->tip, t);
         p.ball = vec_along(p.tip, radius, p.axis);
         return p;
     }
+    p.ball = hermite(c->a->ball, c->va, c->b->ball, c->vb, t);
     p.axis = c->great_circle ? vec_slerp(c->a->axis, c->b->axis, t)
                              : vec_unit(hermite(c->a->axis, c->wa, c->b->axis, c->wb, t));
     p.tip = vec_along(p.ball, -radius, p.axis);

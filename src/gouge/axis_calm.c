@@ -54,7 +54,7 @@ static void average_some(void *context, size_t from, size_t to)
     struct axis_station *at = a->chain->at;
 
     for (size_t i = from; i < to; i++)
-        if (fabs(at[i].was.lean) > AXIS_CHAIN_POLE && (!a->held || at[i].far < HUGE_VAL))
+        if (!axis_chain_at_pole(&at[i]) && (!a->held || at[i].far < HUGE_VAL))
             move_towards(a->chain, &at[i], a->mean[i]);
 }
 
@@ -85,7 +85,7 @@ static void meet_turn(struct axis_chain *c, size_t pole, double turn, bool after
         struct axis_station *s = &c->at[after ? pole + k : pole - k];
         double away = fabs(s->along - c->at[pole].along);
         struct rotary_angles to = {s->angles.lean, turn + own_turn(away) * (s->angles.turn - turn)};
-        if (away >= POLE_WIDE || fabs(s->was.lean) <= AXIS_CHAIN_POLE)
+        if (away >= POLE_WIDE || axis_chain_at_pole(s))
             return;
         move_towards(c, s, to);
     }
@@ -98,8 +98,7 @@ static void fix_poles(struct axis_chain *c)
     for (size_t i = 1; i + 1 < c->n; i++) {
         const struct axis_station *s = &c->at[i];
         double turn = (s[-1].angles.turn + s[1].angles.turn) / 2;
-        if (fabs(s->was.lean) > AXIS_CHAIN_POLE ||
-            fabs(s[1].angles.turn - s[-1].angles.turn) > RADIANS(60))
+        if (!axis_chain_at_pole(s) || fabs(s[1].angles.turn - s[-1].angles.turn) > RADIANS(60))
             continue;
         meet_turn(c, i, turn, false);
         meet_turn(c, i, turn, true);
@@ -191,7 +190,7 @@ static void keep_clear(struct axis_chain *c)
     size_t found = 1;
 
     for (size_t i = 0; i < c->n; i++)
-        c->at[i].part = fabs(c->at[i].was.lean) > AXIS_CHAIN_POLE ? 1 : 0;
+        c->at[i].part = axis_chain_at_pole(&c->at[i]) ? 0 : 1;
     for (int round = 0; round < ROUNDS && (found = axis_chain_find_bad(c)) > 0; round++)
         tighten(c);
     /* a ramp longer than the chain leaves nothing moved */

@@ -34,7 +34,7 @@ static void allow_some(void *context, size_t from, size_t to)
     }
 }
 
-static bool is_at_pole(const struct axis_station *s)
+bool axis_chain_at_pole(const struct axis_station *s)
 {
     return fabs(s->was.lean) <= AXIS_CHAIN_POLE;
 }
@@ -44,9 +44,9 @@ static bool is_at_pole(const struct axis_station *s)
 static void leave_pole(struct axis_chain *c)
 {
     for (size_t i = 1, end; i + 1 < c->n; i = end + 1) {
-        for (end = i; end < c->n && is_at_pole(&c->at[end]); end++)
+        for (end = i; end < c->n && axis_chain_at_pole(&c->at[end]); end++)
             ;
-        if (end == i || end == c->n || is_at_pole(&c->at[i - 1]))
+        if (end == i || end == c->n || axis_chain_at_pole(&c->at[i - 1]))
             continue;
         struct rotary_angles before = c->at[i - 1].was, after = c->at[end].was;
         if (before.lean * after.lean <= 0 || fabs(before.turn - after.turn) > TURNED)

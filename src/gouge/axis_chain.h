@@ -56,6 +56,9 @@ struct axis_chain {
 struct axis_chain axis_chain_of(const struct axis_calm_options *options,
                                 const struct axis_calm_run run[], size_t n);
 
+/* The axis is at the pole of the rotary axes. */
+bool axis_chain_at_pole(const struct axis_station *s);
+
 /* How many threads work on its stations. */
 int axis_chain_threads(const struct axis_chain *c);
 

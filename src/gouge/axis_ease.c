@@ -113,14 +113,9 @@ static void ease(struct axis_chain *c, const bool *eased)
     free(e.part);
 }
 
-static bool is_at_pole(const struct axis_station *s)
-{
-    return fabs(s->was.lean) <= AXIS_CHAIN_POLE;
-}
-
 static bool is_held(const struct axis_station *s)
 {
-    return !is_at_pole(s) && (s->part < 1 || s->far < HUGE_VAL);
+    return !axis_chain_at_pole(s) && (s->part < 1 || s->far < HUGE_VAL);
 }
 
 /* Marks the stations that are no further than `beside` from one for which `is` holds. */
@@ -147,7 +142,7 @@ static bool find_eased(const struct axis_chain *c, bool *eased)
     bool *by_pole = mem_alloc(c->n, sizeof *by_pole), any = false;
 
     mark_beside(c, is_held, BESIDE, eased);
-    mark_beside(c, is_at_pole, BESIDE_POLE, by_pole);
+    mark_beside(c, axis_chain_at_pole, BESIDE_POLE, by_pole);
     for (size_t i = 0; i < c->n; i++) {
         eased[i] = eased[i] && !by_pole[i];
         any = any || eased[i];

@@ -381,26 +381,14 @@ static size_t nearest_between(const struct compare *c, size_t from, size_t to, s
     return nearest;
 }
 
-/* Of a path that a part goes along, what comes before and after that: from *from to *to it is along
- * it. */
-static void find_part(struct compare *c, size_t *from, size_t *to)
+/* The part does not go along this stretch of the path; another may. */
+static bool is_beyond(struct compare *c, const struct stretch *s)
 {
     struct beside b;
-    double off;
-    for (*from = 0; *from < *to; ++*from) {
-        const struct stretch *s = &c->path.item[*from];
-        off = look_beside(c, false, s->b, &b);
-        if (off <= c->options->tolerance)
-            break;
+    double off = look_beside(c, false, s->b, &b);
+    if (off > c->options->tolerance)
         note_fault(&c->found.beyond, off, s->piece, s->b.p);
-    }
-    for (; *to > *from; --*to) {
-        const struct stretch *s = &c->path.item[*to - 1];
-        off = look_beside(c, false, s->b, &b);
-        if (off <= c->options->tolerance)
-            break;
-        note_fault(&c->found.beyond, off, s->piece, s->b.p);
-    }
+    return off > c->options->tolerance;
 }
 
 /* What is missed is told at the nearest piece between those where the path was on the program
@@ -409,8 +397,10 @@ static void compare_path(struct compare *c)
 {
     size_t last = 0, from = 0, to = c->path.n;
     bool waits = false;
-    if (c->options->part)
-        find_part(c, &from, &to);
+    while (c->options->part && from < to && is_beyond(c, &c->path.item[from]))
+        from++;
+    while (c->options->part && from < to && is_beyond(c, &c->path.item[to - 1]))
+        to--;
     for (size_t i = from; i < to; i++) {
         struct beside b;
         const struct stretch *s = &c->path.item[i];

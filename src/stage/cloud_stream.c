@@ -278,8 +278,7 @@ static bool is_regular(const char *file, size_t *most)
 
 static void gather(struct look *l, const struct vec3 *point, size_t n)
 {
-    for (size_t i = 0; i < n; i++)
-        *array_push(&l->placed) = point[i];
+    vec3s_add(&l->placed, point, n);
 }
 
 /* The points seem to carry no surface: 1, whoever reads the file again says what they do; of what
