@@ -32,7 +32,7 @@ struct toolpath_options {
     double scallop;      /* between rows, mm; 0: nothing is promised of it */
     double smooth;       /* centres may be lifted by so much more, mm, so that they run smoothly; 0:
                             by nothing, also not by `raise` */
-    double raise, leave; /* and by so much where no more than that stays then, mm; 0: nowhere */
+    double raise;        /* and by so much where scallops are no higher than that then, mm */
     bool one_way;        /* no strip is turned round */
     bool avoid;          /* what the ball can't reach may stay uncut ... */
     bool skip;           /* ... and what the holder keeps the tool from is skipped */

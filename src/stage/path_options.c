@@ -508,13 +508,12 @@ double path_options_row_scallop(void)
 /* Over a scan, where less stays than scallops may be high, they may be lifted by a part of that. */
 static void smooth_more(struct toolpath *t)
 {
-    const double raise = 1 / 3.0, leave = 0.65; /* of the scallop */
+    const double raise = 1 / 3.0; /* of the scallop */
     const struct path_options *c = &path_options;
 
     if (c->smooth >= 0 || !c->guarded)
         return;
     t->rule.raise = raise * c->scallop;
-    t->rule.leave = leave * c->scallop;
 }
 
 int path_options_rules(const struct mesh *mesh, const struct gouge_check *guard, double distance,
@@ -556,7 +555,7 @@ int path_options_rules(const struct mesh *mesh, const struct gouge_check *guard,
     if (guard && path_options_row_scallop() < c->scallop)
         note("centres are lifted by up to %g mm more where they run smoothly then, and by %g where "
              "that leaves no more than %g: rows for scallops of %g mm",
-             t->rule.smooth, t->rule.raise, t->rule.leave, path_options_row_scallop());
+             t->rule.smooth, t->rule.raise, c->scallop, path_options_row_scallop());
     t->lift.aside =
         t->rule.smooth > 0 && c->scallop > 0 ? ASIDE * scallop_step(c->scallop, c->radius, 0) : 0;
     t->lift.even = t->lift.aside > 0 && c->guarded && c->avoid ? EVEN * c->radius : 0;

@@ -27,7 +27,7 @@ double toolpath_inward(const struct toolpath *t);
 void toolpath_lift_strip(const struct toolpath *t, struct toolpath_strip *strip);
 
 /* Raises the centres of lifted rows, from this one on, to where they run smoothly (lift_smooth.h):
- * by rule.smooth, and by rule.raise where that leaves no more than rule.leave. */
+ * by rule.smooth, and by rule.raise where that leaves scallops no higher than they may be. */
 void toolpath_smooth(struct toolpath *t, size_t first);
 
 /* Plans the axes of a lifted strip (axis_plan.h).  Where the tool can't come to, points are left

@@ -12,6 +12,9 @@
  * to be cut tells, how far it goes on asking. */
 static const double NEAR = 0.1, FAR = 0.5;
 
+/* Scallops: on a point under one row the next leaves four. */
+static const double BESIDE = 5;
+
 /* The centres of rows that were lifted together, those of each strip from first[] on. */
 struct rows {
     struct toolpath *t;
@@ -51,46 +54,115 @@ static void collect_centres(struct rows *r)
         r->room[k] = HUGE_VAL;
 }
 
-/* The points that are to be cut, and what stays on each and under which centre. */
+/* Rows side by side are in different ones of so many groups. */
+enum { GROUPS = 3 };
+
+/* The centres of every third pass. */
+struct row_group {
+    struct vec3s centre;
+    struct sizes index; /* among all */
+    struct kdtree *tree;
+};
+
+static void group_rows(const struct rows *r, struct row_group group[GROUPS])
+{
+    for (size_t i = 0; i + 1 < r->first.n; i++) {
+        struct row_group *g = &group[strip_of(r, i)->pass % GROUPS];
+        for (size_t k = r->first.item[i]; k < r->first.item[i + 1]; k++) {
+            *array_push(&g->centre) = r->centre.item[k];
+            *array_push(&g->index) = k;
+        }
+    }
+    for (int i = 0; i < GROUPS; i++)
+        group[i].tree = kdtree_new_by(group[i].centre.item, group[i].centre.n, r->t->threads);
+}
+
+static void free_groups(struct row_group group[GROUPS])
+{
+    for (int i = 0; i < GROUPS; i++) {
+        array_free(&group[i].centre);
+        array_free(&group[i].index);
+        kdtree_free(group[i].tree);
+    }
+}
+
+/* The points that are to be cut; what stays on each, and under which centre. */
 struct cut_points {
     const struct rows *rows;
-    const struct kdtree *tree;
+    const struct row_group *group;
     const struct coverage_point *point;
     size_t *centre; /* SIZE_MAX: none comes near it */
-    double *left;
+    double *left, *crest;
 };
+
+/* What stays where two rows meet that leave so much on a point between them: each grows with the
+ * square of the way from its row, whatever the surface's curvature. */
+static double crest_between(double left, double other)
+{
+    double sum = sqrt(fmax(left, 0)) + sqrt(fmax(other, 0));
+
+    return fmax(left, sum * sum / 4);
+}
+
+/* How far a point is from the nearest centre and from the nearest of another row, mm; `within`: none
+ * is as near. */
+struct nearest_rows {
+    double near, other;
+    size_t centre;
+};
+
+static struct nearest_rows rows_near(const struct row_group *group, struct vec3 p, double within)
+{
+    struct nearest_rows n = {within, within, SIZE_MAX};
+
+    for (int k = 0; k < GROUPS; k++) {
+        size_t at = SIZE_MAX;
+        double far = kdtree_nearest_segment(group[k].tree, p, p, n.other, &at);
+        if (far < n.near)
+            n = (struct nearest_rows){far, n.near, group[k].index.item[at]};
+        else
+            n.other = far;
+    }
+    return n;
+}
 
 static void measure_points(void *context, size_t from, size_t to)
 {
     const struct cut_points *c = context;
     const struct toolpath_options *rule = &c->rows->t->rule;
-    const double within = rule->radius + rule->leave + 2 * rule->scallop;
+    const double within = rule->radius + BESIDE * rule->scallop;
 
     for (size_t i = from; i < to; i++) {
-        struct vec3 p = c->point[i].p;
-        c->centre[i] = SIZE_MAX;
-        c->left[i] = kdtree_nearest_segment(c->tree, p, p, within, &c->centre[i]) - rule->radius;
+        struct nearest_rows n = rows_near(c->group, c->point[i].p, within);
+        double left = n.near - rule->radius, other = n.other - rule->radius;
+        c->centre[i] = n.centre;
+        c->left[i] = left;
+        c->crest[i] = n.other < within ? crest_between(left, other) : left;
     }
 }
 
-/* What a point leaves room for under the centre that comes nearest to it.  More than twice the
- * scallop stays on it: a ball does not get there. */
+/* What a point leaves room for under the centre that comes nearest to it, where it is and where
+ * that row and the next meet: there may be no point.  More than twice the scallop stays on it: a
+ * ball does not get there. */
 static void find_room(struct rows *r)
 {
     const struct toolpath *t = r->t;
-    struct kdtree *tree = kdtree_new_by(r->centre.item, r->centre.n, t->threads);
+    struct row_group group[GROUPS] = {0};
     size_t n;
-    struct cut_points c = {r, tree, coverage_points(t->coverage, &n), NULL, NULL};
+    struct cut_points c = {r, group, coverage_points(t->coverage, &n), NULL, NULL, NULL};
 
+    group_rows(r, group);
     c.centre = mem_alloc(n + 1, sizeof *c.centre);
     c.left = mem_alloc(n + 1, sizeof *c.left);
+    c.crest = mem_alloc(n + 1, sizeof *c.crest);
     parallel_for(t->threads, n, measure_points, &c);
     for (size_t i = 0; i < n; i++)
         if (c.centre[i] != SIZE_MAX && c.left[i] < 2 * t->rule.scallop)
-            r->room[c.centre[i]] = fmin(r->room[c.centre[i]], t->rule.leave - c.left[i]);
+            r->room[c.centre[i]] = fmin(r->room[c.centre[i]], t->rule.scallop - c.crest[i]);
     free(c.centre);
     free(c.left);
-    kdtree_free(tree);
+    free(c.crest);
+    free_groups(group);
 }
 
 /* The least room of centres no further than `reach` along the row. */
