@@ -221,6 +221,7 @@ void axis_calm_chain(const struct axis_calm_options *options, const struct axis_
     fix_poles(&c);
     average_angles(&c, NARROWEST, false);
     keep_clear(&c);
+    axis_chain_lead_to_lone(&c);
     for (size_t i = 0; i < c.n; i++)
         *c.at[i].point = axis_chain_point(&c, &c.at[i]);
     free(c.at);

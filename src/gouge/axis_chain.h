@@ -97,4 +97,10 @@ size_t axis_chain_find_bad(struct axis_chain *c);
  */
 void axis_chain_ease(struct axis_chain *c);
 
+/* Where the axis of one station is off an even turn between its neighbours, since only so the tool
+ * is clear there, the stations before and after it turn towards it and back, a little each mm, as
+ * far as the tool is clear then: an axis that flutters is worse for a machine than one that turns
+ * for longer. */
+void axis_chain_lead_to_lone(struct axis_chain *c);
+
 #endif

@@ -97,7 +97,7 @@ END_TEST
 /* The lean to the wall, of a tool at x, with which a point of the wall is so deep in the flute. */
 static double lean_into_wall(const struct holder_sweep *sweep, double x, double depth)
 {
-    double clear = 0, deep = RADIANS(5);
+    double clear = 0, deep = RADIANS(12);
 
     for (int k = 0; k < 50; k++) {
         double lean = (clear + deep) / 2;
@@ -192,6 +192,65 @@ START_TEST(a_clearance_is_on_the_side_of_the_guards)
 }
 END_TEST
 
+/* Points along X up to before the wall's end, leaning to it by so much; the last but two, which is
+ * out of its reach, by LONE more. */
+enum { LONER = POINTS - 3 };
+
+static const double LONE = RADIANS(2.2);
+
+static void setup_lone(struct scene *s, double lean)
+{
+    for (int i = 0; i < POINTS; i++)
+        put_point(s, i, 0.5 * i - 20, lean);
+    setup_chain(s, POINTS);
+    s->chain.at[LONER].angles.lean += copysign(LONE, s->chain.at[LONER].was.lean);
+    ck_assert_uint_eq(axis_chain_find_bad(&s->chain), 0);
+}
+
+/* The most that the axis turns from a station to the next, radians. */
+static double turns_by(const struct scene *s)
+{
+    double most = 0;
+
+    for (int i = 1; i < POINTS; i++)
+        most = fmax(most, vec_angle(axis_chain_point(&s->chain, &s->chain.at[i - 1]).axis,
+                                    axis_chain_point(&s->chain, &s->chain.at[i]).axis));
+    return most;
+}
+
+START_TEST(axes_lead_to_a_lone_one_and_back)
+{
+    struct scene s = {.guard = floor_and_wall()};
+
+    setup_lone(&s, -RADIANS(20));
+    ck_assert_double_gt(turns_by(&s), 0.99 * LONE);
+    struct rotary_angles lone = s.chain.at[LONER].angles;
+    axis_chain_lead_to_lone(&s.chain);
+    ck_assert(axis_chain_same(s.chain.at[LONER].angles, lone));
+    ck_assert_double_lt(turns_by(&s), 0.032 * 0.5);
+    ck_assert_uint_eq(axis_chain_find_bad(&s.chain), 0);
+    teardown_scene(&s);
+}
+END_TEST
+
+/* The wall is in the way of the last, if it leans more, too: all stay. */
+START_TEST(axes_stay_that_would_not_be_clear)
+{
+    struct scene s = {.guard = floor_and_wall()};
+    const struct holder_sweep sweep = {s.guard, &flute, 0.005};
+    struct axis_station before[POINTS];
+
+    setup_lone(&s, lean_into_wall(&sweep, -0.5, 0.0045));
+    for (int i = 0; i < POINTS; i++)
+        before[i] = s.chain.at[i];
+    axis_chain_lead_to_lone(&s.chain);
+    for (int i = 0; i < POINTS; i++)
+        ck_assert(axis_chain_same(s.chain.at[i].angles, before[i].angles));
+    ck_assert_uint_eq(axis_chain_find_bad(&s.chain), 0);
+    teardown_scene(&s);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("axis_chain");
@@ -200,6 +259,8 @@ int main(void)
     tcase_add_test(tcase, a_way_from_what_stays_deep_is_looked_at);
     tcase_add_loop_test(tcase, moved_by_chance_none_is_forgotten, 0, 3);
     tcase_add_loop_test(tcase, a_clearance_is_on_the_side_of_the_guards, 0, 3);
+    tcase_add_test(tcase, axes_lead_to_a_lone_one_and_back);
+    tcase_add_test(tcase, axes_stay_that_would_not_be_clear);
     suite_add_tcase(suite, tcase);
     SRunner *runner = srunner_create(suite);
     srunner_run_all(runner, CK_ENV);
