@@ -33,6 +33,7 @@ struct toolpath_options {
     double smooth;       /* centres may be lifted by so much more, mm, so that they run smoothly; 0:
                             by nothing, also not by `raise` */
     double raise;        /* and by so much where scallops are no higher than that then, mm */
+    double full;         /* but by nothing where they are higher by so much as it is, mm */
     bool one_way;        /* no strip is turned round */
     bool avoid;          /* what the ball can't reach may stay uncut ... */
     bool skip;           /* ... and what the holder keeps the tool from is skipped */

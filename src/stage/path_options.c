@@ -508,12 +508,13 @@ double path_options_row_scallop(void)
 /* Over a scan, where less stays than scallops may be high, they may be lifted by a part of that. */
 static void smooth_more(struct toolpath *t)
 {
-    const double raise = 1 / 3.0; /* of the scallop */
+    const double raise = 1 / 3.0, full = 0.1, sigmas = 1.5; /* of scallop, and noise */
     const struct path_options *c = &path_options;
 
     if (c->smooth >= 0 || !c->guarded)
         return;
     t->rule.raise = raise * c->scallop;
+    t->rule.full = full * c->scallop + sigmas * fmax(c->noise, 0);
 }
 
 int path_options_rules(const struct mesh *mesh, const struct gouge_check *guard, double distance,

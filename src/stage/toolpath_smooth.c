@@ -186,7 +186,9 @@ static double room_at(const struct rows *r, size_t k, size_t from, size_t to)
 
     if (isinf(room))
         room = room_within(r, k, from, to, FAR * rule->radius);
-    return isinf(room) ? rule->smooth : fmax(rule->smooth, fmin(room, rule->raise));
+    if (isinf(room))
+        return rule->smooth;
+    return room < -rule->full ? 0 : fmax(rule->smooth, fmin(room, rule->raise));
 }
 
 static void raise_strips(void *context, size_t from, size_t to)
