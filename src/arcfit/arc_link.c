@@ -18,6 +18,9 @@ static const double RAISED[] = {0, 0.05, 0.15};
 static const double RATIO[] = {1, 0.5, 2}; /* of a biarc's legs */
 static const double TURN_MAX = 3.7;        /* of one arc, radians: a little over half round */
 
+/* No axis is farther off the one that was planned, which the machine is known to reach. */
+static const double ASTRAY = RADIANS(2.5);
+
 enum {
     TURNS = sizeof TURNED / sizeof *TURNED,
     RAISES = sizeof RAISED / sizeof *RAISED,
@@ -80,7 +83,7 @@ static bool is_above(const struct link_search *s, const struct arc_piece *piece)
 static bool is_good(const struct link_search *s, size_t first)
 {
     const double off = s->options->off;
-    const struct deviation within = {off, off, HUGE_VAL};
+    const struct deviation within = {off, off, ASTRAY};
     const struct pieces some = {.n = s->pieces->n - first, .item = s->pieces->item + first};
 
     for (size_t i = 0; i < some.n; i++) {
@@ -91,7 +94,7 @@ static bool is_good(const struct link_search *s, size_t first)
         if (!is_above(s, piece))
             return false;
         struct deviation found = arc_piece_decision(s->reference, piece, 4, &within);
-        if (found.point > off || found.other > off)
+        if (found.point > off || found.other > off || found.axis > ASTRAY)
             return false;
     }
     return some.n > 0 && s->options->clear(s->options->context, &some);
