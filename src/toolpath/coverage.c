@@ -197,9 +197,14 @@ static bool has_axis(const struct coverage_options *o, struct vec3 c, struct vec
     return false;
 }
 
+/* Cosines: between a ball's direction and the normal, at least; Z of a normal that faces up, and of
+ * one that may be either side's. */
+static const double AHEAD = 0.75, FACES_UP = 0.5, UPRIGHT = 0.3;
+
 /* How near a ball and its tool come to p, mm, from some directions to begin with; HUGE_VAL: nothing
- * comes as near as what is there is worth.  *direction: of the nearest, else as it was. */
-static double find_reach(const struct coverage_options *o, struct vec3 p,
+ * comes as near as what is there is worth.  *direction: of the nearest, else as it was.  Behind
+ * what faces up is material, though no point stands for it. */
+static double find_reach(const struct coverage_options *o, struct vec3 p, struct vec3 normal,
                          const struct vec3 begin[3], struct vec3 *direction)
 {
     double nearest = HUGE_VAL;
@@ -209,7 +214,7 @@ static double find_reach(const struct coverage_options *o, struct vec3 p,
         if (vec_length(d) < 0.5)
             continue;
         double lift = o->guard ? find_touch(o, p, &d) : 0;
-        if (lift >= nearest)
+        if (lift >= nearest || (normal.z > UPRIGHT && vec_dot(d, normal) <= 0))
             continue;
         if (!o->guard || has_axis(o, vec_along(p, o->radius + lift, d), d)) {
             *direction = d;
@@ -229,10 +234,6 @@ static double area_of(const struct coverage *coverage, struct vec3 p)
 
     return n > 1 ? PI * distance2[n - 1] / (double)(n - 1) : 0;
 }
-
-/* Cosines: between a ball's direction and the normal, at least; Z of a normal that faces up, and of
- * one that may be either side's. */
-static const double AHEAD = 0.75, FACES_UP = 0.5, UPRIGHT = 0.3;
 
 /* Mean distances of points that a ball may be beside them; of the radius, where that may be more
  * nothing is known; in radii how far over the ball's centre points count. */
@@ -329,7 +330,7 @@ static void look_at_point(const struct covering *w, size_t i)
 
     point->normal = normal;
     w->coverage->kept[i] = false;
-    w->coverage->reach[i] = find_reach(o, point->p, begin, &point->normal);
+    w->coverage->reach[i] = find_reach(o, point->p, normal, begin, &point->normal);
     if (o->guard && w->coverage->reach[i] > o->near)
         w->coverage->reach[i] = find_open(w, i, normal, &point->normal);
     if (!o->assumed || w->coverage->reach[i] > o->near)
@@ -337,7 +338,7 @@ static void look_at_point(const struct covering *w, size_t i)
     struct coverage_options assumed = *o;
     assumed.guard = o->assumed;
     struct vec3 again[3] = {point->normal, normal, up};
-    w->coverage->kept[i] = find_reach(&assumed, point->p, again, &direction) > o->near;
+    w->coverage->kept[i] = find_reach(&assumed, point->p, normal, again, &direction) > o->near;
     if (!w->coverage->kept[i])
         point->normal = direction;
 }
