@@ -182,20 +182,39 @@ static void follow_tool(struct verdict *v)
     collision_body_free(&part);
 }
 
-/* Where no point of the scan stands for the material below it. */
+/* Roof no higher than that. */
+static struct vec3s low_roof(const struct vec3s *roof, double z)
+{
+    struct vec3s low = {0};
+
+    for (size_t i = 0; i < roof->n; i++)
+        if (roof->item[i].z <= z)
+            *array_push(&low) = roof->item[i];
+    return low;
+}
+
+/* Where no point of the scan stands for the material below it: down to its lowest point, and below
+ * roof that is no higher than a radius above that, all the way. */
 static void look_under(struct verdict *v)
 {
     const struct verify_options *o = &v->options;
     const struct vec3s *roof = &v->program.surface->roof;
     double known = UNDER * o->radius + v->program.surface->spacing;
     const struct vec3s *part = v->program.part;
-    const struct under_scan_options options = {v->program.motion,
-                                               &o->tool,
-                                               o->radius,
-                                               fmax(o->tolerance + v->noise, known),
-                                               box_around(part->item, part->n).low.z,
-                                               o->threads};
+    struct under_scan_options options = {v->program.motion,
+                                         &o->tool,
+                                         o->radius,
+                                         fmax(o->tolerance + v->noise, known),
+                                         box_around(part->item, part->n).low.z,
+                                         o->threads};
+    struct vec3s low = low_roof(roof, options.bottom + o->radius);
+
     v->under = under_scan_find(&options, roof->item, roof->n);
+    options.bottom = -HUGE_VAL;
+    struct under_scan deeper = under_scan_find(&options, low.item, low.n);
+    if (deeper.depth > v->under.depth || deeper.pieces > v->under.pieces)
+        v->under = deeper;
+    array_free(&low);
 }
 
 static void cut_stock(struct verdict *v)
