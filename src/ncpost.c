@@ -30,6 +30,9 @@ struct settings {
 
 static const double USUAL_AXIS = 0.05; /* degrees */
 
+/* mm: what stages spent is written to a millionth. */
+static const double LEDGER_ROUNDED = 5e-7;
+
 /* mm: by more no end of a tool that a scan guards is moved for a larger tolerance of its axis. */
 static const double END_MOVED = 0.02;
 
@@ -326,8 +329,8 @@ int main(int argc, char **argv)
     post_free(post);
     machine_options_free(&s.machine);
     path_free(&path);
-    if (s.tolerance > 0 && report.ledger > s.tolerance)
-        die_unmet("all stages together spent %.4f mm, expected at most %.4f", report.ledger,
+    if (s.tolerance > 0 && report.ledger > s.tolerance + LEDGER_ROUNDED)
+        die_unmet("all stages together spent %.6f mm, expected at most %g", report.ledger,
                   s.tolerance);
     if (report.fast > 0)
         die_unmet("an axis would be too fast, expected no block beyond its largest speed");

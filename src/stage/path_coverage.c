@@ -351,11 +351,12 @@ static void say_judged(const struct path_coverage *c, const struct path_judged *
 static void say_as_is(const struct path_coverage *c, const struct path_judged *judged,
                       struct unmets *unfitted)
 {
-    size_t points = coverage_report(c->coverage).points, left = judged->left + judged->n;
+    size_t points = coverage_report(c->coverage).points;
+    size_t left = judged->left + path_judged_most(judged->n);
 
     unmet_later(unfitted,
-                "without a fitter, whose tolerance makes up for it, %zu of %zu points (%.2f %%, at "
-                "most %g) are left to who judges by the points: more than %.3f mm",
+                "without a fitter, whose tolerance makes up for it, up to %zu of %zu points (%.2f "
+                "%%, at most %g) are left to who judges by the points: more than %.3f mm",
                 left, points, 100 * (double)left / (double)points, path_options.left_share,
                 judged->limit);
 }

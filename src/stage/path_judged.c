@@ -20,13 +20,22 @@ static const double ROUNDED = 0.001;
  * so for four with up to 1.14 times as much as may be left.  Beyond this it may not. */
 static const double FITTED = 2;
 
+size_t path_judged_most(size_t n)
+{
+    return (size_t)ceil(JUDGED * (double)n);
+}
+
+/* Of a share as it is printed, in percent. */
+static const double PERCENT = 0.005;
+
 /* With so many judged left it is more than so many times the share that may be left. */
 static bool is_much(const struct path_coverage *c, const struct path_judged *judged, size_t n,
                     double times)
 {
-    double may = path_options.left_share * (double)coverage_report(c->coverage).points;
+    double share = path_options.left_share, points = (double)coverage_report(c->coverage).points;
+    double may = share > 0 ? share + PERCENT : 0;
 
-    return 100 * ((double)judged->left + JUDGED * (double)n) > times * may;
+    return 100 * ((double)judged->left + JUDGED * (double)n) > times * may * points;
 }
 
 /* What a judge is asked of, and what is on it. */

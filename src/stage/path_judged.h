@@ -29,6 +29,9 @@ struct path_verdicts {
                                  fitter's tolerance makes up for; its `worst` is not filled */
 };
 
+/* Of n points that are judged left by the path as many may be judged so by its program. */
+size_t path_judged_most(size_t n);
+
 /* `place`: all that is in the way, as of coverage_judge_left. */
 struct path_verdicts path_judged(const struct path_coverage *c, struct vec3s *place);
 

@@ -23,14 +23,18 @@ enum { TURN_STEPS = 4, CURVE_PARTS = 4 };
 #define PATH_AXIS_MORE 0.01  /* degrees, likewise */
 #define PATH_FAST 1.5        /* times the path's feed; more slowly it may go where the axes turn */
 #define PATH_SLOW 20
-#define PATH_CONTACT 10 /* times slower or faster than the contact point the tip may go */
-#define JUMP 5.0        /* degrees: less is no jump of the tool axis */
-#define STILL 0.5       /* degrees of rotary axes, or mm of a second point, that need no look */
-#define ROLLS 1.5       /* times as fast as the ball rolls over an edge */
-#define THICKER 0.01    /* of the ball's radius: so much thicker than it, a tool is a holder */
-#define RIM 0.25        /* times the root of the points of a region: one in 16 at its border */
-#define UNSEEN 3        /* times what points are apart: so far an edge may be beyond them */
-#define BORDER 1.5      /* times what may be left: so much at few points of a region that is cut */
+#define TIP_ROUNDED 0.00005   /* mm: what is printed as no more than may be is no more; ... */
+#define AXIS_ROUNDED 0.0005   /* ... degrees, ... */
+#define FEED_ROUNDED 0.00025  /* ... of the ratio, ... */
+#define SHARE_ROUNDED 0.00005 /* ... of points, as who makes a path prints it in percent */
+#define PATH_CONTACT 10       /* times slower or faster than the contact point the tip may go */
+#define JUMP 5.0              /* degrees: less is no jump of the tool axis */
+#define STILL 0.5    /* degrees of rotary axes, or mm of a second point, that need no look */
+#define ROLLS 1.5    /* times as fast as the ball rolls over an edge */
+#define THICKER 0.01 /* of the ball's radius: so much thicker than it, a tool is a holder */
+#define RIM 0.25     /* times the root of the points of a region: one in 16 at its border */
+#define UNSEEN 3     /* times what points are apart: so far an edge may be beyond them */
+#define BORDER 1.5   /* times what may be left: so much at few points of a region that is cut */
 
 static void sum_pieces(struct verdict *v)
 {
@@ -106,8 +110,8 @@ static void judge_left(struct verdict *v)
     bool whole = !v->options.partial;
     size_t at = whole ? left->at : r->over_at, n = whole ? left->points : left_in_region(v);
     double all = (double)(whole ? v->asked : r->cut);
-    size_t most =
-        (size_t)fmax(v->options.share * all, whole || v->options.share == 0 ? 0 : RIM * sqrt(all));
+    double share = v->options.share > 0 ? v->options.share + SHARE_ROUNDED : 0;
+    size_t most = (size_t)fmax(share * all, whole || share == 0 ? 0 : RIM * sqrt(all));
     struct vec3 p = v->program.part->item[at];
     char what[64] = " of the region";
     if (n == 0 || !isfinite(v->options.left) || (whole && !comes_near(v)))
@@ -386,10 +390,10 @@ static void judge_path(struct verdict *v)
     double axis = v->program.axis >= 0 ? v->program.axis + PATH_AXIS_MORE : PATH_AXIS;
     double more = v->program.contact_feed ? PATH_CONTACT : 1;
     const struct path_compare_options options = {.radius = v->options.radius,
-                                                 .tolerance = tip,
-                                                 .axis = RADIANS(axis),
-                                                 .fast = PATH_FAST * more,
-                                                 .slow = PATH_SLOW * more,
+                                                 .tolerance = tip + TIP_ROUNDED,
+                                                 .axis = RADIANS(axis + AXIS_ROUNDED),
+                                                 .fast = PATH_FAST * more * (1 + FEED_ROUNDED),
+                                                 .slow = PATH_SLOW * more * (1 + FEED_ROUNDED),
                                                  .limits = &v->options.limits,
                                                  .part = v->program.of_whole};
     struct path_compare found = path_compare_run(v->program.motion, path, &options);
@@ -403,12 +407,12 @@ static void judge_path(struct verdict *v)
                     found.turned.at.z);
     if (found.missed.count > 0)
         finding_add(v, true, found.missed.near,
-                    "the program leaves out line %zu of the path, %.3f mm off it at %.3f %.3f %.3f",
+                    "the program leaves out line %zu of the path, %.4f mm off it at %.3f %.3f %.3f",
                     path->piece.item[found.missed.piece].line, found.missed.value,
                     found.missed.at.x, found.missed.at.y, found.missed.at.z);
     if (found.beyond.count > 0)
         finding_add(v, false, 0,
-                    "the program leaves out line %zu of the path, %.3f mm off it at %.3f %.3f "
+                    "the program leaves out line %zu of the path, %.4f mm off it at %.3f %.3f "
                     "%.3f; another part may go there",
                     path->piece.item[found.beyond.piece].line, found.beyond.value,
                     found.beyond.at.x, found.beyond.at.y, found.beyond.at.z);

@@ -181,4 +181,14 @@ ok "vectors that differ by their last digit" ncpost -q -c siemens twice.cl -o tw
 ok "no block turns by it alone" awk '/ G1 / { cut = 1 } cut && / A3=/ && !/ X/ { exit 1 }' twice.mpf
 has "the next one says it" ' X20 A3=-0.3397534 B3=-0.00165113 C3=0.94051311' twice.mpf
 
+# What stages spent in all may be as much as -e, to the digits that they write.
+spent() { # LEDGERS
+	for what; do echo "\$\$-> LEDGER/stage,$what"; done | cat - twice.cl
+}
+spent 0.1 0.2 >spent.cl
+status 0 "0.1 and 0.2 are 0.3" ncpost -q -c siemens -e 0.3 -o spent.mpf spent.cl
+spent 0.100001 0.2 >spent.cl
+status 3 "a millionth more is more" ncpost -q -c siemens -e 0.3 -o spent.mpf spent.cl
+has "is told so that it is seen" 'spent 0.300001 mm, expected at most 0.3$' "$TMP/err"
+
 done_testing

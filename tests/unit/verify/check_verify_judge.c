@@ -768,14 +768,18 @@ static const struct {
     {0, 0, -1, -1, 1000, false, false, NULL},
     {0.0075, 0, -1, -1, 1000, false, false, NULL},
     {0.0085, 0, -1, -1, 1000, false, false,
-     "the program leaves out line 2 of the path, 0.009 mm off it at "},
+     "the program leaves out line 2 of the path, 0.0085 mm off it at "},
     {0.0085, 0, 0.0082, -1, 1000, false, false, NULL},
     {0.0085, 0, 0.0078, -1, 1000, false, false,
-     "the program leaves out line 2 of the path, 0.009 mm off it at "},
+     "the program leaves out line 2 of the path, 0.0085 mm off it at "},
     {0, 0.24, -1, -1, 1000, false, false, NULL},
     {0, 0.26, -1, -1, 1000, false, false, "the tool axis is 0.260 degrees off the path's at "},
     {0, 0.26, -1, 0.255, 1000, false, false, NULL},
     {0, 0, -1, -1, 1490, false, false, NULL},
+    {0.00804, 0, -1, -1, 1000, false, false, NULL}, /* all three are printed as the limit */
+    {0, 0.2504, -1, -1, 1000, false, false, NULL},
+    {0, 0, -1, -1, 1500.3, false, false, NULL},
+    {0, 0, -1, -1, 1501, false, false, "the feed is 1.501 times the path's"},
     {0, 0, -1, -1, 1510, false, false, "the feed is 1.51 times the path's"},
     {0, 0, -1, -1, 1510, true, false, NULL},
     {0, 0, -1, -1, 51, false, false, NULL},
@@ -888,7 +892,7 @@ START_TEST(what_the_program_leaves_out)
     verify_judge(&t.v);
     ck_assert_int_eq(verdict_refused(&t.v), _i == 0);
     ck_assert_ptr_nonnull(strstr(t.v.finding.item[0].text,
-                                 "the program leaves out line 3 of the path, 15.000 mm off it at "
+                                 "the program leaves out line 3 of the path, 15.0000 mm off it at "
                                  "20.000 15.000 0.000"));
     trial_free(&t);
 }
