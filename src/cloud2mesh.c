@@ -131,6 +131,9 @@ static struct settings read_options(struct cli *cli, int argc, char **argv)
     s.clean = s.clean || (s.meshing.normals->of_surface && !s.stream);
     if (s.clean_file && strcmp(s.clean_file, "-") == 0)
         die_usage("option --clean: found -, expected a file: standard output is for the mesh");
+    if (s.clean_file && cli->output && strcmp(s.clean_file, cli->output) == 0)
+        die_usage("option --clean: found %s, which the mesh goes to, expected another file",
+                  cli->output);
     check_method(&s);
     if (s.meshing.paper && s.meshing.error > 0)
         die_usage("--paper has a grid of one spacing: expected -t or -e");

@@ -18,6 +18,10 @@ struct out;
  * results is a file of its own. */
 void out_once_each(void);
 
+/* The file that is open there is read: from now on no output takes its name, which ends the process
+ * instead. */
+void out_keep(int fd);
+
 /* There is nothing of this name, or a regular file. */
 bool out_may_be_file(const char *file);
 

@@ -17,12 +17,15 @@
 struct sheets {
     size_t places;   /* with two sheets; 0: there are none */
     size_t looked;   /* of so many */
-    double distance; /* of the sheets, the median of these places, mm */
+    double distance; /* of the sheets, the median of these places, mm: how far on average the points
+                        of each are off a quadric through the other's */
     double widest;   /* the largest, mm, and where */
     struct vec3 at;
 };
 
-/* Fewer than three places are none. */
-struct sheets sheets_find(const struct point_grid *point_grid, int threads);
+/* Fewer than three places are none, nor are any beside points that are marked in out[] (NULL: none
+ * is): an outlier or two among others look like a sheet. */
+struct sheets sheets_find(const struct point_grid *point_grid, const unsigned char *out,
+                          int threads);
 
 #endif

@@ -60,14 +60,15 @@ static void watch_signals(void)
             sigaction(ending[i], &action, NULL);
 }
 
-/* The files that this process has given their names: two results with one name are one too few. */
-static struct {
+/* The files that this process has given their names: two results with one name are one too few.
+ * And those that it has read: what takes the name of one would be the end of that. */
+static struct files {
     size_t n, cap;
     struct file_id {
         dev_t device;
         ino_t number;
     } * item;
-} written;
+} written, been_read;
 
 static bool once;
 
@@ -79,13 +80,29 @@ void out_once_each(void)
     once = true;
 }
 
-static bool is_written(const struct stat *st)
+static bool is_among(const struct files *files, const struct stat *st)
 {
-    for (size_t i = 0; i < written.n; i++)
-        if (st->st_ino != 0 && written.item[i].device == st->st_dev &&
-            written.item[i].number == st->st_ino)
+    for (size_t i = 0; i < files->n; i++)
+        if (st->st_ino != 0 && files->item[i].device == st->st_dev &&
+            files->item[i].number == st->st_ino)
             return true;
     return false;
+}
+
+void out_keep(int fd)
+{
+    struct stat st;
+
+    if (fstat(fd, &st) == 0 && S_ISREG(st.st_mode) && !is_among(&been_read, &st))
+        *array_push(&been_read) = (struct file_id){st.st_dev, st.st_ino};
+}
+
+static void check_is_not_read(const char *file)
+{
+    struct stat st;
+
+    if (stat(file, &st) == 0 && is_among(&been_read, &st))
+        die("%s: is read, too, expected another file to write", file);
 }
 
 static bool is_standard(const struct stat *st)
@@ -186,7 +203,8 @@ struct out *out_open(const char *file)
         return o;
     }
     bool over = there && is_standard(&st);
-    if (there && (is_written(&st) || (over && standard)))
+    check_is_not_read(file);
+    if (there && (is_among(&written, &st) || (over && standard)))
         die("%s: found two results for this file, expected a file for each", file);
     standard |= over;
     if (there && access(file, W_OK) < 0)
@@ -333,6 +351,7 @@ void out_close(struct out *o)
         die("%s: cannot write: %s", o->name, strerror(errno));
     if (o->target) {
         char *done = unfinished;
+        check_is_not_read(o->target);
         if (rename(done, o->target) < 0)
             die("%s: cannot rename: %s", o->name, strerror(errno));
         unfinished = NULL;

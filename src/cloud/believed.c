@@ -16,8 +16,13 @@ struct believed believed_in_grid(const struct point_grid *point_grid,
 {
     struct believed b = {.noise = noise_measure(point_grid, options->threads)};
     bool measured = options->noise < 0;
+    double sigma = measured ? b.noise.sigma : options->noise;
 
-    b.sheets = sheets_find(point_grid, options->threads);
+    if (measured && !b.noise.alike && sigma >= NOISE_NONE * point_grid->cell)
+        b.outliers = outliers_floating(point_grid, sigma, options->threads, out);
+    else if (measured || sigma > 0)
+        b.outliers = outliers_isolated(point_grid, sigma, options->threads, out);
+    b.sheets = sheets_find(point_grid, out, options->threads);
     bool sheets = (double)b.sheets.places > FEW * (double)b.sheets.looked;
     if (sheets)
         b.apart = b.sheets.distance / 2;
@@ -25,11 +30,6 @@ struct believed believed_in_grid(const struct point_grid *point_grid,
         b.sigma = options->noise;
     else if (!sheets)
         b.sigma = b.noise.alike ? b.noise.sigma : b.noise.even;
-    double sigma = measured ? b.noise.sigma : options->noise;
-    if (measured && !b.noise.alike && sigma >= NOISE_NONE * point_grid->cell)
-        b.outliers = outliers_floating(point_grid, sigma, options->threads, out);
-    else if (measured || sigma > 0)
-        b.outliers = outliers_isolated(point_grid, sigma, options->threads, out);
     return b;
 }
 

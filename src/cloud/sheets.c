@@ -20,6 +20,7 @@ static const double UPRIGHT = 0.35; /* least z of the normal */
 
 struct search {
     const struct point_grid *point_grid;
+    const unsigned char *out;
     size_t places;
     double *distance; /* at each place; 0: one sheet */
 };
@@ -127,11 +128,13 @@ static bool are_among(const struct vec3 *point, const bool *upper, struct vec3 n
 }
 
 /* The surfaces of both groups do not meet: hardly a point of one is nearer to the other's, as the
- * foot of a rib is to that of the points beside. */
+ * foot of a rib is to that of the points beside.  *apart, which one surface through both groups
+ * makes too little of, is then how far the points of each are off the other's. */
 static bool are_parallel(const struct vec3 *point, const bool *upper, struct vec3 normal,
-                         double apart)
+                         double *apart)
 {
     const double half = 0.5, most = 0.9;
+    double sum = 0;
     struct vec3 group[2][NEAR];
     struct quadric q[2];
     size_t n[2] = {0, 0}, off[2] = {0, 0};
@@ -143,14 +146,17 @@ static bool are_parallel(const struct vec3 *point, const bool *upper, struct vec
             return false;
     for (size_t i = 0; i < NEAR; i++) {
         double above = quadric_off(&q[!upper[i]], point[i]);
-        off[upper[i]] += (upper[i] ? above : -above) > half * apart;
+        off[upper[i]] += (upper[i] ? above : -above) > half * *apart;
+        sum += upper[i] ? above : -above;
     }
+    *apart = sum / NEAR;
     return (double)off[0] > most * (double)n[0] && (double)off[1] > most * (double)n[1];
 }
 
-/* Distance of the two sheets at a place, 0: there is one. */
-static double look_at(const struct point_grid *b, struct vec3 place)
+/* Distance of the two sheets at a place, 0: there is one, or points that count for nothing. */
+static double look_at(const struct search *s, struct vec3 place)
 {
+    const struct point_grid *b = s->point_grid;
     uint32_t index[NEAR];
     double distance2[NEAR], off[NEAR], sorted[NEAR];
     struct vec3 point[NEAR];
@@ -159,8 +165,11 @@ static double look_at(const struct point_grid *b, struct vec3 place)
 
     if (point_grid_nearest(b, place, NEAR, index, distance2) < NEAR)
         return 0;
-    for (size_t i = 0; i < NEAR; i++)
+    for (size_t i = 0; i < NEAR; i++) {
+        if (s->out && s->out[index[i]])
+            return 0;
         point[i] = b->point[index[i]];
+    }
     if (quadric_fit_free(point, NEAR, place, &q) < 0)
         return 0;
     struct vec3 normal = quadric_normal(&q);
@@ -181,7 +190,7 @@ static double look_at(const struct point_grid *b, struct vec3 place)
     double chance = 2 * (double)n * (double)rest / (double)(NEAR * NEAR);
     if (mixed_part(point, upper, NEAR, normal) < MIXED * chance)
         return 0;
-    return are_among(point, upper, normal) && are_parallel(point, upper, normal, apart) ? apart : 0;
+    return are_among(point, upper, normal) && are_parallel(point, upper, normal, &apart) ? apart : 0;
 }
 
 static struct vec3 place_of(const struct search *s, size_t i)
@@ -194,13 +203,14 @@ static void look_at_places(void *context, size_t from, size_t to)
 {
     const struct search *s = context;
     for (size_t i = from; i < to; i++)
-        s->distance[i] = look_at(s->point_grid, place_of(s, i));
+        s->distance[i] = look_at(s, place_of(s, i));
 }
 
-struct sheets sheets_find(const struct point_grid *point_grid, int threads)
+struct sheets sheets_find(const struct point_grid *point_grid, const unsigned char *out,
+                          int threads)
 {
     size_t places = point_grid->n < PLACES ? point_grid->n : PLACES;
-    struct search s = {point_grid, places, mem_alloc(places, sizeof(double))};
+    struct search s = {point_grid, out, places, mem_alloc(places, sizeof(double))};
     struct sheets sheets = {.looked = places};
 
     parallel_for(threads, places, look_at_places, &s);

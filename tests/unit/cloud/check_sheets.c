@@ -34,7 +34,7 @@ static struct sheets look(struct vec3s *scan, int threads)
     struct point_grid grid;
     struct error error;
     ck_assert_int_eq(point_grid_make(scan->item, scan->n, 0.8, 1, &grid, &error), 0);
-    struct sheets sheets = sheets_find(&grid, threads);
+    struct sheets sheets = sheets_find(&grid, NULL, threads);
     point_grid_free(&grid);
     return sheets;
 }
@@ -83,6 +83,23 @@ START_TEST(two_sheets)
                   again.at.x == sheets.at.x);
         array_free(&scan);
     }
+}
+END_TEST
+
+static double level(double x, double y)
+{
+    (void)x;
+    (void)y;
+    return 0;
+}
+
+/* A surface through both sheets would make their distance a tenth smaller. */
+START_TEST(the_distance_of_level_sheets)
+{
+    struct vec3s scan = cloud(level, 0.2, 5);
+    struct sheets sheets = look(&scan, 1);
+    ck_assert_double_eq_tol(sheets.distance, 0.2, 0.005);
+    array_free(&scan);
 }
 END_TEST
 
@@ -167,6 +184,7 @@ int main(void)
     tcase_set_timeout(tests, 60);
     tcase_add_test(tests, one_surface);
     tcase_add_test(tests, two_sheets);
+    tcase_add_test(tests, the_distance_of_level_sheets);
     tcase_add_test(tests, a_part);
     tcase_add_test(tests, no_ribs);
     tcase_add_test(tests, no_columns);
