@@ -45,6 +45,16 @@ static void check_method(const struct settings *s)
         die_usage("found --keep with -e, expected one of them");
 }
 
+/* What is believed of a scan takes the place of no input, and not that of the mesh. */
+static void check_clean_file(const char *file, const struct cli *cli)
+{
+    for (int i = 0; file && i < cli->files; i++)
+        if (out_same_file(file, cli->file[i]))
+            die_usage("option --clean: found %s, which is read, expected another file", file);
+    if (file && cli->output && out_same_file(file, cli->output))
+        die_usage("option --clean: found %s, which the mesh goes to, expected another file", file);
+}
+
 static struct settings read_options(struct cli *cli, int argc, char **argv)
 {
     struct settings s = {.noise = NAN, .meshing.effort = 1};
@@ -131,9 +141,7 @@ static struct settings read_options(struct cli *cli, int argc, char **argv)
     s.clean = s.clean || (s.meshing.normals->of_surface && !s.stream);
     if (s.clean_file && strcmp(s.clean_file, "-") == 0)
         die_usage("option --clean: found -, expected a file: standard output is for the mesh");
-    if (s.clean_file && cli->output && strcmp(s.clean_file, cli->output) == 0)
-        die_usage("option --clean: found %s, which the mesh goes to, expected another file",
-                  cli->output);
+    check_clean_file(s.clean_file, cli);
     check_method(&s);
     if (s.meshing.paper && s.meshing.error > 0)
         die_usage("--paper has a grid of one spacing: expected -t or -e");

@@ -18,12 +18,11 @@ struct out;
  * results is a file of its own. */
 void out_once_each(void);
 
-/* The file that is open there is read: from now on no output takes its name, which ends the process
- * instead. */
-void out_keep(int fd);
-
 /* There is nothing of this name, or a regular file. */
 bool out_may_be_file(const char *file);
+
+/* Both are there and the same file. */
+bool out_same_file(const char *file, const char *other);
 
 /* NULL or "-": standard output. */
 struct out *out_open(const char *file);

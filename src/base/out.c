@@ -60,15 +60,14 @@ static void watch_signals(void)
             sigaction(ending[i], &action, NULL);
 }
 
-/* The files that this process has given their names: two results with one name are one too few.
- * And those that it has read: what takes the name of one would be the end of that. */
-static struct files {
+/* The files that this process has given their names: two results with one name are one too few. */
+static struct {
     size_t n, cap;
     struct file_id {
         dev_t device;
         ino_t number;
     } * item;
-} written, been_read;
+} written;
 
 static bool once;
 
@@ -80,29 +79,13 @@ void out_once_each(void)
     once = true;
 }
 
-static bool is_among(const struct files *files, const struct stat *st)
+static bool is_written(const struct stat *st)
 {
-    for (size_t i = 0; i < files->n; i++)
-        if (st->st_ino != 0 && files->item[i].device == st->st_dev &&
-            files->item[i].number == st->st_ino)
+    for (size_t i = 0; i < written.n; i++)
+        if (st->st_ino != 0 && written.item[i].device == st->st_dev &&
+            written.item[i].number == st->st_ino)
             return true;
     return false;
-}
-
-void out_keep(int fd)
-{
-    struct stat st;
-
-    if (fstat(fd, &st) == 0 && S_ISREG(st.st_mode) && !is_among(&been_read, &st))
-        *array_push(&been_read) = (struct file_id){st.st_dev, st.st_ino};
-}
-
-static void check_is_not_read(const char *file)
-{
-    struct stat st;
-
-    if (stat(file, &st) == 0 && is_among(&been_read, &st))
-        die("%s: is read, too, expected another file to write", file);
 }
 
 static bool is_standard(const struct stat *st)
@@ -177,6 +160,16 @@ bool out_may_be_file(const char *file)
     return stat(file, &st) != 0 || S_ISREG(st.st_mode);
 }
 
+bool out_same_file(const char *file, const char *other)
+{
+    struct stat a, b;
+
+    if (strcmp(file, other) == 0)
+        return true;
+    return stat(file, &a) == 0 && stat(other, &b) == 0 && a.st_ino != 0 && a.st_ino == b.st_ino &&
+           a.st_dev == b.st_dev;
+}
+
 struct out *out_open(const char *file)
 {
     struct out *o = mem_alloc(1, sizeof *o);
@@ -203,8 +196,7 @@ struct out *out_open(const char *file)
         return o;
     }
     bool over = there && is_standard(&st);
-    check_is_not_read(file);
-    if (there && (is_among(&written, &st) || (over && standard)))
+    if (there && (is_written(&st) || (over && standard)))
         die("%s: found two results for this file, expected a file for each", file);
     standard |= over;
     if (there && access(file, W_OK) < 0)
@@ -351,7 +343,6 @@ void out_close(struct out *o)
         die("%s: cannot write: %s", o->name, strerror(errno));
     if (o->target) {
         char *done = unfinished;
-        check_is_not_read(o->target);
         if (rename(done, o->target) < 0)
             die("%s: cannot rename: %s", o->name, strerror(errno));
         unfinished = NULL;

@@ -12,7 +12,6 @@
 
 #include "base/array.h"
 #include "base/cli.h"
-#include "base/out.h"
 #include "system.h"
 
 enum { CHUNK = 1 << 16, LARGE = 1 << 22, BEHIND = 8 /* bytes that may be looked at */ };
@@ -36,7 +35,6 @@ int reader_open(struct reader *r, const char *file, struct error *error)
         return absent ? -1 : system_error(error);
     }
     struct stat st;
-    out_keep(r->fd);
     if (fstat(r->fd, &st) != 0)
         return 0;
     if (S_ISDIR(st.st_mode)) {
