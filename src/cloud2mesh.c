@@ -9,6 +9,7 @@
 
 #include "base/cli.h"
 #include "base/effort.h"
+#include "base/out.h"
 #include "stage/cloudmesh.h"
 #include "cloud/cloud.h"
 #include "stage/cloud_options.h"

@@ -190,7 +190,8 @@ static double look_at(const struct search *s, struct vec3 place)
     double chance = 2 * (double)n * (double)rest / (double)(NEAR * NEAR);
     if (mixed_part(point, upper, NEAR, normal) < MIXED * chance)
         return 0;
-    return are_among(point, upper, normal) && are_parallel(point, upper, normal, &apart) ? apart : 0;
+    return are_among(point, upper, normal) && are_parallel(point, upper, normal, &apart) ? apart
+                                                                                         : 0;
 }
 
 static struct vec3 place_of(const struct search *s, size_t i)

@@ -138,8 +138,7 @@ int cloud_prepare_clean(struct vec3s *points, double spacing, double noise,
     struct believed believed = believed_in_grid(&point_grid, &believe, out);
     cloud_prepare->noise = believed.sigma;
     if (believed.apart > 0) /* of sheets, all the same */
-        cloud_prepare->noise =
-            believed.noise.even > 0 ? believed.noise.even : believed.noise.sigma;
+        cloud_prepare->noise = believed.noise.even > 0 ? believed.noise.even : believed.noise.sigma;
     cloud_prepare->outliers = believed.outliers;
     if (drop != CLOUD_PREPARE_DROP_OUTLIERS)
         cloud_prepare->under = outliers_under_roof(&point_grid, threads, out);
