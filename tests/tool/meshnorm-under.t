@@ -47,14 +47,17 @@ hasnt "one that goes over it is not" 'under the scan' "$TMP/err"
 # Below its lowest point a scan knows of nothing, but under what faces up there is the part.
 awk '$3 > -1' hole.xyz >low.xyz
 under -6 >under.mpf
-status 3 "a program that goes under the lowest point" ncverify -g low.xyz -r 3 -e 0.01 --partial under.mpf
-has "is refused, too" 'N[89]0 .*the (ball|shaft) goes [23]\.[0-9]* mm deep under the scan' "$TMP/err"
+status 3 "a program that goes under the lowest point" \
+	ncverify -g low.xyz -r 3 -e 0.01 --partial under.mpf
+has "is refused, too" \
+	'N[89]0 .*the (ball|shaft) goes [23]\.[0-9]* mm deep under the scan' "$TMP/err"
 
-# A rib 2 mm high, up to the border, on a plate scanned in lines: beside it, on the last line, a ball
-# has room from below alone.
+# A rib 2 mm high, up to the border, on a plate scanned in lines: beside it, on the last line, a
+# ball has room from below alone.
 awk 'BEGIN { for (l = -12; l <= 12; l++) for (k = -48; k <= 48; k++) {
 	x = k / 4 + 0.12 * sin(7.3 * k + 3.1 * l + 2); y = l + 0.09 * sin(5.7 * k + 1.7 * l + 4)
-	d = 0.93969 * x + 0.34202 * y; printf "%.4f %.4f %.4f\n", x, y, (d > -0.4 && d < 0.4) ? 2 : 0 } }' >rib.xyz
+	d = 0.93969 * x + 0.34202 * y
+	printf "%.4f %.4f %.4f\n", x, y, (d > -0.4 && d < 0.4) ? 2 : 0 } }' >rib.xyz
 ok "a rib" cloud2mesh -q -t 2 -o rib.ply rib.xyz
 status 0 "a path over it" meshnorm -q -r 2.5 --avoid -o rib.cl rib.ply
 below "from above" "$(awk -F'[/,]' '$1 == "GOTO" { z = -$4 - 2.5 * $7; if (z > most) most = z }
