@@ -46,9 +46,6 @@ size_t noise_place(size_t i, size_t n);
 struct noise noise_measure_at(const struct point_grid *point_grid, const uint32_t *place,
                               size_t places, int threads);
 
-/* What a scan can be rid of, mm; 0: noise cannot be told from shape. */
-double noise_known(const struct noise *noise);
-
 /* Its sigma alone. */
 double noise_sigma(const struct point_grid *point_grid, int threads);
 

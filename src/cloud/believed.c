@@ -29,7 +29,7 @@ struct believed believed_in_grid(const struct point_grid *point_grid,
     if (!measured)
         b.sigma = options->noise;
     else if (!sheets)
-        b.sigma = noise_known(&b.noise);
+        b.sigma = b.noise.alike ? b.noise.sigma : b.noise.even;
     return b;
 }
 

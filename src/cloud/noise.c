@@ -245,11 +245,6 @@ size_t noise_place(size_t i, size_t n)
     return (size_t)(((double)i + 0.5) / (double)places * (double)n);
 }
 
-double noise_known(const struct noise *noise)
-{
-    return noise->alike ? noise->sigma : noise->even;
-}
-
 struct noise noise_measure(const struct point_grid *point_grid, int threads)
 {
     size_t places = point_grid->n < NOISE_PLACES ? point_grid->n : NOISE_PLACES;

@@ -136,7 +136,7 @@ int cloud_prepare_clean(struct vec3s *points, double spacing, double noise,
     memset(out, 0, points->n);
     const struct believed_options believe = {.noise = noise, .threads = threads};
     struct believed believed = believed_in_grid(&point_grid, &believe, out);
-    cloud_prepare->noise = noise_known(&believed.noise);
+    cloud_prepare->noise = believed.noise.even > 0 ? believed.noise.even : believed.noise.sigma;
     cloud_prepare->outliers = believed.outliers;
     if (drop != CLOUD_PREPARE_DROP_OUTLIERS)
         cloud_prepare->under = outliers_under_roof(&point_grid, threads, out);

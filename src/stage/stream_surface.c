@@ -185,7 +185,7 @@ static double measure_noise(const struct sample *s, const struct point_grid *sca
         place[i] = place[i] < last ? place[i] : last; /* some may have been there twice */
     }
     struct noise noise = noise_measure_at(scan, place, s->places, threads);
-    return noise_known(&noise);
+    return noise.even > 0 ? noise.even : noise.sigma;
 }
 
 /* A vertex of the sample at its node, and the normal of the facets about it. */

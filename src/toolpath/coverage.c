@@ -201,10 +201,37 @@ static bool has_axis(const struct coverage_options *o, struct vec3 c, struct vec
  * one that may be either side's. */
 static const double AHEAD = 0.75, FACES_UP = 0.5, UPRIGHT = 0.3;
 
+/* A point's normal, and whether it is known on which side of the points the part is: it faces up,
+ * or all of the mesh about it faces to that side, as beside a thin rib it does not. */
+struct side {
+    struct vec3 normal;
+    bool sure;
+};
+
+static bool faces_all(const struct coverage_options *o, struct vec3 p, struct vec3 normal)
+{
+    enum { ABOUT_IT = 6 };
+    const double alike = 0.5; /* cosine */
+    size_t vertex[ABOUT_IT],
+        n = o->vertex ? kdtree_nearest(o->vertex, p, ABOUT_IT, vertex, NULL) : 0;
+
+    for (size_t i = 0; i < n; i++)
+        if (vec_dot(o->normal[vertex[i]], normal) < alike)
+            return false;
+    return n > 0;
+}
+
+static struct side side_of(const struct covering *w, struct vec3 p)
+{
+    struct vec3 normal = guess_normal(w, p);
+
+    return (struct side){normal, normal.z > UPRIGHT || faces_all(w->options, p, normal)};
+}
+
 /* How near a ball and its tool come to p, mm, from some directions to begin with; HUGE_VAL: nothing
- * comes as near as what is there is worth.  *direction: of the nearest, else as it was.  Behind
- * what faces up is material, though no point stands for it. */
-static double find_reach(const struct coverage_options *o, struct vec3 p, struct vec3 normal,
+ * comes as near as what is there is worth.  *direction: of the nearest, else as it was.  Behind the
+ * points is material, though none stands for it. */
+static double find_reach(const struct coverage_options *o, struct vec3 p, const struct side *side,
                          const struct vec3 begin[3], struct vec3 *direction)
 {
     double nearest = HUGE_VAL;
@@ -214,7 +241,7 @@ static double find_reach(const struct coverage_options *o, struct vec3 p, struct
         if (vec_length(d) < 0.5)
             continue;
         double lift = o->guard ? find_touch(o, p, &d) : 0;
-        if (lift >= nearest || (normal.z > UPRIGHT && vec_dot(d, normal) <= 0))
+        if (lift >= nearest || (side->sure && vec_dot(d, side->normal) <= 0))
             continue;
         if (!o->guard || has_axis(o, vec_along(p, o->radius + lift, d), d)) {
             *direction = d;
@@ -302,16 +329,16 @@ static double find_open_along(const struct covering *w, size_t i, struct vec3 d)
 
 /* Along the normal and BALLS directions evenly over the sphere: the first that serves, in
  * *direction, and how near it comes. */
-static double find_open(const struct covering *w, size_t i, struct vec3 normal,
+static double find_open(const struct covering *w, size_t i, const struct side *side,
                         struct vec3 *direction)
 {
     enum { BALLS = 160 };
     double near = HUGE_VAL;
 
     for (int k = -1; k < BALLS && near == HUGE_VAL && !w->unsure[i]; k++) {
-        struct vec3 d = k < 0 ? normal : spread(k, BALLS);
-        double share = vec_dot(d, normal);
-        if ((normal.z < UPRIGHT ? fabs(share) : share) < AHEAD)
+        struct vec3 d = k < 0 ? side->normal : spread(k, BALLS);
+        double share = vec_dot(d, side->normal);
+        if ((side->sure ? share : fabs(share)) < AHEAD)
             continue;
         near = find_open_along(w, i, d);
         *direction = near < HUGE_VAL ? d : *direction;
@@ -325,20 +352,21 @@ static void look_at_point(const struct covering *w, size_t i)
 {
     const struct coverage_options *o = w->options;
     struct coverage_point *point = &w->coverage->point[i];
-    struct vec3 normal = guess_normal(w, point->p), up = vec(0, 0, 1), direction;
+    const struct side side = side_of(w, point->p);
+    struct vec3 normal = side.normal, up = vec(0, 0, 1), direction;
     struct vec3 begin[3] = {normal, vec_unit(vec_add(normal, up)), up};
 
     point->normal = normal;
     w->coverage->kept[i] = false;
-    w->coverage->reach[i] = find_reach(o, point->p, normal, begin, &point->normal);
+    w->coverage->reach[i] = find_reach(o, point->p, &side, begin, &point->normal);
     if (o->guard && w->coverage->reach[i] > o->near)
-        w->coverage->reach[i] = find_open(w, i, normal, &point->normal);
+        w->coverage->reach[i] = find_open(w, i, &side, &point->normal);
     if (!o->assumed || w->coverage->reach[i] > o->near)
         return;
     struct coverage_options assumed = *o;
     assumed.guard = o->assumed;
     struct vec3 again[3] = {point->normal, normal, up};
-    w->coverage->kept[i] = find_reach(&assumed, point->p, normal, again, &direction) > o->near;
+    w->coverage->kept[i] = find_reach(&assumed, point->p, &side, again, &direction) > o->near;
     if (!w->coverage->kept[i])
         point->normal = direction;
 }
