@@ -153,6 +153,38 @@ START_TEST(nothing_where_nothing_is_clear)
 }
 END_TEST
 
+/* The same half circle with a tool that leans by 25 degrees to one side, behind and to the other: an
+ * arc would bring it there over the upright, though no further off than a link may be. */
+START_TEST(axes_go_as_they_were_planned)
+{
+    struct run run = {.radius = RADIUS};
+    const double lean = RADIANS(25);
+
+    for (int i = 0; i <= 64; i++) {
+        double s = PI * i / 64, turn = PI / 2 + s;
+        struct run_point p = {.given = true, .tip = vec(sin(s), 1 - cos(s), 0)};
+        p.axis = vec(sin(lean) * cos(turn), sin(lean) * sin(turn), cos(lean));
+        p.ball = vec_along(p.tip, RADIUS, p.axis);
+        *array_push(&run) = p;
+    }
+    struct reference r = reference_of(&run, 0, run.n, false, false);
+    struct ground flat = {-1, 0, 0};
+    struct arc_link_options o = options_of(&flat, vec(1, 0, 0), vec(-1, 0, 0));
+    struct pieces p = {0};
+    ck_assert(arcfit_link(&r, &o, &p));
+    for (size_t i = 0; i < p.n; i++)
+        for (int k = 0; k <= 8; k++) {
+            struct vec3 axis = vec_slerp(p.item[i].axis, p.item[i].axis_to, k / 8.0);
+            struct vec3 at = arc_at(&p.item[i].arc, k / 8.0);
+            size_t place = (size_t)(reference_place(&r, at, p.item[i].from) + 0.5);
+            ck_assert_double_lt(vec_angle(axis, r.axis[place]), RADIANS(4));
+        }
+    array_free(&p);
+    array_free(&run);
+    reference_free(&r);
+}
+END_TEST
+
 int main(void)
 {
     TCase *t = tcase_create("arc_link");
@@ -160,6 +192,7 @@ int main(void)
     tcase_add_test(t, two_where_the_rows_are_of_other_lengths);
     tcase_add_test(t, over_what_is_in_the_way);
     tcase_add_test(t, nothing_where_nothing_is_clear);
+    tcase_add_test(t, axes_go_as_they_were_planned);
     Suite *s = suite_create("arc_link");
     suite_add_tcase(s, t);
     SRunner *r = srunner_create(s);
