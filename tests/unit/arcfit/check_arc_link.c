@@ -153,8 +153,8 @@ START_TEST(nothing_where_nothing_is_clear)
 }
 END_TEST
 
-/* The same half circle with a tool that leans by 25 degrees to one side, behind and to the other: an
- * arc would bring it there over the upright, though no further off than a link may be. */
+/* The same half circle with a tool that leans by 25 degrees to one side, behind and to the other:
+ * an arc would bring it there over the upright, though no further off than a link may be. */
 START_TEST(axes_go_as_they_were_planned)
 {
     struct run run = {.radius = RADIUS};
