@@ -21,7 +21,7 @@ void out_once_each(void);
 /* There is nothing of this name, or a regular file. */
 bool out_may_be_file(const char *file);
 
-/* Both are there and the same file. */
+/* Both are the same name, or there and the same file. */
 bool out_same_file(const char *file, const char *other);
 
 /* NULL or "-": standard output. */

@@ -94,7 +94,7 @@ static bool is_good(const struct link_search *s, size_t first)
         if (!is_above(s, piece))
             return false;
         struct deviation found = arc_piece_decision(s->reference, piece, 4, &within);
-        if (found.point > off || found.other > off || found.axis > ASTRAY)
+        if (!deviation_within(&found, &within))
             return false;
     }
     return some.n > 0 && s->options->clear(s->options->context, &some);

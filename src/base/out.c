@@ -88,11 +88,15 @@ static bool is_written(const struct stat *st)
     return false;
 }
 
+static bool is_same(const struct stat *a, const struct stat *b)
+{
+    return a->st_ino != 0 && a->st_ino == b->st_ino && a->st_dev == b->st_dev;
+}
+
 static bool is_standard(const struct stat *st)
 {
     struct stat of;
-    return st->st_ino != 0 && fstat(1, &of) == 0 && of.st_dev == st->st_dev &&
-           of.st_ino == st->st_ino;
+    return fstat(1, &of) == 0 && is_same(st, &of);
 }
 
 /* The file that `file` leads to through symbolic links, so that a rename keeps the links; the last
@@ -166,8 +170,7 @@ bool out_same_file(const char *file, const char *other)
 
     if (strcmp(file, other) == 0)
         return true;
-    return stat(file, &a) == 0 && stat(other, &b) == 0 && a.st_ino != 0 && a.st_ino == b.st_ino &&
-           a.st_dev == b.st_dev;
+    return stat(file, &a) == 0 && stat(other, &b) == 0 && is_same(&a, &b);
 }
 
 struct out *out_open(const char *file)

@@ -212,9 +212,10 @@ static bool faces_all(const struct coverage_options *o, struct vec3 p, struct ve
 {
     enum { ABOUT_IT = 6 };
     const double alike = 0.5; /* cosine */
-    size_t vertex[ABOUT_IT],
-        n = o->vertex ? kdtree_nearest(o->vertex, p, ABOUT_IT, vertex, NULL) : 0;
+    size_t vertex[ABOUT_IT], n = 0;
 
+    if (o->vertex)
+        n = kdtree_nearest(o->vertex, p, ABOUT_IT, vertex, NULL);
     for (size_t i = 0; i < n; i++)
         if (vec_dot(o->normal[vertex[i]], normal) < alike)
             return false;
