@@ -171,30 +171,44 @@ static struct step heap_pop(struct steps *heap)
     return first;
 }
 
-static void push_neighbours(const struct estimation *e, size_t i, const bool *done,
-                            struct steps *heap)
+/* How well two normals go together, from -1 to 1: the cosine between the one and what a circle
+ * through both points would make of the other.  At a right angle their own says nothing. */
+static double agreement(const struct estimation *e, size_t i, size_t j)
 {
+    struct vec3 d = vec_unit(vec_sub(e->point[j], e->point[i])), n = e->normal[j];
+
+    return vec_dot(e->normal[i], vec_along(n, -2 * vec_dot(n, d), d));
+}
+
+/* The points that have a sign, in the order in which they got it, and steps from them to others. */
+struct front {
+    bool *done;
+    struct sizes reached;
+    struct steps heap;
+};
+
+static void reach(const struct estimation *e, size_t i, struct front *front)
+{
+    front->done[i] = true;
+    *array_push(&front->reached) = i;
     for (size_t k = 0; k < CLOUD_NEAR; k++) {
         size_t j = e->neighbour[i * CLOUD_NEAR + k];
-        if (!done[j])
-            heap_push(heap, (struct step){1 - fabs(vec_dot(e->normal[i], e->normal[j])), i, j});
+        if (!front->done[j])
+            heap_push(&front->heap, (struct step){1 - fabs(agreement(e, i, j)), i, j});
     }
 }
 
-/* Signs for all that can be reached from a point that has its own. */
-static void orient_from(const struct estimation *e, size_t start, bool *done, struct steps *heap)
+/* Signs for all that can be reached from those that have theirs. */
+static void orient_reached(const struct estimation *e, struct front *front)
 {
-    done[start] = true;
-    push_neighbours(e, start, done, heap);
-    while (heap->n > 0) {
-        struct step s = heap_pop(heap);
+    while (front->heap.n > 0) {
+        struct step s = heap_pop(&front->heap);
         struct vec3 *n = &e->normal[s.to];
-        if (done[s.to])
+        if (front->done[s.to])
             continue;
-        if (vec_dot(*n, e->normal[s.from]) < 0)
+        if (agreement(e, s.from, s.to) < 0)
             *n = vec_scale(-1, *n);
-        done[s.to] = true;
-        push_neighbours(e, s.to, done, heap);
+        reach(e, s.to, front);
     }
 }
 
@@ -222,35 +236,135 @@ static bool is_ambiguous(const struct plane_fit *plane)
     return fabs(plane->normal.z) < 0.5 || plane->rms > BENT * plane->length;
 }
 
+struct sight {
+    const struct estimation *e;
+    double spacing, top;
+    bool *seen;
+};
+
+/* What is neither steep nor under other points. */
+static void look_from_above(void *context, size_t from, size_t to)
+{
+    const double beside = 2.25, over = 4; /* spacings: as lines are apart, and more than a surface
+                                             so flat rises in that */
+    const struct sight *s = context;
+    double within = beside * s->spacing, least = over * s->spacing;
+
+    for (size_t i = from; i < to; i++) {
+        struct vec3 p = s->e->point[i], up = {0, 0, 1};
+        s->seen[i] = !is_ambiguous(&s->e->plane[i]) &&
+                     !kdtree_any_beside(s->e->tree, vec_along(p, least, up),
+                                        vec_along(p, fmax(least, s->top - p.z), up), within);
+    }
+}
+
+/* Which points are in sight from above, and not steep there. */
+static void find_seen(struct estimation *e, size_t n, int threads, bool *seen)
+{
+    struct kdtree *tree = kdtree_new_by(e->point, n, threads);
+    struct sight s = {e, cloud_spacing(e->point, n, e->neighbour), -HUGE_VAL, seen};
+
+    e->tree = tree;
+    for (size_t i = 0; i < n; i++)
+        s.top = fmax(s.top, e->point[i].z);
+    parallel_for(threads, n, look_from_above, &s);
+    kdtree_free(tree);
+    e->tree = NULL;
+}
+
+/* The points that hang together with this one and have no sign. */
+static void find_piece(const struct estimation *e, size_t start, bool *found, struct sizes *piece)
+{
+    piece->n = 0;
+    *array_push(piece) = start;
+    found[start] = true;
+    for (size_t k = 0; k < piece->n; k++)
+        for (size_t m = 0; m < CLOUD_NEAR; m++) {
+            size_t j = e->neighbour[piece->item[k] * CLOUD_NEAR + m];
+            if (found[j])
+                continue;
+            found[j] = true;
+            *array_push(piece) = j;
+        }
+}
+
+static void turn_over(struct vec3 *normal)
+{
+    *normal = vec_scale(-1, *normal);
+}
+
+/* From all its points at once that are in sight from above, or from the first one: most of it faces
+ * up, or nearly so where some are in sight. */
+static void orient_piece(const struct estimation *e, const struct sizes *piece, const bool *seen,
+                         struct front *front)
+{
+    const double nearly = 0.1;
+    size_t from = front->reached.n, some = 0;
+    double up = 0;
+
+    for (size_t k = 0; k < piece->n; k++) {
+        size_t i = piece->item[k];
+        if (!seen[i])
+            continue;
+        if (e->normal[i].z < 0)
+            turn_over(&e->normal[i]);
+        front->done[i] = true;
+        some++;
+    }
+    for (size_t k = 0; k < piece->n; k++)
+        if (seen[piece->item[k]])
+            reach(e, piece->item[k], front);
+    if (some == 0)
+        reach(e, piece->item[0], front);
+    orient_reached(e, front);
+    for (size_t k = from; k < front->reached.n; k++)
+        up += e->normal[front->reached.item[k]].z;
+    if (up >= (some > 0 ? -nearly * (double)(front->reached.n - from) : 0))
+        return;
+    for (size_t k = from; k < front->reached.n; k++)
+        turn_over(&e->normal[front->reached.item[k]]);
+}
+
+/* Signs for all, piece by piece from the top. */
+static void orient(struct estimation *e, size_t n, int threads)
+{
+    struct height *height = mem_alloc(n, sizeof *height);
+    struct front front = {.done = mem_alloc(n, sizeof *front.done)};
+    bool *seen = mem_alloc(n, sizeof *seen), *found = mem_alloc(n, sizeof *found);
+    struct sizes piece = {0};
+
+    for (size_t i = 0; i < n; i++)
+        height[i] = (struct height){e->point[i].z, i, is_ambiguous(&e->plane[i])};
+    qsort(height, n, sizeof *height, by_height);
+    find_seen(e, n, threads, seen);
+    for (size_t i = 0; i < n; i++) {
+        if (front.done[height[i].point])
+            continue;
+        find_piece(e, height[i].point, found, &piece);
+        orient_piece(e, &piece, seen, &front);
+    }
+    free(seen);
+    free(found);
+    array_free(&piece);
+    free(front.done);
+    array_free(&front.reached);
+    array_free(&front.heap);
+    free(height);
+}
+
 void cloud_normals(const struct vec3 *point, size_t n, const size_t *neighbour, int threads,
                    struct vec3 *normal)
 {
     struct estimation e = {.point = point, .neighbour = (size_t *)neighbour};
-    struct height *height = mem_alloc(n, sizeof *height);
-    bool *done = mem_alloc(n, sizeof *done);
-    struct steps heap = {0};
 
     e.normal = mem_alloc(n, sizeof *e.normal);
     e.plane = mem_alloc(n, sizeof *e.plane);
     parallel_for(threads, n, fit_planes, &e);
     choose_sharp_planes(&e, n, threads);
-    for (size_t i = 0; i < n; i++)
-        height[i] = (struct height){point[i].z, i, is_ambiguous(&e.plane[i])};
-    qsort(height, n, sizeof *height, by_height);
-    for (size_t i = 0; i < n; i++) {
-        size_t top = height[i].point;
-        if (done[top])
-            continue;
-        if (e.normal[top].z < 0)
-            e.normal[top] = vec_scale(-1, e.normal[top]);
-        orient_from(&e, top, done, &heap);
-    }
+    orient(&e, n, threads);
     for (size_t i = 0; i < n; i++)
         normal[i] = e.normal[e.best[i]];
     free(e.best);
     free(e.plane);
     free(e.normal);
-    array_free(&heap);
-    free(height);
-    free(done);
 }

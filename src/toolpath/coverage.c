@@ -7,7 +7,7 @@
 #include "math/quadric.h"
 #include "math/sphere_grid.h"
 
-enum { ABOUT = 12, WIDE = 30, TURNS = 60, AXES = 120 }; /* AXES: over the upper half */
+enum { ABOUT = 12, ABOUT_IT = 6, WIDE = 30, TURNS = 60, AXES = 120 }; /* AXES: over the upper half */
 
 /* By how much the centre may be nearer between two samples of the path than at them, mm. */
 static const double SAGITTA = 0.001;
@@ -206,27 +206,37 @@ static const double AHEAD = 0.75, FACES_UP = 0.5, UPRIGHT = 0.3;
 struct side {
     struct vec3 normal;
     bool sure;
+    size_t n;
+    struct vec3 about[ABOUT_IT]; /* normals of the mesh about it */
 };
-
-static bool faces_all(const struct coverage_options *o, struct vec3 p, struct vec3 normal)
-{
-    enum { ABOUT_IT = 6 };
-    const double alike = 0.5; /* cosine */
-    size_t vertex[ABOUT_IT], n = 0;
-
-    if (o->vertex)
-        n = kdtree_nearest(o->vertex, p, ABOUT_IT, vertex, NULL);
-    for (size_t i = 0; i < n; i++)
-        if (vec_dot(o->normal[vertex[i]], normal) < alike)
-            return false;
-    return n > 0;
-}
 
 static struct side side_of(const struct covering *w, struct vec3 p)
 {
-    struct vec3 normal = guess_normal(w, p);
+    const double alike = 0.5; /* cosine */
+    const struct coverage_options *o = w->options;
+    struct side side = {.normal = guess_normal(w, p)};
+    size_t vertex[ABOUT_IT];
+    bool all = true;
 
-    return (struct side){normal, normal.z > UPRIGHT || faces_all(w->options, p, normal)};
+    if (o->vertex)
+        side.n = kdtree_nearest(o->vertex, p, ABOUT_IT, vertex, NULL);
+    for (size_t i = 0; i < side.n; i++) {
+        side.about[i] = o->normal[vertex[i]];
+        all = all && vec_dot(side.about[i], side.normal) >= alike;
+    }
+    side.sure = side.normal.z > UPRIGHT || (side.n > 0 && all);
+    return side;
+}
+
+/* A ball that touches along d is in the part: behind a point whose side is known, or behind all of
+ * the mesh about it. */
+static bool is_behind(const struct side *side, struct vec3 d)
+{
+    bool all = side->n > 0;
+
+    for (size_t i = 0; i < side->n; i++)
+        all = all && vec_dot(d, side->about[i]) <= 0;
+    return vec_dot(d, side->normal) <= 0 && (side->sure || all);
 }
 
 /* How near a ball and its tool come to p, mm, from some directions to begin with; HUGE_VAL: nothing
@@ -242,7 +252,7 @@ static double find_reach(const struct coverage_options *o, struct vec3 p, const 
         if (vec_length(d) < 0.5)
             continue;
         double lift = o->guard ? find_touch(o, p, &d) : 0;
-        if (lift >= nearest || (side->sure && vec_dot(d, side->normal) <= 0))
+        if (lift >= nearest || is_behind(side, d))
             continue;
         if (!o->guard || has_axis(o, vec_along(p, o->radius + lift, d), d)) {
             *direction = d;

@@ -139,6 +139,78 @@ START_TEST(pocket)
 }
 END_TEST
 
+static double rise(double from, double width, double at)
+{
+    return fmin(1, fmax(0, 0.5 + (at - from) / width));
+}
+
+/* An oblique slot, 3 deep, in a ground that leans. */
+static double slot(double x, double y)
+{
+    return 0.3 * x - 3 * rise(0, 0.3, 1.5 - fabs(y - 0.3 * x));
+}
+
+static double pocket_of(double x, double y)
+{
+    return -3 * rise(0, 0.8, fmin(2 - fabs(x - 1), 2 - fabs(y + 1)));
+}
+
+static double cross(double x, double y)
+{
+    return 3 * fmax(rise(0, 0.3, 1 - fabs(x - 1.5)), 0.7 * rise(0, 0.3, 1 - fabs(y - 1)));
+}
+
+/* Lines of points as a laser leaves them, dense along and far apart, turned about x: how many of
+ * the normals look to the other side. */
+static size_t turned_over(double (*height)(double x, double y), double apart, double lean)
+{
+    const double along = 0.26, fine = 0.005, c = cos(RADIANS(lean)), s = sin(RADIANS(lean));
+    struct vec3s p = {0}, out = {0};
+    for (double x = -6; x <= 6; x += apart) {
+        double way = 0;
+        for (double y = -5; y <= 5; y += fine) {
+            way += hypot(fine, height(x, y + fine) - height(x, y));
+            if (way < along)
+                continue;
+            way -= along;
+            struct vec3 at = vec(x, y, height(x, y)), n = {0, 0, 1};
+            n.x = (height(x - fine, y) - height(x + fine, y)) / (2 * fine);
+            n.y = (height(x, y - fine) - height(x, y + fine)) / (2 * fine);
+            *array_push(&p) = vec(at.x, c * at.y - s * at.z, s * at.y + c * at.z);
+            *array_push(&out) = vec_unit(vec(n.x, c * n.y - s * n.z, s * n.y + c * n.z));
+        }
+    }
+    size_t *near = cloud_neighbours(p.item, p.n, 2), over = 0;
+    struct vec3 *normal = mem_alloc(p.n, sizeof *normal);
+    cloud_normals(p.item, p.n, near, 2, normal);
+    for (size_t i = 0; i < p.n; i++)
+        over += vec_dot(normal[i], out.item[i]) < -0.3;
+    free(normal);
+    free(near);
+    array_free(&p);
+    array_free(&out);
+    return over;
+}
+
+/* Nothing is over these: they face up, but for a few points amid walls that lines cut through. */
+START_TEST(lines_from_above)
+{
+    ck_assert_uint_le(turned_over(cross, 1.26, 0), 20);
+    ck_assert_uint_le(turned_over(slot, 0.88, 0), 20);
+    ck_assert_uint_le(turned_over(pocket_of, 1.07, 0), 20);
+}
+END_TEST
+
+/* Too steep to be seen from above, and highest where lines end: most of it faces up. */
+START_TEST(lines_that_lean)
+{
+    ck_assert_uint_le(turned_over(slot, 0.88, 60), 20);
+    ck_assert_uint_le(turned_over(slot, 1.26, -72), 20);
+    ck_assert_uint_le(turned_over(pocket_of, 1.07, 72), 20);
+    ck_assert_uint_le(turned_over(pocket_of, 1.26, -72), 20);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("cloud_normals");
@@ -149,6 +221,8 @@ int main(void)
     tcase_add_test(tests, two_pieces_and_their_spacing);
     tcase_add_test(tests, sharp_edges);
     tcase_add_test(tests, pocket);
+    tcase_add_test(tests, lines_from_above);
+    tcase_add_test(tests, lines_that_lean);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);
     int failed = srunner_ntests_failed(runner);
