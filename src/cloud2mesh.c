@@ -207,6 +207,24 @@ static void say_steep(const struct settings *settings, double part)
             100 * part);
 }
 
+/* Where the surface folds under itself. */
+static void say_turned(const char *name, const struct cloudmesh *result, size_t facets,
+                       struct unmets *unmet)
+{
+    const double few = 0.1;
+    if (result->turned_part > few)
+        unmet_say(
+            unmet,
+            "%s: %.1f %% of the mesh would face against the points about it, expected at most "
+            "%g %%: the surface folds under itself, seen from above (--subdivide)",
+            name, 100 * result->turned_part, 100 * few);
+    else if (result->turned > 0)
+        say("%zu of %zu facets would face against the points about them and are left out: the "
+            "surface "
+            "folds under itself, seen from above (--subdivide)",
+            result->turned, facets + result->turned);
+}
+
 static void extend_over_border(const char *name, const struct settings *s, struct vec3s *points,
                                double noise, int threads)
 {
@@ -392,6 +410,7 @@ int main(int argc, char **argv)
     if (cloudmesh_make(&settings.meshing, &points, noise, cli.threads, &mesh, &result, &error) < 0)
         die("%s: %s", name, error.text);
     say_left_out(&settings, &result.count);
+    say_turned(name, &result, mesh.face.n, &mesh.origin.unmet);
     say_steep(&settings, mesh_steep_part(&mesh, vec(0, 0, 1)));
     if (settings.meshing.method != CLOUDMESH_CHUI)
         say_distance(&result.rows, of_surface);

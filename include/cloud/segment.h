@@ -23,6 +23,8 @@ struct segments {
     double spacing;  /* mean spacing of the points on their surface, mm */
 };
 
+enum { SEGMENTS_LEAST = 16 }; /* fewer points are in no part */
+
 /*
  * Each point goes to the direction that is nearest to its normal, of as few as serve it within 50
  * degrees: straight up first, then those of 32 directions around and 45 degrees up and down that
@@ -37,6 +39,10 @@ struct segments segments_find(const struct vec3 *point, size_t n, double overlap
                               int threads);
 
 void segments_free(struct segments *parts);
+
+/* Fills normal[n] of the surface at each of more than SEGMENTS_LEAST points, all on one side of
+ * them, as they are divided by: the side that is seen from above. */
+void segments_normals(const struct vec3 *point, size_t n, int threads, struct vec3 *normal);
 
 /* Into the part's own axes: along, across, up; and back. */
 struct vec3 segment_in(const struct segment *part, struct vec3 p);

@@ -62,6 +62,8 @@ struct cloudmesh {
     struct adaptive_rows rows; /* with an error: of the worst part; how far points are in space */
     size_t creases, walls;     /* edges that cross one */
     size_t crests;             /* edges that got points on a rib or in a groove */
+    size_t turned;             /* facets left out: they face against the points about them ... */
+    double turned_part;        /* ... which part of the area these are */
     struct vec3s edge; /* where: of no use to the caller of cloudmesh_make, and empty there */
 };
 

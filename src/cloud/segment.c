@@ -146,7 +146,7 @@ struct segments segments_find(const struct vec3 *point, size_t n, double overlap
     struct division d = {.point = point, .n = n, .chosen = 1};
     struct ints up = {0};
 
-    if (n <= CLOUD_NEAR) {
+    if (n <= SEGMENTS_LEAST) {
         parts.left_out = n;
         return parts;
     }
@@ -178,6 +178,14 @@ struct segments segments_find(const struct vec3 *point, size_t n, double overlap
     free(d.normal);
     free(d.neighbour);
     return parts;
+}
+
+void segments_normals(const struct vec3 *point, size_t n, int threads, struct vec3 *normal)
+{
+    size_t *neighbour = cloud_neighbours(point, n, threads);
+
+    cloud_normals(point, n, neighbour, threads, normal);
+    free(neighbour);
 }
 
 void segments_free(struct segments *parts)

@@ -8,13 +8,14 @@
 #include <stdbool.h>
 
 #include "base/array.h"
+#include "cloud/segment.h"
 #include "math/vec.h"
 
 /* ---- cloud_normals: normals of a cloud in space that is no height field, all on one side of it.
  */
 
 /* Neighbours of each point, its own index left out: [i * CLOUD_NEAR + k], nearest first. */
-enum { CLOUD_NEAR = 16 };
+enum { CLOUD_NEAR = SEGMENTS_LEAST };
 
 /*
  * The n indices of the CLOUD_NEAR points nearest to each point.  n must be above CLOUD_NEAR.  Free

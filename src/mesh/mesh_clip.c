@@ -215,7 +215,7 @@ void mesh_clip_surfaces(struct mesh *mesh, const bool *keep)
 void mesh_clip_unused(struct mesh *mesh)
 {
     int *name = mem_alloc(mesh->vertex.n + 1, sizeof *name), n = 0;
-    bool kmax = mesh->kmax.n == mesh->vertex.n;
+    bool kmax = mesh->kmax.n == mesh->vertex.n, rows = mesh->row.n == mesh->vertex.n;
 
     for (size_t i = 0; i < 3 * mesh->face.n; i++)
         name[mesh->face.item[i / 3].v[i % 3]] = 1;
@@ -226,12 +226,17 @@ void mesh_clip_unused(struct mesh *mesh)
         mesh->normal.item[n] = mesh->normal.item[v];
         if (kmax)
             mesh->kmax.item[n] = mesh->kmax.item[v];
+        if (rows) {
+            mesh->row.item[n] = mesh->row.item[v];
+            mesh->col.item[n] = mesh->col.item[v];
+        }
         name[v] = n++;
     }
     for (size_t i = 0; i < 3 * mesh->face.n; i++)
         mesh->face.item[i / 3].v[i % 3] = name[mesh->face.item[i / 3].v[i % 3]];
     mesh->vertex.n = mesh->normal.n = (size_t)n;
     mesh->kmax.n = kmax ? (size_t)n : 0;
+    mesh->row.n = mesh->col.n = rows ? (size_t)n : 0;
     free(name);
 }
 

@@ -82,6 +82,10 @@ int cloudmesh_make(const struct cloudmesh_options *options, struct vec3s *points
                    int threads, struct mesh *mesh, struct cloudmesh *result, struct error *error)
 {
     *result = (struct cloudmesh){.walls = 0};
-    return options->subdivide ? mesh_of_parts(options, points, noise, threads, mesh, result, error)
-                              : one_mesh(options, points, noise, threads, mesh, result, error);
+    if (options->subdivide)
+        return mesh_of_parts(options, points, noise, threads, mesh, result, error);
+    int status = one_mesh(options, points, noise, threads, mesh, result, error);
+    if (status == 0 && !options->paper)
+        result->turned = cloudmesh_drop_turned(points, threads, mesh, &result->turned_part);
+    return status;
 }

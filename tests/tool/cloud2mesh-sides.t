@@ -1,0 +1,51 @@
+#!/bin/sh
+# cloud2mesh-sides.t - a surface that folds under itself, seen from above: no facet faces into it,
+# and where much of the mesh would, that is no mesh to be cut without a word.
+. "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
+
+# A cap of a ball of radius 9 about 0 0 0, points 0.7 mm apart, turned by LEAN degrees about x.
+cap() { # LEAN
+	LC_ALL=C awk -v lean="$1" 'BEGIN {
+		c = cos(lean * 0.017453292519943295); s = sin(lean * 0.017453292519943295)
+		for (x = -8; x <= 8; x += 0.7) for (y = -8; y <= 8; y += 0.7) {
+			if (x * x + y * y > 70) continue
+			z = sqrt(81 - x * x - y * y)
+			printf "%.5f %.5f %.5f\n", x, c * y - s * z, s * y + c * z
+		}
+	}'
+}
+
+# How many facets face the middle of that ball.
+inward() { # MESH
+	awk 'BEGIN { n = 0 }
+		/^element vertex/ { nv = $3 }
+		/^end_header/ { body = 1; next }
+		body && n < nv { x[n] = $1; y[n] = $2; z[n++] = $3; next }
+		body { a = $2; b = $3; c = $4
+			ux = x[b] - x[a]; uy = y[b] - y[a]; uz = z[b] - z[a]
+			vx = x[c] - x[a]; vy = y[c] - y[a]; vz = z[c] - z[a]
+			d = (uy * vz - uz * vy) * (x[a] + x[b] + x[c])
+			d += (uz * vx - ux * vz) * (y[a] + y[b] + y[c])
+			d += (ux * vy - uy * vx) * (z[a] + z[b] + z[c])
+			if (d < 0) k++ }
+		END { print k + 0 }' "$1"
+}
+
+cap -20 >"$TMP/cap.xyz"
+ok "a cap seen from above: a mesh" cloud2mesh -o "$TMP/cap.ply" "$TMP/cap.xyz"
+hasnt "none of it faces against its points" 'face against' "$TMP/err"
+
+cap -82 >"$TMP/cap.xyz"
+ok "a cap that leans far: a mesh" cloud2mesh -o "$TMP/cap.ply" "$TMP/cap.xyz"
+has "facets that face into it are left out, and told" \
+	'2 of [0-9]+ facets would face against the points about them and are left out' "$TMP/err"
+below "no facet faces into it" "$(inward "$TMP/cap.ply")" 0
+
+cap -90 >"$TMP/cap.xyz"
+status 3 "a cap that stands upright: not kept" cloud2mesh -o "$TMP/cap.ply" "$TMP/cap.xyz"
+has "how much faces against its points is told" \
+	'% of the mesh would face against the points about it, expected at most 10 %' "$TMP/err"
+ok "divided it is a mesh" cloud2mesh --subdivide -o "$TMP/cap.ply" "$TMP/cap.xyz"
+hasnt "of which nothing is told" 'face against' "$TMP/err"
+
+done_testing
