@@ -12,6 +12,8 @@
 #define STRAIGHT 0.99    /* of its length that a way down the tool leads down it, at least */
 #define WAY 0.1          /* mm that a way is shorter than the head says: it has one decimal there */
 #define LAST_BIT 1.0     /* mm: nearer to the part no rapid move comes back */
+#define COMING 0.3       /* of its way that an approach comes nearer, at least, ... */
+#define SLOWER 0.9       /* ... and so many times slower it is than what follows, at most */
 #define PLUNGE 0.2    /* mm: so far down the tool it comes at feed, at least, to be off the part */
 #define SAME_WAY 0.01 /* mm, and ... */
 #define SAME_AXIS 0.0005 /* ... radians: by printed digits still the way on which the tool left */
@@ -181,6 +183,25 @@ static bool plunges(const struct verdict *v, const struct kdtree *part, size_t p
            off_part(v, part, piece, 0) - fmax(0, off_part(v, part, piece, 1)) >= down / 2;
 }
 
+/* mm/min along the ball's way. */
+static double speed_of(const struct verdict *v, size_t piece)
+{
+    const struct nc_piece *p = &v->program.motion->piece.item[piece];
+    double way = vec_distance(ball_at(v, piece, 0), ball_at(v, piece, 1));
+    return p->inverse ? p->feed * way : p->feed;
+}
+
+/* More slowly than the cut goes on, and nearer to the part: an approach, from whatever side. */
+static bool approaches(const struct verdict *v, const struct kdtree *part, size_t piece)
+{
+    const struct nc_motion *motion = v->program.motion;
+    double way = vec_distance(ball_at(v, piece, 0), ball_at(v, piece, 1));
+    double nearer = off_part(v, part, piece, 0) - fmax(0, off_part(v, part, piece, 1));
+    return way >= PLUNGE && nearer >= COMING * way && piece + 1 < motion->piece.n &&
+           !motion->piece.item[piece + 1].rapid &&
+           speed_of(v, piece) < SLOWER * speed_of(v, piece + 1);
+}
+
 /* From the end of a rapid move the tool goes on at feed, nearer to the part: between points far
  * apart the ball may be as far off these when it is on it, but then it comes no nearer. */
 static bool comes_nearer(const struct verdict *v, const struct kdtree *part, size_t rapid)
@@ -190,7 +211,7 @@ static bool comes_nearer(const struct verdict *v, const struct kdtree *part, siz
     if (next >= motion->piece.n || motion->piece.item[next].rapid)
         return false;
     double nearer = off_part(v, part, rapid, 1) - off_part(v, part, next, 1);
-    return nearer > LAST_BIT || plunges(v, part, next);
+    return nearer > LAST_BIT || plunges(v, part, next) || approaches(v, part, next);
 }
 
 /*
