@@ -7,6 +7,7 @@
 #include "base/array.h"
 #include "base/cli.h"
 #include "base/num.h"
+#include "post_even.h"
 #include "post_head.h"
 #include "post_hole.h"
 #include "post_ik.h"
@@ -161,6 +162,7 @@ struct post *post_plan(enum control_id control, struct path *path, struct machin
                                       .options = {options->chord, options->axis_tolerance,
                                                   options->feed, options->contact_feed, 1}}};
     *status = refuse_insert(path, options, error);
+    post_even(path);
     if (*status == 0)
         *status = plan_in_frame(post, path, machine, options, error);
     if (*status == 0)
