@@ -6,7 +6,8 @@
  * lines of a scanner fall into bands of their own or, where they are closer or slanted, their
  * points take turns in one.  On each column of the grid a row has the place on the straight line
  * between its two points beside the column; a node has the height between those of the two rows
- * beside it.  At a border both steps go on along the last straight line.
+ * beside it.  At a border both steps go on along the last straight line, if that is no steeper than
+ * 70 degrees.
  */
 #ifndef CLOUDMILL_LIN_GRID_H
 #define CLOUDMILL_LIN_GRID_H

@@ -7,6 +7,7 @@
 
 static const double NODES_A_POINT = 50, NODES_MORE = 1000;
 static const double NARROW = 0.5; /* of the points' spacing: a slope needs a base as long */
+static const double STEEP = 2.75; /* a wall does not go on: a slope of 70 degrees */
 
 /* The points in the grid's axes, band by band and in each by rising x. */
 struct bands {
@@ -79,6 +80,8 @@ static bool row_beyond(const struct vec3 *end, size_t n, int step,
         if (base > options->gap)
             return false;
         if (base >= fmax(NARROW * options->mean, fabs(x - end->x) / 2)) {
+            if (fabs(next.z - end->z) > STEEP * base)
+                return false;
             *place = line_at(*end, next, x);
             return true;
         }
@@ -122,8 +125,10 @@ static double height_beyond(const struct vec3 *end, size_t n, int step,
         double base = fabs(next.y - end->y);
         if (base > options->gap)
             return NAN;
-        if (base >= fmax(NARROW * options->mean, fabs(y - end->y) / 2))
-            return end->z + (next.z - end->z) * (y - end->y) / (next.y - end->y);
+        if (base >= fmax(NARROW * options->mean, fabs(y - end->y) / 2)) {
+            double slope = (next.z - end->z) / (next.y - end->y);
+            return fabs(slope) > STEEP ? NAN : end->z + slope * (y - end->y);
+        }
     }
     return NAN;
 }

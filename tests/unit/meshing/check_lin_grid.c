@@ -71,6 +71,12 @@ static double worst_of(const struct vec3s *cloud, double direction, double spaci
     return worst_within(0, cloud, direction, spacing, z, none);
 }
 
+/* 8 mm high beside the border. */
+static double wall(double x, double y)
+{
+    return fmin(8, fmax(0, 20 * (fmax(fabs(x - 15), fabs(y - 15)) - 14.2)));
+}
+
 START_TEST(plane_is_met)
 {
     struct vec3s cloud = scatter(plane, 0.4, false);
@@ -112,6 +118,27 @@ START_TEST(hole_stays_open)
     ck_assert_double_lt(worst, 1e-12);
     ck_assert_uint_ge(none, 40); /* of the 50 nodes in a disc of radius 4, with a rim of 1 */
     ck_assert_uint_le(none, 79); /* of radius 5 */
+    array_free(&cloud);
+}
+END_TEST
+
+/* Rows that end amid a wall do not go on along it: no node is over or under all points. */
+START_TEST(a_wall_does_not_go_on)
+{
+    struct vec3s cloud = scatter(wall, 0.4, false);
+    struct plan_extent f = plan_extent_of(cloud.item, cloud.n, 30);
+    struct lin_grid_options how = {1, 0.5, 3, 1.5};
+    struct lin_grid grid;
+    struct error error;
+    size_t high = 0;
+
+    ck_assert_int_eq(lin_grid_make(&f, cloud.item, cloud.n, &how, &grid, &error), 0);
+    for (size_t i = 0; i < grid.columns * grid.rows; i++) {
+        ck_assert(!(grid.z[i] < -4) && !(grid.z[i] > 8 + 4)); /* 1.5 mm at 70 degrees: 4 */
+        high += grid.z[i] > 7.9;
+    }
+    ck_assert_uint_ge(high, 20);
+    lin_grid_free(&grid);
     array_free(&cloud);
 }
 END_TEST
@@ -165,6 +192,7 @@ int main(void)
     tcase_add_test(tcase, plane_is_met);
     tcase_add_test(tcase, wave_is_met);
     tcase_add_test(tcase, hole_stays_open);
+    tcase_add_test(tcase, a_wall_does_not_go_on);
     tcase_add_test(tcase, too_fine);
     tcase_add_test(tcase, as_many_lines_as_the_spacing_asks);
     suite_add_tcase(suite, tcase);
