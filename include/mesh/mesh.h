@@ -104,6 +104,10 @@ void mesh_normals_facet(struct mesh *mesh);
  * facets' (eq 8), or (0, 0, 1) where that does too.  Returns how many. */
 size_t mesh_normals_seen(struct mesh *mesh);
 
+/* Normals on the other side of their facets are turned or, where they are no more than crosswise,
+ * give way to the facets' mean.  Returns how many. */
+size_t mesh_normals_turn(struct mesh *mesh);
+
 /* Paper 1, eq 7 (Gouraud): the mean of the normals of the vertices that share an edge with it,
  * made a unit vector.  Replaces the normals of the mesh; a vertex without
  * neighbours, or where they cancel, keeps its own. */

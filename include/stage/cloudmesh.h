@@ -47,7 +47,7 @@ struct cloudmesh_options {
     double mean;     /* spacing of the points, mm, where it is known; 0: it is measured */
     bool paper;      /* as published */
     bool scan_nodes; /* vertices are points of the scan, as published */
-    bool smooth;     /* look for no creases, walls and ribs */
+    bool smooth;     /* look for no creases, walls and ribs, nor for facets turned over */
     bool subdivide;  /* parts by orientation, each with a projection of its own */
     bool silent;     /* a trial: nothing is said */
     bool explained;  /* noise is taken out only where a surface soon explains the points */

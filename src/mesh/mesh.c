@@ -140,6 +140,29 @@ static int *edge_ends(const struct mesh *mesh, size_t *start)
     return end;
 }
 
+size_t mesh_normals_turn(struct mesh *mesh)
+{
+    struct vec3 *sum = mem_alloc(mesh->vertex.n, sizeof *sum);
+    size_t turned = 0;
+
+    for (size_t f = 0; f < mesh->face.n; f++) {
+        struct vec3 cross = mesh_face_cross(mesh, f);
+        for (int i = 0; i < 3; i++) {
+            int v = mesh->face.item[f].v[i];
+            sum[v] = vec_add(sum[v], cross);
+        }
+    }
+    for (size_t v = 0; v < mesh->vertex.n; v++) {
+        struct vec3 mean = vec_unit(sum[v]), *normal = &mesh->normal.item[v];
+        double agree = vec_dot(mean, *normal);
+        turned += agree < 0;
+        if (agree < 0)
+            *normal = agree < -0.5 ? vec_scale(-1, *normal) : mean;
+    }
+    free(sum);
+    return turned;
+}
+
 size_t mesh_normals_seen(struct mesh *mesh)
 {
     size_t n = mesh->normal.n, down = 0;

@@ -460,31 +460,6 @@ static void face_with_normals(struct mesh *mesh, struct vec3 up, struct mesh_rep
     }
 }
 
-/* Vertex normals on the other side of their facets are turned, or, where they are no more than
- * crosswise, give way to the facets'. */
-static size_t turn_normals(struct mesh *mesh)
-{
-    struct vec3 *sum = mem_alloc(mesh->vertex.n, sizeof *sum);
-    size_t turned = 0;
-
-    for (size_t f = 0; f < mesh->face.n; f++) {
-        struct vec3 cross = mesh_face_cross(mesh, f);
-        for (int i = 0; i < 3; i++) {
-            int v = mesh->face.item[f].v[i];
-            sum[v] = vec_add(sum[v], cross);
-        }
-    }
-    for (size_t v = 0; v < mesh->vertex.n; v++) {
-        struct vec3 mean = vec_unit(sum[v]), *normal = &mesh->normal.item[v];
-        double agree = vec_dot(mean, *normal);
-        turned += agree < 0;
-        if (agree < 0)
-            *normal = agree < -0.5 ? vec_scale(-1, *normal) : mean;
-    }
-    free(sum);
-    return turned;
-}
-
 static void face_up(struct mesh *mesh, const struct mesh_edges *edges, struct vec3 up,
                     struct mesh_repair_report *report)
 {
@@ -529,7 +504,7 @@ struct mesh_repair_report mesh_repair(struct mesh *mesh, struct vec3 up, int thr
     mesh_edges_free(&edges);
     if (!report.normals_made) {
         face_with_normals(mesh, up, &report);
-        report.normals = turn_normals(mesh);
+        report.normals = mesh_normals_turn(mesh);
     }
     return report;
 }

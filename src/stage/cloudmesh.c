@@ -11,6 +11,10 @@
 #include "cloudmesh_steps.h"
 #include "meshing/meshing.h"
 
+/* Part of a mesh that is steep from where on facets are looked for that are turned over: it takes as
+ * long as a quarter of the mesh of a head. */
+static const double STEEP = 0.25, STEEP_ELSE = 0.05;
+
 /* A cloud that one projection serves. */
 static int one_mesh(const struct cloudmesh_options *options, struct vec3s *points, double noise,
                     int threads, struct mesh *mesh, struct cloudmesh *result, struct error *error)
@@ -81,11 +85,17 @@ static int mesh_of_parts(const struct cloudmesh_options *asked, const struct vec
 int cloudmesh_make(const struct cloudmesh_options *options, struct vec3s *points, double noise,
                    int threads, struct mesh *mesh, struct cloudmesh *result, struct error *error)
 {
+    bool grid = options->method == CLOUDMESH_CHUI;
+
     *result = (struct cloudmesh){.walls = 0};
-    if (options->subdivide)
-        return mesh_of_parts(options, points, noise, threads, mesh, result, error);
-    int status = one_mesh(options, points, noise, threads, mesh, result, error);
-    if (status == 0 && !options->paper)
-        result->turned = cloudmesh_drop_turned(points, threads, mesh, &result->turned_part);
+    int status = options->subdivide
+                     ? mesh_of_parts(options, points, noise, threads, mesh, result, error)
+                     : one_mesh(options, points, noise, threads, mesh, result, error);
+    if (status != 0 || options->paper || options->smooth) /* what is streamed is not at hand */
+        return status;
+    if (!options->subdivide)
+        result->turned = cloudmesh_drop_turned(points, grid ? STEEP : STEEP_ELSE, threads, mesh,
+                                               &result->turned_part);
+    mesh_normals_turn(mesh);
     return status;
 }

@@ -14,9 +14,8 @@
 enum { ABOUT = 8, ENOUGH = 3 };
 
 /* The normals of points are of one side where their mean is so long; cosine of a facet that faces
- * the other one, at most.  Parts of the mesh's area: that is steep, where such facets are looked
- * for; and where of more of them nobody knows which side is meant. */
-static const double ALIKE = 0.7, AGAINST = -0.4, STEEP = 0.25, MUCH = 0.5;
+ * the other one, at most; part of the mesh from where on nobody knows which side is meant. */
+static const double ALIKE = 0.7, AGAINST = -0.4, MUCH = 0.5;
 
 struct sides {
     struct kdtree *tree;
@@ -75,13 +74,13 @@ static size_t drop(struct mesh *mesh, const bool *turned)
     return all - kept;
 }
 
-size_t cloudmesh_drop_turned(const struct vec3s *points, int threads, struct mesh *mesh,
-                             double *part)
+size_t cloudmesh_drop_turned(const struct vec3s *points, double steep, int threads,
+                             struct mesh *mesh, double *part)
 {
     size_t n = 0;
 
     *part = 0;
-    if (mesh_steep_part(mesh, vec(0, 0, 1)) < STEEP)
+    if (mesh_steep_part(mesh, vec(0, 0, 1)) < steep)
         return 0;
     struct vec3s some = some_of(points, mesh);
     struct vec3 *normal = mem_alloc(some.n + 1, sizeof *normal);

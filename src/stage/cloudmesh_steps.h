@@ -53,11 +53,11 @@ void cloudmesh_keep_closer(const struct cloudmesh_options *options, const struct
                            int threads, struct mesh *other, struct cloudmesh *other_result,
                            struct mesh *mesh, struct cloudmesh *result);
 
-/* Where much of a mesh seen from above is steep: leaves out the facets that face against the points
+/* Where so much of a mesh seen from above is steep: leaves out the facets that face against the points
  * about them, for there the cloud folds under itself; how many.  *part: of the mesh's area; of half
  * of it and more none is left out. */
-size_t cloudmesh_drop_turned(const struct vec3s *points, int threads, struct mesh *mesh,
-                             double *part);
+size_t cloudmesh_drop_turned(const struct vec3s *points, double steep, int threads,
+                             struct mesh *mesh, double *part);
 
 /* Of a mesh that was only tried. */
 void cloudmesh_drop(struct mesh *mesh, struct cloudmesh *result);
