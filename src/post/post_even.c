@@ -150,6 +150,14 @@ static void find(struct halves *h)
     look(h);
 }
 
+static unsigned copy_arc(struct path *path, size_t index)
+{
+    struct path_arc arc = path->arc.item[index];
+
+    *array_push(&path->arc) = arc;
+    return (unsigned)(path->arc.n - 1);
+}
+
 /* The items once more, those that are marked in halves. */
 static void divide(struct halves *h)
 {
@@ -169,6 +177,8 @@ static void divide(struct halves *h)
             *half = old[i];
             half->to = motion_at(&motion, 0.5);
             half->touches = false;
+            if (old[i].kind == PATH_ARC) /* one of its own, for who turns or scales them all */
+                half->index = copy_arc(path, old[i].index);
         }
         *array_push(&path->item) = old[i];
         at = path_moves(&old[i]) ? old[i].to : at;

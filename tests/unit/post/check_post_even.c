@@ -72,6 +72,7 @@ START_TEST(an_arc)
     ck_assert_uint_eq(post_even(&path), 1);
     ck_assert_uint_eq(path.item.n, 7);
     ck_assert(path.item.item[2].kind == PATH_ARC && path.item.item[3].kind == PATH_ARC);
+    ck_assert_uint_ne(path.item.item[2].index, path.item.item[3].index);
     double c = 3 * sqrt(0.5);
     ck_assert_double_le(vec_distance(path.item.item[2].to.p, vec(8 - c, c, 0)), 1e-12);
     path_free(&path);
