@@ -12,6 +12,7 @@
 enum { FEWEST = 40, FEWEST_NOISY = 150, MOST = 1600 };
 
 static const double MOST_CELLS = 2e7;
+static const double STEEPEST = 2; /* way along a surface for that seen from above: 60 degrees */
 
 /* Squares about the cloud, and the points seen from above. */
 struct plan {
@@ -188,6 +189,22 @@ static double width_of(const struct vec3s *points)
     return hypot(x1 - x0, y1 - y0);
 }
 
+/* Appends the places that are near enough in space: along a wall a short way seen from above is a
+ * long one. */
+static void add_near(struct vec3s *points, const struct vec3s *places, double most, int threads)
+{
+    struct kdtree *tree = kdtree_new_by(points->item, points->n, threads);
+
+    for (size_t i = 0; i < places->n; i++) {
+        size_t nearest;
+        double distance2;
+        if (kdtree_nearest(tree, places->item[i], 1, &nearest, &distance2) == 1 &&
+            distance2 <= most * most)
+            *array_push(points) = places->item[i];
+    }
+    kdtree_free(tree);
+}
+
 int extend_cloud(struct vec3s *points, double spacing, double gap, double length, double noise,
                  int threads, struct error *error)
 {
@@ -206,8 +223,7 @@ int extend_cloud(struct vec3s *points, double spacing, double gap, double length
     struct continuation c = {&plan, points->item, points_needed(spacing, length, noise),
                              places.item};
     parallel_for(threads, places.n, continue_surface, &c);
-    for (size_t i = 0; i < places.n; i++)
-        *array_push(points) = places.item[i];
+    add_near(points, &places, STEEPEST * length, threads);
     array_free(&places);
     array_free(&out);
     free_plan(&plan);

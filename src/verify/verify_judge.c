@@ -15,7 +15,7 @@
 #include "verify_swerve.h"
 
 /* Steps of a piece, for its tool axis; parts of a curve that count as blocks. */
-enum { TURN_STEPS = 4, CURVE_PARTS = 4 };
+enum { TURN_STEPS = 4, CURVE_PARTS = 4, LOW_PLACES = 4 };
 
 #define PATH_TIP 0.008 /* mm that the tip may be off the path, where the head does not say it */
 #define PATH_AXIS 0.25 /* degrees that the tool axis may be off the path's, likewise */
@@ -34,6 +34,8 @@ enum { TURN_STEPS = 4, CURVE_PARTS = 4 };
 #define THICKER 0.01 /* of the ball's radius: so much thicker than it, a tool is a holder */
 #define RIM 0.25     /* times the root of the points of a region: one in 16 at its border */
 #define UNSEEN 3     /* times what points are apart: so far an edge may be beyond them */
+#define LOW_RADII 10 /* below all of the part rows may run out so many radii, ... */
+#define LOW_MORE 20  /* ... and mm more, but no farther */
 #define BORDER 1.5   /* times what may be left: so much at few points of a region that is cut */
 
 static void sum_pieces(struct verdict *v)
@@ -226,6 +228,26 @@ static void judge_under(struct verdict *v)
                 : u->width > v->options.radius * (1 + THICKER) ? "holder"
                                                                : "shaft",
                 u->depth, u->at.x, u->at.y, u->at.z, fast ? ", in a rapid move" : "", u->pieces);
+}
+
+/* Far below all of the part's points nobody knows what is there: the vice, the table.  A program of
+ * others may cut more than was scanned. */
+static void judge_low(struct verdict *v)
+{
+    const struct nc_motion *motion = v->program.motion;
+    double radius = v->options.radius, bottom = HUGE_VAL, low = HUGE_VAL;
+    size_t piece = 0;
+    for (size_t i = 0; i < v->program.part->n; i++)
+        bottom = fmin(bottom, v->program.part->item[i].z);
+    for (size_t i = 0; i < motion->piece.n && v->program.part->n > 0; i++)
+        for (int k = 1; k <= LOW_PLACES && !motion->piece.item[i].dark; k++) {
+            double z = nc_motion_ball(motion, i, (double)k / LOW_PLACES, radius).p.z - radius;
+            piece = z < low ? i : piece;
+            low = fmin(low, z);
+        }
+    if (isfinite(low) && bottom - low > LOW_RADII * radius + LOW_MORE)
+        finding_add(v, v->program.post >= 0, piece,
+                    "the ball goes %.1f mm below the lowest point of the part", bottom - low);
 }
 
 static void judge_stock(struct verdict *v)
@@ -448,6 +470,7 @@ void verify_judge(struct verdict *v)
     judge_machine(v);
     judge_holder(v, &v->part_holder, "part");
     judge_under(v);
+    judge_low(v);
     judge_stock(v);
     judge_holder(v, &v->stock.holder, "stock");
     judge_axes(v);

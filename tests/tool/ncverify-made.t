@@ -84,6 +84,37 @@ again '/^[0-9]+ CYCL DEF 247/s/ .*//'
 judge 3 "no preset" bad.nc
 has "heidenhain: is told" 'cuts without the work offset, CYCL DEF 247' report
 
+# ---- far below all points of the part, where the table may be
+low() { # Z of the tip: there and along at feed, beside the part
+	awk -v z="$1" '/^FINI/ {
+		print "RAPID\nGOTO/200,0,60,0,0,1\nRAPID\nGOTO/200,0," z ",0,0,1"
+		print "GOTO/210,0," z ",0,0,1\nRAPID\nGOTO/210,0,60,0,0,1" } { print }' wet.cl >low.cl
+	ncpost -q -c $control -m $machine -o good.nc low.cl
+}
+for control in fanuc siemens heidenhain linuxcnc; do
+	machine=table-ac
+	low -61
+	judge 0 "79.8 mm below the lowest point: rows may run out so far" good.nc
+	low -62
+	judge 3 "farther below it" good.nc
+	has "$control: how far is told" '^fault .*the ball goes 80.8 mm below the lowest point of the part' report
+done
+
+# ---- an approach from the side that begins nearer to the part than points far apart tell
+control=fanuc
+awk 'BEGIN { for (y = -6; y <= 6; y += 1.5) for (x = -9; x <= 9; x += 1.5) print x, y, 0 }' >plate.xyz
+aside() { # FEED: from 0.3 mm over the plate
+	printf '%s\n' PARTNO/A UNITS/MM MULTAX/ON CUTTER/6,3 LOADTL/1 SPINDL/RPM,8000,CLW \
+		RAPID GOTO/-8,0,20,0,0,1 RAPID GOTO/-6.3,0,0.3,0,0,1 "FEDRAT/MMPM,$1" GOTO/-6,0,0,0,0,1 \
+		FEDRAT/MMPM,800 GOTO/0,0,0,0,0,1 GOTO/6,0,0,0,0,1 RAPID GOTO/6,0,20,0,0,1 FINI >aside.cl
+	ncpost -q -c fanuc -m table-ac -o aside.nc aside.cl
+	run ncverify -q -g plate.xyz -r 3 --partial -o report aside.nc
+}
+aside 400
+hasnt "slower than the cut it is one" 'a rapid move ends on the part' report
+aside 800
+has "as fast as that it may be a cut that has G0" 'a rapid move ends on the part' report
+
 # ---- one place of a row that is off it: no path says how the tool should go
 control=linuxcnc machine=linuxcnc-xyzac
 ncpost -q -c linuxcnc -m $machine -o good.nc wet.cl

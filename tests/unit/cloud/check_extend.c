@@ -58,6 +58,26 @@ START_TEST(holes_stay)
 }
 END_TEST
 
+/* On a flank of 75 degrees 3 mm seen from above are 11.6 along it: it ends after 6. */
+START_TEST(a_flank_goes_on_as_far_in_space)
+{
+    const double steep = 3.732;
+    struct vec3s p = {0};
+    struct error error;
+    double low = 0;
+    for (int i = 0; i <= 40; i++)
+        for (int k = 0; k <= 40; k++)
+            *array_push(&p) = vec(0.5 * i, 0.5 * k, -0.5 * steep * i);
+    size_t n = p.n;
+    ck_assert_int_eq(extend_cloud(&p, 0.5, 3, 3, 0, 2, &error), 0);
+    for (size_t i = n; i < p.n; i++)
+        low = fmin(low, p.item[i].z);
+    ck_assert_double_ge(low, -20 * steep - 6);
+    ck_assert_double_le(low, -20 * steep - 3);
+    array_free(&p);
+}
+END_TEST
+
 START_TEST(too_wide)
 {
     struct vec3s p = cap(0, 0);
@@ -76,6 +96,7 @@ int main(void)
     SRunner *runner = srunner_create(suite);
     tcase_add_test(tests, continues_a_sphere);
     tcase_add_test(tests, holes_stay);
+    tcase_add_test(tests, a_flank_goes_on_as_far_in_space);
     tcase_add_test(tests, too_wide);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);
