@@ -207,6 +207,16 @@ static void say_steep(const struct settings *settings, double part)
             100 * part);
 }
 
+/* A scan that leans far has two sides, and nobody has said which one is the outside. */
+static void say_facing(struct vec3 facing)
+{
+    const double one_side = 0.5, level = 0.5; /* lengths; cosine: 60 degrees */
+    double length = vec_length(facing);
+    if (length > one_side && facing.z < level * length)
+        say("the surface leans: the side that faces %.3f %.3f %.3f was taken for the outside",
+            facing.x / length, facing.y / length, facing.z / length);
+}
+
 /* Where the surface folds under itself. */
 static void say_turned(const char *name, const struct cloudmesh *result, size_t facets,
                        struct unmets *unmet)
@@ -412,6 +422,8 @@ int main(int argc, char **argv)
     say_left_out(&settings, &result.count);
     say_turned(name, &result, mesh.face.n, &mesh.origin.unmet);
     say_steep(&settings, mesh_steep_part(&mesh, vec(0, 0, 1)));
+    if (!settings.meshing.smooth) /* what is streamed does not know it */
+        say_facing(mesh_facing(&mesh));
     if (settings.meshing.method != CLOUDMESH_CHUI)
         say_distance(&result.rows, of_surface);
     else if (settings.meshing.error > 0)

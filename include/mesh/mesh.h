@@ -93,6 +93,10 @@ struct vec3 mesh_mean_direction(struct vec3 sum);
 /* What part of the area of the facets is steeper than 70 degrees against `up` (unit), 0 to 1. */
 double mesh_steep_part(const struct mesh *mesh, struct vec3 up);
 
+/* The mean of the facets' normals by their area: of length 1 where all face one way, and of none
+ * where they face all around. */
+struct vec3 mesh_facing(const struct mesh *mesh);
+
 /*
  * Paper 1, eq 8: at each vertex the mean of the unit normals of its facets, made a unit vector;
  * facets without area do not count, a vertex without a facet, or whose normals cancel, gets

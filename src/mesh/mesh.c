@@ -81,6 +81,19 @@ static void normals_clear(struct mesh *mesh)
         mesh->normal.item[i] = vec(0, 0, 0);
 }
 
+struct vec3 mesh_facing(const struct mesh *mesh)
+{
+    struct vec3 sum = {0, 0, 0};
+    double area = 0;
+
+    for (size_t f = 0; f < mesh->face.n; f++) {
+        struct vec3 cross = mesh_face_cross(mesh, f);
+        sum = vec_add(sum, cross);
+        area += vec_length(cross);
+    }
+    return area > 0 ? vec_scale(1 / area, sum) : sum;
+}
+
 double mesh_steep_part(const struct mesh *mesh, struct vec3 up)
 {
     const double cosine = 0.34202014332566873; /* 70 degrees */
