@@ -97,5 +97,7 @@ int cloudmesh_make(const struct cloudmesh_options *options, struct vec3s *points
         result->turned = cloudmesh_drop_turned(points, grid ? STEEP : STEEP_ELSE, threads, mesh,
                                                &result->turned_part);
     mesh_normals_turn(mesh);
+    if (!options->subdivide)
+        mesh_normals_seen(mesh);
     return status;
 }
