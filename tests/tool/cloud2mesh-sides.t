@@ -41,6 +41,7 @@ ok "a cap that leans far: a mesh" cloud2mesh -o "$TMP/cap.ply" "$TMP/cap.xyz"
 has "facets that face into it are left out, and told" \
 	'2 of [0-9]+ facets would face against the points about them and are left out' "$TMP/err"
 below "no facet faces into it" "$(inward "$TMP/cap.ply")" 0
+
 cap -90 >"$TMP/cap.xyz"
 status 3 "a cap that stands upright: not kept" cloud2mesh -o "$TMP/cap.ply" "$TMP/cap.xyz"
 has "how much faces against its points is told" \
