@@ -249,6 +249,45 @@ START_TEST(steep_part)
 }
 END_TEST
 
+/* One facet faces down; the whole of a tetrahedron faces all around. */
+START_TEST(facing)
+{
+    const struct vec3 p[] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    const struct face face[] = {{{0, 2, 1}}, {{0, 1, 3}}, {{0, 3, 2}}, {{1, 2, 3}}};
+    struct mesh m = {0};
+    for (int i = 0; i < 4; i++)
+        *array_push(&m.vertex) = p[i];
+    ck_assert_double_eq(vec_length(mesh_facing(&m)), 0);
+    *array_push(&m.face) = face[0];
+    ck_assert_double_eq(vec_distance(mesh_facing(&m), vec(0, 0, -1)), 0);
+    *array_push(&m.face) = face[1];
+    ck_assert_double_eq(vec_distance(mesh_facing(&m), vec(0, -0.5, -0.5)), 0);
+    *array_push(&m.face) = face[2];
+    *array_push(&m.face) = face[3];
+    ck_assert_double_eq(vec_length(mesh_facing(&m)), 0);
+    mesh_free(&m);
+}
+END_TEST
+
+/* Normals across their facets give way to these, those to the other side are turned. */
+START_TEST(normals_turned)
+{
+    const struct vec3 p[] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    const struct vec3 n[] = {{0, 0, -1}, {1, 0, 0}, {0.8, 0, -0.3}};
+    struct mesh m = {0};
+    for (int i = 0; i < 3; i++) {
+        *array_push(&m.vertex) = p[i];
+        *array_push(&m.normal) = n[i];
+    }
+    *array_push(&m.face) = (struct face){{0, 1, 2}};
+    ck_assert_uint_eq(mesh_normals_turn(&m), 2);
+    ck_assert_double_eq(vec_distance(m.normal.item[0], vec(0, 0, 1)), 0);
+    ck_assert_double_eq(vec_distance(m.normal.item[1], n[1]), 0);
+    ck_assert_double_eq(vec_distance(m.normal.item[2], vec(0, 0, 1)), 0);
+    mesh_free(&m);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("mesh");
@@ -267,6 +306,8 @@ int main(void)
     tcase_add_test(tests, central_needs_neighbours);
     tcase_add_test(tests, no_normal_points_down);
     tcase_add_test(tests, steep_part);
+    tcase_add_test(tests, facing);
+    tcase_add_test(tests, normals_turned);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);
     int failed = srunner_ntests_failed(runner);
