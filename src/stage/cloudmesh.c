@@ -11,8 +11,8 @@
 #include "cloudmesh_steps.h"
 #include "meshing/meshing.h"
 
-/* Part of a mesh that is steep from where on facets are looked for that are turned over: it takes as
- * long as a quarter of the mesh of a head. */
+/* Part of a mesh that is steep from where on facets are looked for that are turned over: it takes a
+ * quarter of the time of the mesh of a head. */
 static const double STEEP = 0.25, STEEP_ELSE = 0.05;
 
 /* A cloud that one projection serves. */

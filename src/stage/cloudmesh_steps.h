@@ -53,9 +53,9 @@ void cloudmesh_keep_closer(const struct cloudmesh_options *options, const struct
                            int threads, struct mesh *other, struct cloudmesh *other_result,
                            struct mesh *mesh, struct cloudmesh *result);
 
-/* Where so much of a mesh seen from above is steep: leaves out the facets that face against the points
- * about them, for there the cloud folds under itself; how many.  *part: of the mesh's area; of half
- * of it and more none is left out. */
+/* Where so much of a mesh seen from above is steep: leaves out the facets that face against the
+ * points about them, for there the cloud folds under itself; how many.  *part: of the mesh's area;
+ * of half of it and more none is left out. */
 size_t cloudmesh_drop_turned(const struct vec3s *points, double steep, int threads,
                              struct mesh *mesh, double *part);
 

@@ -7,7 +7,8 @@
 #include "math/quadric.h"
 #include "math/sphere_grid.h"
 
-enum { ABOUT = 12, ABOUT_IT = 6, WIDE = 30, TURNS = 60, AXES = 120 }; /* AXES: over the upper half */
+/* AXES: over the upper half */
+enum { ABOUT = 12, ABOUT_IT = 6, WIDE = 30, TURNS = 60, AXES = 120 };
 
 /* By how much the centre may be nearer between two samples of the path than at them, mm. */
 static const double SAGITTA = 0.001;

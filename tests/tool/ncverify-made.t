@@ -97,12 +97,13 @@ for control in fanuc siemens heidenhain linuxcnc; do
 	judge 0 "79.8 mm below the lowest point: rows may run out so far" good.nc
 	low -62
 	judge 3 "farther below it" good.nc
-	has "$control: how far is told" '^fault .*the ball goes 80.8 mm below the lowest point of the part' report
+	has "$control: how far is told" '^fault .*goes 80.8 mm below the lowest point of the part' report
 done
 
 # ---- an approach from the side that begins nearer to the part than points far apart tell
 control=fanuc
-awk 'BEGIN { for (y = -6; y <= 6; y += 1.5) for (x = -9; x <= 9; x += 1.5) print x, y, 0 }' >plate.xyz
+awk 'BEGIN { for (y = -6; y <= 6; y += 1.5) for (x = -9; x <= 9; x += 1.5)
+	print x, y, 0 }' >plate.xyz
 aside() { # FEED: from 0.3 mm over the plate
 	printf '%s\n' PARTNO/A UNITS/MM MULTAX/ON CUTTER/6,3 LOADTL/1 SPINDL/RPM,8000,CLW \
 		RAPID GOTO/-8,0,20,0,0,1 RAPID GOTO/-6.3,0,0.3,0,0,1 "FEDRAT/MMPM,$1" GOTO/-6,0,0,0,0,1 \
