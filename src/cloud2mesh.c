@@ -218,21 +218,22 @@ static void say_facing(struct vec3 facing)
 }
 
 /* Where the surface folds under itself. */
-static void say_turned(const char *name, const struct cloudmesh *result, size_t facets,
-                       struct unmets *unmet)
+static void say_turned(const char *name, const struct settings *s, const struct cloudmesh *result,
+                       size_t facets, struct unmets *unmet)
 {
     const double few = 0.1;
+    const char *why = s->meshing.subdivide
+                          ? "parts fold under themselves"
+                          : "the surface folds under itself, seen from above (--subdivide)";
     if (result->turned_part > few)
         unmet_say(
             unmet,
             "%s: %.1f %% of the mesh would face against the points about it, expected at most "
-            "%g %%: the surface folds under itself, seen from above (--subdivide)",
-            name, 100 * result->turned_part, 100 * few);
+            "%g %%: %s",
+            name, 100 * result->turned_part, 100 * few, why);
     else if (result->turned > 0)
-        say("%zu of %zu facets would face against the points about them and are left out: the "
-            "surface "
-            "folds under itself, seen from above (--subdivide)",
-            result->turned, facets + result->turned);
+        say("%zu of %zu facets would face against the points about them and are left out: %s",
+            result->turned, facets + result->turned, why);
 }
 
 static void extend_over_border(const char *name, const struct settings *s, struct vec3s *points,
@@ -420,7 +421,7 @@ int main(int argc, char **argv)
     if (cloudmesh_make(&settings.meshing, &points, noise, cli.threads, &mesh, &result, &error) < 0)
         die("%s: %s", name, error.text);
     say_left_out(&settings, &result.count);
-    say_turned(name, &result, mesh.face.n, &mesh.origin.unmet);
+    say_turned(name, &settings, &result, mesh.face.n, &mesh.origin.unmet);
     say_steep(&settings, mesh_steep_part(&mesh, vec(0, 0, 1)));
     if (!settings.meshing.smooth) /* what is streamed does not know it */
         say_facing(mesh_facing(&mesh));

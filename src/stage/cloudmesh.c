@@ -85,7 +85,7 @@ static int mesh_of_parts(const struct cloudmesh_options *asked, const struct vec
 int cloudmesh_make(const struct cloudmesh_options *options, struct vec3s *points, double noise,
                    int threads, struct mesh *mesh, struct cloudmesh *result, struct error *error)
 {
-    bool grid = options->method == CLOUDMESH_CHUI;
+    double steep = options->subdivide ? 0 : options->method == CLOUDMESH_CHUI ? STEEP : STEEP_ELSE;
 
     *result = (struct cloudmesh){.walls = 0};
     int status = options->subdivide
@@ -93,9 +93,7 @@ int cloudmesh_make(const struct cloudmesh_options *options, struct vec3s *points
                      : one_mesh(options, points, noise, threads, mesh, result, error);
     if (status != 0 || options->paper || options->smooth) /* what is streamed is not at hand */
         return status;
-    if (!options->subdivide)
-        result->turned = cloudmesh_drop_turned(points, grid ? STEEP : STEEP_ELSE, threads, mesh,
-                                               &result->turned_part);
+    result->turned = cloudmesh_drop_turned(points, steep, threads, mesh, &result->turned_part);
     mesh_normals_turn(mesh);
     if (!options->subdivide)
         mesh_normals_seen(mesh);
