@@ -15,7 +15,7 @@
 #include "verify_swerve.h"
 
 /* Steps of a piece, for its tool axis; parts of a curve that count as blocks. */
-enum { TURN_STEPS = 4, CURVE_PARTS = 4, LOW_PLACES = 4 };
+enum { TURN_STEPS = 4, CURVE_PARTS = 4, AWAY_PLACES = 4 };
 
 #define PATH_TIP 0.008 /* mm that the tip may be off the path, where the head does not say it */
 #define PATH_AXIS 0.25 /* degrees that the tool axis may be off the path's, likewise */
@@ -36,6 +36,8 @@ enum { TURN_STEPS = 4, CURVE_PARTS = 4, LOW_PLACES = 4 };
 #define UNSEEN 3     /* times what points are apart: so far an edge may be beyond them */
 #define LOW_RADII 10 /* below all of the part rows may run out so many radii, ... */
 #define LOW_MORE 20  /* ... and mm more, but no farther */
+#define FAR_RADII 20 /* so many radii, ... */
+#define FAR_MORE 50  /* ... and mm, and as far as the part is long, a link may go beside it */
 #define BORDER 1.5   /* times what may be left: so much at few points of a region that is cut */
 
 static void sum_pieces(struct verdict *v)
@@ -230,24 +232,51 @@ static void judge_under(struct verdict *v)
                 u->depth, u->at.x, u->at.y, u->at.z, fast ? ", in a rapid move" : "", u->pieces);
 }
 
-/* Far below all of the part's points nobody knows what is there: the vice, the table.  A program of
- * others may cut more than was scanned. */
-static void judge_low(struct verdict *v)
+/* Far off all of the part at feed: no link goes there, and no row. */
+static void judge_far(struct verdict *v, struct box part)
 {
     const struct nc_motion *motion = v->program.motion;
-    double radius = v->options.radius, bottom = HUGE_VAL, low = HUGE_VAL;
+    double may = box_diagonal(&part) + FAR_RADII * v->options.radius + FAR_MORE;
+    double far = 0;
     size_t piece = 0;
-    for (size_t i = 0; i < v->program.part->n; i++)
-        bottom = fmin(bottom, v->program.part->item[i].z);
-    for (size_t i = 0; i < motion->piece.n && v->program.part->n > 0; i++)
-        for (int k = 1; k <= LOW_PLACES && !motion->piece.item[i].dark; k++) {
-            double z = nc_motion_ball(motion, i, (double)k / LOW_PLACES, radius).p.z - radius;
+    for (size_t i = 0; i < motion->piece.n; i++)
+        for (int k = 1; k <= AWAY_PLACES && !motion->piece.item[i].rapid; k++) {
+            struct vec3 c = nc_motion_ball(motion, i, (double)k / AWAY_PLACES, v->options.radius).p;
+            double off = sqrt(box_distance2(&part, c));
+            piece = off > far ? i : piece;
+            far = fmax(far, off);
+        }
+    if (far > may)
+        finding_add(v, v->program.post >= 0, piece,
+                    "the ball is %.1f mm off all of the part at feed", far);
+}
+
+/* Far below all of the part's points nobody knows what is there: the vice, the table. */
+static void judge_low(struct verdict *v, struct box part)
+{
+    const struct nc_motion *motion = v->program.motion;
+    double radius = v->options.radius, low = HUGE_VAL;
+    size_t piece = 0;
+    for (size_t i = 0; i < motion->piece.n; i++)
+        for (int k = 1; k <= AWAY_PLACES && !motion->piece.item[i].dark; k++) {
+            double z = nc_motion_ball(motion, i, (double)k / AWAY_PLACES, radius).p.z - radius;
             piece = z < low ? i : piece;
             low = fmin(low, z);
         }
-    if (isfinite(low) && bottom - low > LOW_RADII * radius + LOW_MORE)
+    if (isfinite(low) && part.low.z - low > LOW_RADII * radius + LOW_MORE)
         finding_add(v, v->program.post >= 0, piece,
-                    "the ball goes %.1f mm below the lowest point of the part", bottom - low);
+                    "the ball goes %.1f mm below the lowest point of the part", part.low.z - low);
+}
+
+/* A program of others may cut more than was scanned. */
+static void judge_away(struct verdict *v)
+{
+    const struct vec3s *part = v->program.part;
+    if (part->n == 0)
+        return;
+    struct box box = box_around(part->item, part->n);
+    judge_far(v, box);
+    judge_low(v, box);
 }
 
 static void judge_stock(struct verdict *v)
@@ -470,7 +499,7 @@ void verify_judge(struct verdict *v)
     judge_machine(v);
     judge_holder(v, &v->part_holder, "part");
     judge_under(v);
-    judge_low(v);
+    judge_away(v);
     judge_stock(v);
     judge_holder(v, &v->stock.holder, "stock");
     judge_axes(v);

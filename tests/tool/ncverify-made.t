@@ -87,8 +87,8 @@ has "heidenhain: is told" 'cuts without the work offset, CYCL DEF 247' report
 # ---- far below all points of the part, where the table may be
 low() { # Z of the tip: there and along at feed, beside the part
 	awk -v z="$1" '/^FINI/ {
-		print "RAPID\nGOTO/200,0,60,0,0,1\nRAPID\nGOTO/200,0," z ",0,0,1"
-		print "GOTO/210,0," z ",0,0,1\nRAPID\nGOTO/210,0,60,0,0,1" } { print }' wet.cl >low.cl
+		print "RAPID\nGOTO/100,0,60,0,0,1\nRAPID\nGOTO/100,0," z ",0,0,1"
+		print "GOTO/110,0," z ",0,0,1\nRAPID\nGOTO/110,0,60,0,0,1" } { print }' wet.cl >low.cl
 	ncpost -q -c $control -m $machine -o good.nc low.cl
 }
 for control in fanuc siemens heidenhain linuxcnc; do
@@ -98,6 +98,10 @@ for control in fanuc siemens heidenhain linuxcnc; do
 	low -62
 	judge 3 "farther below it" good.nc
 	has "$control: how far is told" '^fault .*goes 80.8 mm below the lowest point of the part' report
+	sed "s/^GOTO\/110,0,-62/GOTO\/400,0,60/" low.cl >far.cl
+	ncpost -q -c $control -m $machine -o good.nc far.cl
+	judge 3 "at feed far off all of it" good.nc
+	has "$control: how far off is told" '^fault .*the ball is 3[0-9.]+ mm off all of the part at feed' report
 done
 
 # ---- an approach from the side that begins nearer to the part than points far apart tell
