@@ -40,7 +40,8 @@ int post_check(enum control_id control, const struct machine *machine,
                const struct post_options *options, struct error *error)
 {
     const struct dialect *dialect = dialect_of(control);
-    const char *name = control_row(control)->name;
+    const char *title = machine->text.title; /* one that a file makes of another has its own */
+    const char *name = *title ? title : control_row(control)->name;
     if (options->name && dialect->check_name(options->name, error) != 0)
         return -1;
     if (options->axis == POST_AXIS_VECTORS && dialect->vectors_never)

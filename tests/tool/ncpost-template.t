@@ -148,6 +148,8 @@ maker okuma three-axis three.cl 'G56 H7 Z50.|G53|G30 P1|M2'
 maker fagor table-ac five.cl '%PART1|G90 G17 G71 G40 G94 G54|#MCS ON|G0 Z0.|#MCS OFF|T7 D7 M6|#RTCP ON|G4 K1.5|#RTCP OFF|M30'
 maker hurco three-axis three.cl '%|O0001|G53 G0 Z0.|G43 H7 Z50.|G49|M30|%'
 maker mach3 three-axis three.cl '%|G61|T7 M6|G43 H7 Z50.|G4 P1.5|G49|M2|%'
+fails "mach3: no vectors" ncpost -c mach3 -m table-ac --vectors -o none.nc three.cl
+has "by its own name" 'found --vectors, which Mach3 does not know' "$TMP/err"
 maker grbl three-axis three.cl 'G90 G91.1 G17 G21 G40 G49 G80 G94 G54|G61|G53 G0 Z0.|T7|M0|S8000 M3|G4 P1.5|M2'
 maker tormach three-axis three.cl '%|T7 M6|G43 H7 Z50.|M2|%'
 ncpost -q -c heidenhain-530 -o part.h five.cl
