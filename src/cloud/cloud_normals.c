@@ -293,36 +293,51 @@ static void turn_over(struct vec3 *normal)
     *normal = vec_scale(-1, *normal);
 }
 
-/* From all its points at once that are in sight from above, or from the first one: most of it faces
- * up, or nearly so where some are in sight. */
-static void orient_piece(const struct estimation *e, const struct sizes *piece, const bool *seen,
+/* Begins with all points of the piece that are in sight from above: these face up.  How many. */
+static size_t begin_seen(const struct estimation *e, const struct sizes *piece, const bool *seen,
                          struct front *front)
 {
-    const double nearly = 0.1;
-    size_t from = front->reached.n, some = 0;
-    double up = 0;
+    size_t some = 0;
 
     for (size_t k = 0; k < piece->n; k++) {
         size_t i = piece->item[k];
-        if (!seen[i])
-            continue;
-        if (e->normal[i].z < 0)
+        if (seen[i] && e->normal[i].z < 0)
             turn_over(&e->normal[i]);
-        front->done[i] = true;
-        some++;
+        front->done[i] = seen[i];
+        some += seen[i];
     }
     for (size_t k = 0; k < piece->n; k++)
         if (seen[piece->item[k]])
             reach(e, piece->item[k], front);
-    if (some == 0)
-        reach(e, piece->item[0], front);
-    orient_reached(e, front);
+    return some;
+}
+
+/* Turns over those reached from number `from` on whose normals' mean points down by more than
+ * `least`. */
+static void turn_up(const struct estimation *e, const struct front *front, size_t from,
+                    double least)
+{
+    double up = 0;
+
     for (size_t k = from; k < front->reached.n; k++)
         up += e->normal[front->reached.item[k]].z;
-    if (up >= (some > 0 ? -nearly * (double)(front->reached.n - from) : 0))
+    if (up >= -least * (double)(front->reached.n - from))
         return;
     for (size_t k = from; k < front->reached.n; k++)
         turn_over(&e->normal[front->reached.item[k]]);
+}
+
+/* Most of a piece faces up, or nearly so where some of it is in sight from above. */
+static void orient_piece(const struct estimation *e, const struct sizes *piece, const bool *seen,
+                         struct front *front)
+{
+    const double nearly = 0.1;
+    size_t from = front->reached.n, some = begin_seen(e, piece, seen, front);
+
+    if (some == 0)
+        reach(e, piece->item[0], front);
+    orient_reached(e, front);
+    turn_up(e, front, from, some > 0 ? nearly : 0);
 }
 
 /* Signs for all, piece by piece from the top. */

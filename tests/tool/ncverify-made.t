@@ -101,7 +101,7 @@ for control in fanuc siemens heidenhain linuxcnc; do
 	sed "s/^GOTO\/110,0,-62/GOTO\/400,0,60/" low.cl >far.cl
 	ncpost -q -c $control -m $machine -o good.nc far.cl
 	judge 3 "at feed far off all of it" good.nc
-	has "$control: how far off is told" '^fault .*the ball is 3[0-9.]+ mm off all of the part at feed' report
+	has "$control: how far off is told" '^fault .*is 3[0-9.]+ mm off all of the part' report
 done
 
 # ---- an approach from the side that begins nearer to the part than points far apart tell
