@@ -10,20 +10,27 @@
 #include "math/kdtree.h"
 #include "mesh/mesh_clip.h"
 
-/* Points about a facet; for a vertex so many are enough to tell sides. */
-enum { ABOUT = 8, ENOUGH = 3 };
+/* Points about a facet; for a vertex so many are enough to tell sides, and for all as many. */
+enum { ABOUT = 8, ENOUGH = 3, MOST = 60000 };
 
 /* The normals of points are of one side where their mean is so long; cosine of a facet that faces
  * the other one, at most; part of the mesh from where on nobody knows which side is meant. */
 static const double ALIKE = 0.7, AGAINST = -0.4, MUCH = 0.5;
 
+/* Cosine, seen from above: 45 degrees. */
+static const double FLAT = 0.7;
+
 struct sides {
     struct kdtree *tree;
     const struct vec3 *normal;
+    double flat; /* cosine: a facet that faces up so much is not asked */
 };
 
 static bool faces_against(const struct sides *sides, const struct mesh *mesh, size_t face)
 {
+    struct vec3 cross = mesh_face_cross(mesh, face);
+    if (cross.z > sides->flat * vec_length(cross))
+        return false;
     const int *v = mesh->face.item[face].v;
     struct vec3 centre =
         vec_scale(1.0 / 3, vec_add(vec_add(mesh->vertex.item[v[0]], mesh->vertex.item[v[1]]),
@@ -34,7 +41,6 @@ static bool faces_against(const struct sides *sides, const struct mesh *mesh, si
     for (size_t i = 0; i < n; i++)
         sum = vec_add(sum, sides->normal[near[i]]);
     double length = vec_length(sum);
-    struct vec3 cross = mesh_face_cross(mesh, face);
     return length > ALIKE * (double)n && vec_dot(sum, cross) < AGAINST * length * vec_length(cross);
 }
 
@@ -53,7 +59,8 @@ static double mark_turned(const struct sides *sides, const struct mesh *mesh, bo
 /* Some of the points, enough to tell sides. */
 static struct vec3s some_of(const struct vec3s *points, const struct mesh *mesh)
 {
-    size_t every = points->n / (ENOUGH * mesh->vertex.n + 1) + 1;
+    size_t enough = ENOUGH * mesh->vertex.n < MOST ? ENOUGH * mesh->vertex.n : MOST;
+    size_t every = points->n / (enough + 1) + 1;
     struct vec3s some = {0};
 
     for (size_t i = 0; i < points->n; i += every)
@@ -84,7 +91,7 @@ size_t cloudmesh_drop_turned(const struct vec3s *points, double steep, int threa
         return 0;
     struct vec3s some = some_of(points, mesh);
     struct vec3 *normal = mem_alloc(some.n + 1, sizeof *normal);
-    struct sides sides = {kdtree_new_by(some.item, some.n, threads), normal};
+    struct sides sides = {kdtree_new_by(some.item, some.n, threads), normal, steep > 0 ? FLAT : 1};
     bool *turned = mem_alloc(mesh->face.n + 1, sizeof *turned);
     if (some.n > SEGMENTS_LEAST) {
         segments_normals(some.item, some.n, threads, normal);
