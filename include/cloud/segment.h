@@ -23,7 +23,7 @@ struct segments {
     double spacing;  /* mean spacing of the points on their surface, mm */
 };
 
-enum { SEGMENTS_LEAST = 16 }; /* fewer points are in no part */
+enum { SEGMENTS_LEAST = 16 }; /* so few points are in no part */
 
 /*
  * Each point goes to the direction that is nearest to its normal, of as few as serve it within 50

@@ -25,6 +25,9 @@ void mesh_clip_steep(struct mesh *mesh, struct vec3 up, double least, double mos
 /* Keeps the facets of the surfaces that are marked; the mesh knows of each facet its surface. */
 void mesh_clip_surfaces(struct mesh *mesh, const bool *keep);
 
+/* Leaves out the facets that are marked. */
+void mesh_clip_marked(struct mesh *mesh, const bool *out);
+
 /* Leaves out the vertices that no facet has. */
 void mesh_clip_unused(struct mesh *mesh);
 

@@ -198,6 +198,11 @@ static void reach(const struct estimation *e, size_t i, struct front *front)
     }
 }
 
+static void turn_over(struct vec3 *normal)
+{
+    *normal = vec_scale(-1, *normal);
+}
+
 /* Signs for all that can be reached from those that have theirs. */
 static void orient_reached(const struct estimation *e, struct front *front)
 {
@@ -207,7 +212,7 @@ static void orient_reached(const struct estimation *e, struct front *front)
         if (front->done[s.to])
             continue;
         if (agreement(e, s.from, s.to) < 0)
-            *n = vec_scale(-1, *n);
+            turn_over(n);
         reach(e, s.to, front);
     }
 }
@@ -238,6 +243,7 @@ static bool is_ambiguous(const struct plane_fit *plane)
 
 struct sight {
     const struct estimation *e;
+    const struct kdtree *tree;
     double spacing, top;
     bool *seen;
 };
@@ -253,23 +259,21 @@ static void look_from_above(void *context, size_t from, size_t to)
     for (size_t i = from; i < to; i++) {
         struct vec3 p = s->e->point[i], up = {0, 0, 1};
         s->seen[i] = !is_ambiguous(&s->e->plane[i]) &&
-                     !kdtree_any_beside(s->e->tree, vec_along(p, least, up),
+                     !kdtree_any_beside(s->tree, vec_along(p, least, up),
                                         vec_along(p, fmax(least, s->top - p.z), up), within);
     }
 }
 
 /* Which points are in sight from above, and not steep there. */
-static void find_seen(struct estimation *e, size_t n, int threads, bool *seen)
+static void find_seen(const struct estimation *e, size_t n, int threads, bool *seen)
 {
     struct kdtree *tree = kdtree_new_by(e->point, n, threads);
-    struct sight s = {e, cloud_spacing(e->point, n, e->neighbour), -HUGE_VAL, seen};
+    struct sight s = {e, tree, cloud_spacing(e->point, n, e->neighbour), -HUGE_VAL, seen};
 
-    e->tree = tree;
     for (size_t i = 0; i < n; i++)
         s.top = fmax(s.top, e->point[i].z);
     parallel_for(threads, n, look_from_above, &s);
     kdtree_free(tree);
-    e->tree = NULL;
 }
 
 /* The points that hang together with this one and have no sign. */
@@ -286,11 +290,6 @@ static void find_piece(const struct estimation *e, size_t start, bool *found, st
             found[j] = true;
             *array_push(piece) = j;
         }
-}
-
-static void turn_over(struct vec3 *normal)
-{
-    *normal = vec_scale(-1, *normal);
 }
 
 /* Begins with all points of the piece that are in sight from above: these face up.  How many. */
@@ -341,7 +340,7 @@ static void orient_piece(const struct estimation *e, const struct sizes *piece, 
 }
 
 /* Signs for all, piece by piece from the top. */
-static void orient(struct estimation *e, size_t n, int threads)
+static void orient(const struct estimation *e, size_t n, int threads)
 {
     struct height *height = mem_alloc(n, sizeof *height);
     struct front front = {.done = mem_alloc(n, sizeof *front.done)};

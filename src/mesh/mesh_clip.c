@@ -212,6 +212,22 @@ void mesh_clip_surfaces(struct mesh *mesh, const bool *keep)
     mesh->face.n = mesh->surface.n = n;
 }
 
+void mesh_clip_marked(struct mesh *mesh, const bool *out)
+{
+    size_t n = 0;
+    bool surfaces = mesh->surface.n == mesh->face.n;
+
+    for (size_t f = 0; f < mesh->face.n; f++) {
+        if (out[f])
+            continue;
+        if (surfaces)
+            mesh->surface.item[n] = mesh->surface.item[f];
+        mesh->face.item[n++] = mesh->face.item[f];
+    }
+    mesh->face.n = n;
+    mesh->surface.n = surfaces ? n : 0;
+}
+
 void mesh_clip_unused(struct mesh *mesh)
 {
     int *name = mem_alloc(mesh->vertex.n + 1, sizeof *name), n = 0;

@@ -6,6 +6,7 @@
 #include "base/array.h"
 #include "base/parallel.h"
 #include "curve/edge_curve.h"
+#include "mesh/mesh_clip.h"
 #include "mesh/mesh_edges.h"
 #include "mesh/mesh_repair.h"
 #include "mesh/mesh_weld.h"
@@ -25,24 +26,6 @@ static bool has_area(const struct mesh *mesh, size_t facet)
     return vec_length(mesh_face_cross(mesh, facet)) > AREA_OF_NOTHING * longest;
 }
 
-/* Leaves out the facets that are marked. */
-static void drop_marked(struct mesh *mesh, const bool *out)
-{
-    size_t n = 0;
-
-    bool surfaces = mesh->surface.n == mesh->face.n;
-
-    for (size_t f = 0; f < mesh->face.n; f++) {
-        if (out[f])
-            continue;
-        if (surfaces)
-            mesh->surface.item[n] = mesh->surface.item[f];
-        mesh->face.item[n++] = mesh->face.item[f];
-    }
-    mesh->face.n = n;
-    mesh->surface.n = surfaces ? n : 0;
-}
-
 size_t mesh_clean_no_area(struct mesh *mesh)
 {
     bool *out = mem_alloc(mesh->face.n, sizeof *out);
@@ -50,7 +33,7 @@ size_t mesh_clean_no_area(struct mesh *mesh)
 
     for (size_t f = 0; f < mesh->face.n; f++)
         out[f] = !has_area(mesh, f);
-    drop_marked(mesh, out);
+    mesh_clip_marked(mesh, out);
     free(out);
     return before - mesh->face.n;
 }
@@ -117,7 +100,7 @@ size_t mesh_clean_doubled(struct mesh *mesh)
     sort_corners(mesh, corners);
     for (size_t i = 1; i < n; i++)
         out[corners[i].facet] = compare_vertices(&corners[i - 1], &corners[i]) == 0;
-    drop_marked(mesh, out);
+    mesh_clip_marked(mesh, out);
     free(corners);
     free(out);
     return n - mesh->face.n;

@@ -163,9 +163,10 @@ struct post *post_plan(enum control_id control, struct path *path, struct machin
                                       .options = {options->chord, options->axis_tolerance,
                                                   options->feed, options->contact_feed, 1}}};
     *status = refuse_insert(path, options, error);
-    post_even(path);
-    if (*status == 0)
+    if (*status == 0) {
+        post_even(path);
         *status = plan_in_frame(post, path, machine, options, error);
+    }
     if (*status == 0)
         return post;
     post_free(post);

@@ -102,13 +102,22 @@ static struct vec3 ball_of(const struct halves *h, struct pose pose)
     return vec_along(pose.p, h->ball, pose.a);
 }
 
+/* A step without its courses. */
+static struct step step_between(const struct halves *h, size_t item, double s0, double s1,
+                                struct pose from, struct pose to)
+{
+    struct step step = {
+        .item = item, .s = {s0, s1}, .p = {ball_of(h, from), ball_of(h, to)}, .a = {from.a, to.a}};
+
+    step.length = vec_distance(step.p[0], step.p[1]);
+    return step;
+}
+
 /* A line: the course of its ball is straight, or nearly so. */
 static void add_line(struct halves *h, size_t item, struct pose from, struct pose to)
 {
-    struct step step = {
-        .item = item, .s = {0, 1}, .p = {ball_of(h, from), ball_of(h, to)}, .a = {from.a, to.a}};
+    struct step step = step_between(h, item, 0, 1, from, to);
 
-    step.length = vec_distance(step.p[0], step.p[1]);
     step.course[0] = step.course[1] = vec_unit(vec_sub(step.p[1], step.p[0]));
     add_step(h, &step);
 }
@@ -117,11 +126,8 @@ static void add_curve(struct halves *h, const struct motion *motion, size_t item
                       double s1)
 {
     const double near = (s1 - s0) / 64;
-    struct pose from = motion_at(motion, s0), to = motion_at(motion, s1);
-    struct step step = {
-        .item = item, .s = {s0, s1}, .p = {ball_of(h, from), ball_of(h, to)}, .a = {from.a, to.a}};
+    struct step step = step_between(h, item, s0, s1, motion_at(motion, s0), motion_at(motion, s1));
 
-    step.length = vec_distance(step.p[0], step.p[1]);
     step.course[0] = vec_unit(vec_sub(ball_of(h, motion_at(motion, s0 + near)), step.p[0]));
     step.course[1] = vec_unit(vec_sub(step.p[1], ball_of(h, motion_at(motion, s1 - near))));
     add_step(h, &step);

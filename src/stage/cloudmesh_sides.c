@@ -68,23 +68,10 @@ static struct vec3s some_of(const struct vec3s *points, const struct mesh *mesh)
     return some;
 }
 
-static size_t drop(struct mesh *mesh, const bool *turned)
-{
-    size_t all = mesh->face.n, kept = 0;
-
-    for (size_t f = 0; f < all; f++)
-        if (!turned[f])
-            mesh->face.item[kept++] = mesh->face.item[f];
-    mesh->face.n = kept;
-    if (kept < all)
-        mesh_clip_unused(mesh);
-    return all - kept;
-}
-
 size_t cloudmesh_drop_turned(const struct vec3s *points, double steep, int threads,
                              struct mesh *mesh, double *part)
 {
-    size_t n = 0;
+    size_t before = mesh->face.n;
 
     *part = 0;
     if (mesh_steep_part(mesh, vec(0, 0, 1)) < steep)
@@ -96,11 +83,14 @@ size_t cloudmesh_drop_turned(const struct vec3s *points, double steep, int threa
     if (some.n > SEGMENTS_LEAST) {
         segments_normals(some.item, some.n, threads, normal);
         *part = mark_turned(&sides, mesh, turned);
-        n = *part < MUCH ? drop(mesh, turned) : 0;
+        if (*part < MUCH)
+            mesh_clip_marked(mesh, turned);
+        if (mesh->face.n < before)
+            mesh_clip_unused(mesh);
     }
     kdtree_free(sides.tree);
     array_free(&some);
     free(turned);
     free(normal);
-    return n;
+    return before - mesh->face.n;
 }

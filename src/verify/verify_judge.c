@@ -232,51 +232,47 @@ static void judge_under(struct verdict *v)
                 u->depth, u->at.x, u->at.y, u->at.z, fast ? ", in a rapid move" : "", u->pieces);
 }
 
-/* Far off all of the part at feed: no link goes there, and no row. */
-static void judge_far(struct verdict *v, struct box part)
+/* Where the ball is farthest off all of the part at feed, and where it is lowest. */
+struct away {
+    double far, low;
+    size_t far_piece, low_piece;
+};
+
+static struct away find_away(const struct verdict *v, struct box part)
 {
     const struct nc_motion *motion = v->program.motion;
-    double may = box_diagonal(&part) + FAR_RADII * v->options.radius + FAR_MORE;
-    double far = 0;
-    size_t piece = 0;
+    double radius = v->options.radius;
+    struct away away = {.far = 0, .low = HUGE_VAL};
     for (size_t i = 0; i < motion->piece.n; i++)
-        for (int k = 1; k <= AWAY_PLACES && !motion->piece.item[i].rapid; k++) {
-            struct vec3 c = nc_motion_ball(motion, i, (double)k / AWAY_PLACES, v->options.radius).p;
-            double off = sqrt(box_distance2(&part, c));
-            piece = off > far ? i : piece;
-            far = fmax(far, off);
+        for (int k = 1; k <= AWAY_PLACES; k++) {
+            struct vec3 c = nc_motion_ball(motion, i, (double)k / AWAY_PLACES, radius).p;
+            double far = motion->piece.item[i].rapid ? 0 : sqrt(box_distance2(&part, c));
+            double low = motion->piece.item[i].dark ? HUGE_VAL : c.z - radius;
+            away.far_piece = far > away.far ? i : away.far_piece;
+            away.low_piece = low < away.low ? i : away.low_piece;
+            away.far = fmax(away.far, far);
+            away.low = fmin(away.low, low);
         }
-    if (far > may)
-        finding_add(v, v->program.post >= 0, piece,
-                    "the ball is %.1f mm off all of the part at feed", far);
+    return away;
 }
 
-/* Far below all of the part's points nobody knows what is there: the vice, the table. */
-static void judge_low(struct verdict *v, struct box part)
-{
-    const struct nc_motion *motion = v->program.motion;
-    double radius = v->options.radius, low = HUGE_VAL;
-    size_t piece = 0;
-    for (size_t i = 0; i < motion->piece.n; i++)
-        for (int k = 1; k <= AWAY_PLACES && !motion->piece.item[i].dark; k++) {
-            double z = nc_motion_ball(motion, i, (double)k / AWAY_PLACES, radius).p.z - radius;
-            piece = z < low ? i : piece;
-            low = fmin(low, z);
-        }
-    if (isfinite(low) && part.low.z - low > LOW_RADII * radius + LOW_MORE)
-        finding_add(v, v->program.post >= 0, piece,
-                    "the ball goes %.1f mm below the lowest point of the part", part.low.z - low);
-}
-
-/* A program of others may cut more than was scanned. */
+/* Far off all of the part no link goes, and no row; far below all of its points nobody knows what
+ * is there: the vice, the table.  A program of others may cut more than was scanned. */
 static void judge_away(struct verdict *v)
 {
-    const struct vec3s *part = v->program.part;
-    if (part->n == 0)
+    const struct vec3s *point = v->program.part;
+    double radius = v->options.radius;
+    if (point->n == 0)
         return;
-    struct box box = box_around(part->item, part->n);
-    judge_far(v, box);
-    judge_low(v, box);
+    struct box part = box_around(point->item, point->n);
+    struct away away = find_away(v, part);
+    double below = isfinite(away.low) ? part.low.z - away.low : 0;
+    if (away.far > box_diagonal(&part) + FAR_RADII * radius + FAR_MORE)
+        finding_add(v, v->program.post >= 0, away.far_piece,
+                    "the ball is %.1f mm off all of the part at feed", away.far);
+    if (below > LOW_RADII * radius + LOW_MORE)
+        finding_add(v, v->program.post >= 0, away.low_piece,
+                    "the ball goes %.1f mm below the lowest point of the part", below);
 }
 
 static void judge_stock(struct verdict *v)

@@ -212,10 +212,10 @@ static void look_under(struct verdict *v)
     v->under = under_scan_find(&options, roof->item, roof->n);
     options.bottom = -HUGE_VAL;
     struct under_scan deeper = under_scan_find(&options, low.item, low.n);
-    deeper.pieces = v->under.pieces > deeper.pieces ? v->under.pieces : deeper.pieces;
+    size_t pieces = v->under.pieces > deeper.pieces ? v->under.pieces : deeper.pieces;
     if (deeper.depth > v->under.depth)
         v->under = deeper;
-    v->under.pieces = deeper.pieces;
+    v->under.pieces = pieces;
     array_free(&low);
 }
 
