@@ -26,6 +26,7 @@ struct path_coverage {
     double rows;           /* what rows may leave, with what the mesh is off the scan, mm ... */
     double allowed;        /* ... and what the path may */
     size_t rounds, strips; /* of rest passes */
+    bool nothing;          /* the ball comes near no point */
 };
 
 /* Of the points of the scan that guards, of a box or polygons those inside, or without a scan of
@@ -44,8 +45,8 @@ void path_coverage_measure(struct path_coverage *c, const struct toolpath *t);
 /* Tells what is out of reach, what the surface between points keeps the ball off, and what is left.
  * EXIT_UNMET where the last, and what of the others who judges by the points takes for it
  * (coverage_judge.h), are more than path_options.left_share of the points, or of a part of the mesh
- * any is more than the next stage may leave, and rows of a scallop should have cut them: they are
- * head->unmet then.  What only a fitter's tolerance makes up for is head->unfitted. */
+ * any is more than the next stage may leave, and rows of a scallop should have cut them, or where
+ * the ball comes near no point at all: they are head->unmet then.  What only a fitter's tolerance makes up for is head->unfitted. */
 int path_coverage_conclude(const struct path_coverage *c, struct path_head *head);
 
 void path_coverage_free(struct path_coverage *c);

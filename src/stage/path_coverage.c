@@ -264,12 +264,40 @@ static void measure_odd(struct path_coverage *c, const struct toolpath *t)
     array_free(&points);
 }
 
+static bool any_is_cut(const struct coverage *coverage)
+{
+    size_t n;
+    const struct coverage_point *point = coverage_points(coverage, &n);
+
+    for (size_t i = 0; i < n; i++)
+        if (point[i].state == COVERAGE_CUT)
+            return true;
+    return n == 0;
+}
+
+/* Of a part of which nobody knows what is left: is the ball at any point of the scan? */
+static bool touches_scan(const struct toolpath *t)
+{
+    const struct coverage_options options = {
+        .radius = path_options.radius, .limit = t->lift.tolerance, .threads = t->threads};
+    const struct vec3s *points = &path_options.believed;
+    struct coverage *scan = coverage_new(points->item, points->n, t->threads);
+
+    coverage_cut(scan, &options, &t->ball, &t->ball_end);
+    bool touches = any_is_cut(scan);
+    coverage_free(scan);
+    return touches;
+}
+
 void path_coverage_measure(struct path_coverage *c, const struct toolpath *t)
 {
-    if (!c->coverage)
+    if (!c->coverage) {
+        c->nothing = t->lift.guard && !touches_scan(t);
         return;
+    }
     coverage_restart(c->coverage);
     coverage_cut(c->coverage, &c->options, &t->ball, &t->ball_end);
+    c->nothing = !any_is_cut(c->coverage);
     measure_odd(c, t);
 }
 
@@ -361,10 +389,21 @@ static void say_as_is(const struct path_coverage *c, const struct path_judged *j
                 judged->limit);
 }
 
+/* Who judges a program that cuts nothing refuses it. */
+static int say_nothing(const struct path_coverage *c, struct unmets *unmet)
+{
+    if (!c->nothing)
+        return EXIT_DONE;
+    unmet_say(unmet, "nothing is cut: the ball comes to none of the points, expected a smaller one "
+                     "or another part of them");
+    return EXIT_UNMET;
+}
+
 int path_coverage_conclude(const struct path_coverage *c, struct path_head *head)
 {
+    int status = say_nothing(c, &head->unmet);
     if (!c->coverage)
-        return EXIT_DONE;
+        return status;
     struct coverage_report r = coverage_report(c->coverage);
     struct path_verdicts verdicts = {.worse = {.much = false}};
     if (c->scallop > 0)
@@ -385,5 +424,5 @@ int path_coverage_conclude(const struct path_coverage *c, struct path_head *head
     if (r.left.n == 0)
         note("all of %zu points within reach are cut to %.3f mm; %zu rest passes in %zu rounds",
              r.points, c->options.limit, c->strips, c->rounds);
-    return unmet_left ? EXIT_UNMET : EXIT_DONE;
+    return unmet_left ? EXIT_UNMET : status;
 }

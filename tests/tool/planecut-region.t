@@ -150,4 +150,16 @@ status 0 "... and judged" ncverify -q -g saddle.xyz slopes.mpf
 planecut -q -r 2 --scallop 0.05 --avoid --steep 0:10 -o flat.cl saddle.ply
 cmp -s whole.cl flat.cl
 result $((!$?)) "slopes that some of it has are not"
+
+# The floor of a pit that the ball does not go into: what rides on its rim cuts nothing of it.
+awk 'BEGIN { for (x = -10; x <= 10; x += 0.5) for (y = -10; y <= 10; y += 0.5) {
+	a = x < 0 ? -x : x; b = y < 0 ? -y : y; m = a > b ? a : b
+	z = m >= 3.5 ? 0 : m <= 2.5 ? -6 : 6 * (m - 3.5); print x, y, z } }' >pit.xyz
+cloud2mesh -q -o pit.ply pit.xyz
+status 3 "a place where the ball does not fit" planecut -r 8 --avoid --box -2,-2,-8,2,2,-5 \
+	--scallop 0.05 -o pit.cl pit.ply
+has "is told: nothing is cut" "nothing is cut: the ball comes to none of the points" "$TMP/err"
+has "... and its head says so" "UNMET nothing is cut" pit.cl
+run planecut -r 1 --avoid --box -2,-2,-8,2,2,-5 --scallop 0.05 -o pit.cl pit.ply
+hasnt "a smaller one does fit" "nothing is cut" "$TMP/err"
 done_testing
