@@ -23,7 +23,8 @@ struct settings {
     double noise;  /* NAN: from the cloud */
     double extend; /* beyond the border, mm */
     int unit, outliers;
-    bool origin, clean, unit_given, stream;
+    bool origin, clean, unit_given, stream, outside_given;
+    double outside[3];      /* a direction */
     const char *matrix;     /* file, NULL: none */
     const char *clean_file; /* the scan that is believed, NULL: not asked for */
 };
@@ -44,6 +45,16 @@ static void check_method(const struct settings *s)
         die_usage("found --keep without --method delaunay, expected both");
     if (s->meshing.keep > 0 && s->meshing.error > 0)
         die_usage("found --keep with -e, expected one of them");
+}
+
+/* A grid that is seen from above has its outside there. */
+static void check_outside(struct settings *s)
+{
+    s->meshing.outside = vec(s->outside[0], s->outside[1], s->outside[2]);
+    if (s->outside_given && !s->meshing.subdivide)
+        die_usage("found --outside without --subdivide, expected both");
+    if (s->outside_given && !(vec_length(s->meshing.outside) > 0))
+        die_usage("option --outside: found a direction of no length");
 }
 
 /* What is believed of a scan takes the place of no input, and not that of the mesh. */
@@ -115,6 +126,10 @@ static struct settings read_options(struct cli *cli, int argc, char **argv)
          &s.extend, CLI_POSITIVE, 0, 0, NULL},
         {0, "subdivide", NULL, "divide the cloud by orientation, for steep sides", CLI_FLAG,
          &s.meshing.subdivide, 0, 0, 0, NULL},
+        {0, "outside", "I,J,K",
+         "with --subdivide: the side of the surface that is seen from there is\n"
+         "its outside (default: 0,0,1, from above)",
+         CLI_NUMBERS, s.outside, 0, 0, 3, &s.outside_given},
         {0, "stream", NULL,
          "set the points aside in a file instead of keeping them: memory goes with\n"
          "the nodes of the grid (normals: facet, or as asked for; no outliers,\n"
@@ -144,6 +159,7 @@ static struct settings read_options(struct cli *cli, int argc, char **argv)
         die_usage("option --clean: found -, expected a file: standard output is for the mesh");
     check_clean_file(s.clean_file, cli);
     check_method(&s);
+    check_outside(&s);
     if (s.meshing.paper && s.meshing.error > 0)
         die_usage("--paper has a grid of one spacing: expected -t or -e");
     return s;
@@ -207,14 +223,25 @@ static void say_steep(const struct settings *settings, double part)
             100 * part);
 }
 
-/* A scan that leans far has two sides, and nobody has said which one is the outside. */
-static void say_facing(struct vec3 facing)
+/* A scan that leans far has two sides, and nobody has said which one is the outside.  Of one that
+ * stands upright none is seen from above. */
+static void say_facing(const char *name, struct vec3 facing, struct unmets *unmet)
 {
-    const double one_side = 0.5, level = 0.5; /* lengths; cosine: 60 degrees */
+    const double one_side = 0.5, level = 0.5, upright = 0.2; /* lengths; cosines: 60, 78 degrees */
     double length = vec_length(facing);
-    if (length > one_side && facing.z < level * length)
-        say("the surface leans: the side that faces %.3f %.3f %.3f was taken for the outside",
-            facing.x / length, facing.y / length, facing.z / length);
+    struct vec3 n = vec_unit(facing);
+    if (!(length > one_side) || n.z >= level)
+        return;
+    if (fabs(n.z) < upright)
+        unmet_say(
+            unmet,
+            "%s: the surface stands upright: the side that faces %.3f %.3f %.3f was taken for "
+            "the outside, which nobody knows, expected --subdivide --outside I,J,K",
+            name, n.x, n.y, n.z);
+    else
+        say("the surface leans: the side that faces %.3f %.3f %.3f was taken for the outside "
+            "(--outside)",
+            n.x, n.y, n.z);
 }
 
 /* Where the surface folds under itself. */
@@ -423,8 +450,8 @@ int main(int argc, char **argv)
     say_left_out(&settings, &result.count);
     say_turned(name, &settings, &result, mesh.face.n, &mesh.origin.unmet);
     say_steep(&settings, mesh_steep_part(&mesh, vec(0, 0, 1)));
-    if (!settings.meshing.smooth) /* what is streamed does not know it */
-        say_facing(mesh_facing(&mesh));
+    if (!settings.meshing.smooth && !settings.outside_given) /* what is streamed does not know it */
+        say_facing(name, mesh_facing(&mesh), &mesh.origin.unmet);
     if (settings.meshing.method != CLOUDMESH_CHUI)
         say_distance(&result.rows, of_surface);
     else if (settings.meshing.error > 0)

@@ -42,15 +42,16 @@ struct cloudmesh_options {
     double direction; /* of the rows, degrees */
     int keep;         /* CLOUDMESH_DELAUNAY: as many vertices, 0: as many as needed */
     const struct normal_estimator *normals;
-    int neighbours;  /* 0: chosen */
-    double effort;   /* effort.h */
-    double mean;     /* spacing of the points, mm, where it is known; 0: it is measured */
-    bool paper;      /* as published */
-    bool scan_nodes; /* vertices are points of the scan, as published */
-    bool smooth;     /* look for no creases, walls and ribs, nor for facets turned over */
-    bool subdivide;  /* parts by orientation, each with a projection of its own */
-    bool silent;     /* a trial: nothing is said */
-    bool explained;  /* noise is taken out only where a surface soon explains the points */
+    int neighbours;      /* 0: chosen */
+    double effort;       /* effort.h */
+    double mean;         /* spacing of the points, mm, where it is known; 0: it is measured */
+    bool paper;          /* as published */
+    bool scan_nodes;     /* vertices are points of the scan, as published */
+    bool smooth;         /* look for no creases, walls and ribs, nor for facets turned over */
+    bool subdivide;      /* parts by orientation, each with a projection of its own */
+    struct vec3 outside; /* of their surface is the side seen from there; zero: from above */
+    bool silent;         /* a trial: nothing is said */
+    bool explained;      /* noise is taken out only where a surface soon explains the points */
     bool edges_only; /* a trial that shows where creases and walls are: no ribs are looked for */
     const struct feature_zone *zone; /* where they are known to be; NULL: nothing is known */
 };

@@ -19,6 +19,7 @@ struct estimation {
     struct vec3 *normal;     /* of the planes below */
     struct plane_fit *plane; /* through each point and its neighbours */
     size_t *best, *better;   /* whose plane each point takes, and takes next */
+    struct vec3 up;          /* unit: what is seen from there is the outside */
 };
 
 /* A way to a point that has no sign yet, from one that has. */
@@ -218,7 +219,7 @@ static void orient_reached(const struct estimation *e, struct front *front)
 }
 
 struct height {
-    double z;
+    double z; /* along `up` */
     size_t point;
     bool vague; /* its normal does not tell which side is up */
 };
@@ -236,9 +237,9 @@ static int by_height(const void *a, const void *b)
 }
 
 /* Steep, or no plane. */
-static bool is_ambiguous(const struct plane_fit *plane)
+static bool is_ambiguous(const struct plane_fit *plane, struct vec3 up)
 {
-    return fabs(plane->normal.z) < 0.5 || plane->rms > BENT * plane->length;
+    return fabs(vec_dot(plane->normal, up)) < 0.5 || plane->rms > BENT * plane->length;
 }
 
 struct sight {
@@ -257,10 +258,11 @@ static void look_from_above(void *context, size_t from, size_t to)
     double within = beside * s->spacing, least = over * s->spacing;
 
     for (size_t i = from; i < to; i++) {
-        struct vec3 p = s->e->point[i], up = {0, 0, 1};
-        s->seen[i] = !is_ambiguous(&s->e->plane[i]) &&
-                     !kdtree_any_beside(s->tree, vec_along(p, least, up),
-                                        vec_along(p, fmax(least, s->top - p.z), up), within);
+        struct vec3 p = s->e->point[i], up = s->e->up;
+        s->seen[i] =
+            !is_ambiguous(&s->e->plane[i], up) &&
+            !kdtree_any_beside(s->tree, vec_along(p, least, up),
+                               vec_along(p, fmax(least, s->top - vec_dot(p, up)), up), within);
     }
 }
 
@@ -271,7 +273,7 @@ static void find_seen(const struct estimation *e, size_t n, int threads, bool *s
     struct sight s = {e, tree, cloud_spacing(e->point, n, e->neighbour), -HUGE_VAL, seen};
 
     for (size_t i = 0; i < n; i++)
-        s.top = fmax(s.top, e->point[i].z);
+        s.top = fmax(s.top, vec_dot(e->point[i], e->up));
     parallel_for(threads, n, look_from_above, &s);
     kdtree_free(tree);
 }
@@ -300,7 +302,7 @@ static size_t begin_seen(const struct estimation *e, const struct sizes *piece, 
 
     for (size_t k = 0; k < piece->n; k++) {
         size_t i = piece->item[k];
-        if (seen[i] && e->normal[i].z < 0)
+        if (seen[i] && vec_dot(e->normal[i], e->up) < 0)
             turn_over(&e->normal[i]);
         front->done[i] = seen[i];
         some += seen[i];
@@ -319,7 +321,7 @@ static void turn_up(const struct estimation *e, const struct front *front, size_
     double up = 0;
 
     for (size_t k = from; k < front->reached.n; k++)
-        up += e->normal[front->reached.item[k]].z;
+        up += vec_dot(e->normal[front->reached.item[k]], e->up);
     if (up >= -least * (double)(front->reached.n - from))
         return;
     for (size_t k = from; k < front->reached.n; k++)
@@ -348,7 +350,8 @@ static void orient(const struct estimation *e, size_t n, int threads)
     struct sizes piece = {0};
 
     for (size_t i = 0; i < n; i++)
-        height[i] = (struct height){e->point[i].z, i, is_ambiguous(&e->plane[i])};
+        height[i] =
+            (struct height){vec_dot(e->point[i], e->up), i, is_ambiguous(&e->plane[i], e->up)};
     qsort(height, n, sizeof *height, by_height);
     find_seen(e, n, threads, seen);
     for (size_t i = 0; i < n; i++) {
@@ -366,10 +369,10 @@ static void orient(const struct estimation *e, size_t n, int threads)
     free(height);
 }
 
-void cloud_normals(const struct vec3 *point, size_t n, const size_t *neighbour, int threads,
-                   struct vec3 *normal)
+void cloud_normals(const struct vec3 *point, size_t n, const size_t *neighbour, struct vec3 up,
+                   int threads, struct vec3 *normal)
 {
-    struct estimation e = {.point = point, .neighbour = (size_t *)neighbour};
+    struct estimation e = {.point = point, .neighbour = (size_t *)neighbour, .up = up};
 
     e.normal = mem_alloc(n, sizeof *e.normal);
     e.plane = mem_alloc(n, sizeof *e.plane);

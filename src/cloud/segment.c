@@ -47,22 +47,43 @@ static bool is_served(const struct division *d, size_t i)
     return false;
 }
 
-/* The direction that serves most of what the chosen ones do not, to the end of these; false when
- * what is left is not worth one. */
-static bool choose_direction(struct division *d)
-{
-    size_t count[DIRECTIONS] = {0};
-    int best = d->chosen;
+/* What a direction serves: how many points, and the sum of their cosines. */
+struct served {
+    size_t n;
+    double straight;
+};
 
+static bool serves_more(const struct served *a, const struct served *b)
+{
+    return a->n > b->n || (a->n == b->n && a->straight > b->straight);
+}
+
+static void count_served(const struct division *d, struct served count[DIRECTIONS])
+{
     for (size_t i = 0; i < d->n; i++) {
         if (is_served(d, i))
             continue;
-        for (int k = d->chosen; k < DIRECTIONS; k++)
-            count[k] += vec_dot(d->normal[i], d->direction[k]) >= SERVED;
+        for (int k = d->chosen; k < DIRECTIONS; k++) {
+            double cosine = vec_dot(d->normal[i], d->direction[k]);
+            if (cosine < SERVED)
+                continue;
+            count[k].n++;
+            count[k].straight += cosine;
+        }
     }
+}
+
+/* The direction that serves most of what the chosen ones do not, and of several the one that looks
+ * at it straightest, to the end of these; false when what is left is not worth one. */
+static bool choose_direction(struct division *d)
+{
+    struct served count[DIRECTIONS] = {{0, 0}};
+    int best = d->chosen;
+
+    count_served(d, count);
     for (int k = d->chosen; k < DIRECTIONS; k++)
-        best = count[k] > count[best] ? k : best;
-    if (best >= DIRECTIONS || (double)count[best] <= FEW * (double)d->n)
+        best = serves_more(&count[k], &count[best]) ? k : best;
+    if (best >= DIRECTIONS || (double)count[best].n <= FEW * (double)d->n)
         return false;
     struct vec3 found = d->direction[best];
     d->direction[best] = d->direction[d->chosen];
@@ -139,8 +160,8 @@ static int in_order(const void *a, const void *b)
     return (turn > 0) - (turn < 0);
 }
 
-struct segments segments_find(const struct vec3 *point, size_t n, double overlap, double direction,
-                              int threads)
+struct segments segments_find(const struct vec3 *point, size_t n,
+                              const struct segments_options *options)
 {
     struct segments parts = {0};
     struct division d = {.point = point, .n = n, .chosen = 1};
@@ -150,13 +171,13 @@ struct segments segments_find(const struct vec3 *point, size_t n, double overlap
         parts.left_out = n;
         return parts;
     }
-    d.neighbour = cloud_neighbours(point, n, threads);
+    d.neighbour = cloud_neighbours(point, n, options->threads);
     d.normal = mem_alloc(n, sizeof *d.normal);
     d.label = mem_alloc(n, sizeof *d.label);
     parts.spacing = d.spacing = cloud_spacing(point, n, d.neighbour);
-    overlap = overlap > 0 ? overlap : 4.5 * parts.spacing;
+    double overlap = options->overlap > 0 ? options->overlap : 4.5 * parts.spacing;
     int *of = mem_alloc(n, sizeof *of);
-    cloud_normals(point, n, d.neighbour, threads, d.normal);
+    cloud_normals(point, n, d.neighbour, options->outside, options->threads, d.normal);
     make_directions(d.direction);
     while (d.chosen < DIRECTIONS && choose_direction(&d))
         ;
@@ -165,7 +186,7 @@ struct segments segments_find(const struct vec3 *point, size_t n, double overlap
     components_settle(&pieces);
     components_find(&pieces, of, &up);
     for (size_t k = 0; k < up.n; k++) {
-        *array_push(&parts) = frame_of(d.direction[up.item[k]], direction);
+        *array_push(&parts) = frame_of(d.direction[up.item[k]], options->direction);
         fill_segment(&d, &pieces, of, (int)k, overlap, &parts.item[k]);
     }
     for (size_t i = 0; i < n; i++)
@@ -180,11 +201,12 @@ struct segments segments_find(const struct vec3 *point, size_t n, double overlap
     return parts;
 }
 
-void segments_normals(const struct vec3 *point, size_t n, int threads, struct vec3 *normal)
+void segments_normals(const struct vec3 *point, size_t n, struct vec3 outside, int threads,
+                      struct vec3 *normal)
 {
     size_t *neighbour = cloud_neighbours(point, n, threads);
 
-    cloud_normals(point, n, neighbour, threads, normal);
+    cloud_normals(point, n, neighbour, outside, threads, normal);
     free(neighbour);
 }
 

@@ -31,6 +31,12 @@ static int one_mesh(const struct cloudmesh_options *options, struct vec3s *point
     return status;
 }
 
+/* Up, where nothing is said. */
+static struct vec3 outside_of(const struct cloudmesh_options *options)
+{
+    return vec_length(options->outside) > 0 ? vec_unit(options->outside) : vec(0, 0, 1);
+}
+
 /* One part of a cloud that is divided, in its own projection. */
 static int add_part(const struct cloudmesh_options *options, struct segment *part, double noise,
                     int threads, struct mesh *mesh, struct cloudmesh *result, struct error *error)
@@ -54,8 +60,9 @@ static int mesh_of_parts(const struct cloudmesh_options *asked, const struct vec
                          struct error *error)
 {
     struct cloudmesh_options options = *asked;
-    struct segments parts =
-        segments_find(points->item, points->n, 1.5 * options.spacing, options.direction, threads);
+    const struct segments_options how = {1.5 * options.spacing, options.direction,
+                                         outside_of(asked), threads};
+    struct segments parts = segments_find(points->item, points->n, &how);
     int status = 0;
     options.spacing =
         options.spacing > 0 ? options.spacing : cloudmesh_default_spacing(parts.spacing);
@@ -93,7 +100,8 @@ int cloudmesh_make(const struct cloudmesh_options *options, struct vec3s *points
                      : one_mesh(options, points, noise, threads, mesh, result, error);
     if (status != 0 || options->paper || options->smooth) /* what is streamed is not at hand */
         return status;
-    result->turned = cloudmesh_drop_turned(points, steep, threads, mesh, &result->turned_part);
+    result->turned = cloudmesh_drop_turned(points, outside_of(options), steep, threads, mesh,
+                                           &result->turned_part);
     mesh_normals_turn(mesh);
     if (!options->subdivide)
         mesh_normals_seen(mesh);

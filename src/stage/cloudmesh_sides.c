@@ -68,8 +68,8 @@ static struct vec3s some_of(const struct vec3s *points, const struct mesh *mesh)
     return some;
 }
 
-size_t cloudmesh_drop_turned(const struct vec3s *points, double steep, int threads,
-                             struct mesh *mesh, double *part)
+size_t cloudmesh_drop_turned(const struct vec3s *points, struct vec3 outside, double steep,
+                             int threads, struct mesh *mesh, double *part)
 {
     size_t before = mesh->face.n;
 
@@ -81,7 +81,7 @@ size_t cloudmesh_drop_turned(const struct vec3s *points, double steep, int threa
     struct sides sides = {kdtree_new_by(some.item, some.n, threads), normal, steep > 0 ? FLAT : 1};
     bool *turned = mem_alloc(mesh->face.n + 1, sizeof *turned);
     if (some.n > SEGMENTS_LEAST) {
-        segments_normals(some.item, some.n, threads, normal);
+        segments_normals(some.item, some.n, outside, threads, normal);
         *part = mark_turned(&sides, mesh, turned);
         if (*part < MUCH)
             mesh_clip_marked(mesh, turned);

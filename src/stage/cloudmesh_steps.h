@@ -56,8 +56,8 @@ void cloudmesh_keep_closer(const struct cloudmesh_options *options, const struct
 /* Where so much of a mesh seen from above is steep: leaves out the facets that face against the
  * points about them, for there the cloud folds under itself; how many.  *part: of the mesh's area;
  * of half of it and more none is left out. */
-size_t cloudmesh_drop_turned(const struct vec3s *points, double steep, int threads,
-                             struct mesh *mesh, double *part);
+size_t cloudmesh_drop_turned(const struct vec3s *points, struct vec3 outside, double steep,
+                             int threads, struct mesh *mesh, double *part);
 
 /* Of a mesh that was only tried. */
 void cloudmesh_drop(struct mesh *mesh, struct cloudmesh *result);

@@ -46,9 +46,33 @@ cap -90 >"$TMP/cap.xyz"
 status 3 "a cap that stands upright: not kept" cloud2mesh -o "$TMP/cap.ply" "$TMP/cap.xyz"
 has "how much faces against its points is told" \
 	'% of the mesh would face against the points about it, expected at most 10 %' "$TMP/err"
-ok "divided it is a mesh" cloud2mesh --subdivide -o "$TMP/cap.ply" "$TMP/cap.xyz"
-hasnt "of which nothing is told" 'face against' "$TMP/err"
-has "but which side is taken for the outside" \
-	'leans: the side that faces -?0\.0[0-9]+ [01]\.[0-9]+ -?0\.[0-9]+ was taken for' "$TMP/err"
+status 3 "divided it is a mesh of nobody knows which side" \
+	cloud2mesh --subdivide -o "$TMP/cap.ply" "$TMP/cap.xyz"
+hasnt "no facet of it faces against the points" 'face against' "$TMP/err"
+has "which side was taken is told" \
+	'upright: the side that faces -?0\.0[0-9]+ [01]\.[0-9]+ -?0\.[0-9]+ was taken for' "$TMP/err"
+has "and what to say" 'expected --subdivide --outside I,J,K' "$TMP/err"
+has "its head says so" '^comment unmet .*stands upright' "$TMP/cap.ply"
+
+ok "its outside is said" cloud2mesh --subdivide --outside 0.2,3,0.1 -o "$TMP/cap.ply" "$TMP/cap.xyz"
+below "and is the outside of the mesh" "$(inward "$TMP/cap.ply")" 0
+hasnt "of which nothing is told" 'outside' "$TMP/err"
+ok "the other side is said" cloud2mesh --subdivide --outside 0,-1,0 -o "$TMP/cap.ply" "$TMP/cap.xyz"
+faces=$(sed -n 's/^element face //p' "$TMP/cap.ply")
+below "and is the outside" "$((faces - $(inward "$TMP/cap.ply")))" 0
+
+lean() { # a plate of 60 degrees
+	awk 'BEGIN { for (x = 0; x <= 20; x += 0.5) for (t = 0; t <= 10; t += 0.5)
+		printf "%.4f %.4f %.4f\n", x, t * 0.5, t * 0.866 }'
+}
+lean >"$TMP/lean.xyz"
+ok "a plate that leans by 60 degrees, seen from below" cloud2mesh --subdivide --outside 0,1,-1 \
+	-o "$TMP/lean.ply" "$TMP/lean.xyz"
+ok "faces down" awk '$1 == "element" && $2 == "vertex" { n = $3 } body && i++ < n { bad += $6 >= 0 }
+	/^end_header/ { body = 1 } END { exit !(n > 100 && bad == 0) }' "$TMP/lean.ply"
+status 2 "an outside of a grid seen from above" cloud2mesh --outside 0,0,1 "$TMP/lean.xyz"
+has "is none" 'found --outside without --subdivide, expected both' "$TMP/err"
+status 2 "an outside of no length" cloud2mesh --subdivide --outside 0,0,0 "$TMP/lean.xyz"
+has "is none" 'option --outside: found a direction of no length' "$TMP/err"
 
 done_testing

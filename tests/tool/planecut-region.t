@@ -159,7 +159,7 @@ cloud2mesh -q -o pit.ply pit.xyz
 status 3 "a place where the ball does not fit" planecut -r 8 --avoid --box -2,-2,-8,2,2,-5 \
 	--scallop 0.05 -o pit.cl pit.ply
 has "is told: nothing is cut" "nothing is cut: the ball comes to none of the points" "$TMP/err"
-has "... and its head says so" "UNMET nothing is cut" pit.cl
+has "... and its head says so" "UNMET/planecut,nothing is cut" pit.cl
 run planecut -r 1 --avoid --box -2,-2,-8,2,2,-5 --scallop 0.05 -o pit.cl pit.ply
 hasnt "a smaller one does fit" "nothing is cut" "$TMP/err"
 done_testing

@@ -24,7 +24,7 @@ static void check(const struct vec3s *p, struct vec3 (*exact)(struct vec3), doub
 {
     size_t *near = cloud_neighbours(p->item, p->n, 2);
     struct vec3 *normal = mem_alloc(p->n, sizeof *normal);
-    cloud_normals(p->item, p->n, near, 2, normal);
+    cloud_normals(p->item, p->n, near, vec(0, 0, 1), 2, normal);
     for (size_t i = 0; i < p->n; i++) {
         ck_assert_double_eq_tol(vec_length(normal[i]), 1, 1e-12);
         ck_assert_double_le(vec_angle(normal[i], exact(p->item[i])), allowed(p, near, i, noise));
@@ -79,7 +79,7 @@ START_TEST(two_pieces_and_their_spacing)
     rectangle(&p, 2500, vec(40, 0, -9), vec(20, 0, -2), vec(0, 20, 0), 0);
     size_t *near = cloud_neighbours(p.item, p.n, 1);
     struct vec3 *normal = mem_alloc(p.n, sizeof *normal);
-    cloud_normals(p.item, p.n, near, 1, normal);
+    cloud_normals(p.item, p.n, near, vec(0, 0, 1), 1, normal);
     for (size_t i = 0; i < p.n; i++)
         ck_assert_double_gt(normal[i].z, 0.99);
     ck_assert_double_eq_tol(cloud_spacing(p.item, p.n, near), 0.4, 0.04);
@@ -103,7 +103,7 @@ START_TEST(sharp_edges)
         rectangle(&p, 2000, vec(30, 0, 0), vec(0, 20, 0), vec(0, 0, 10), noise);
         size_t *near = cloud_neighbours(p.item, p.n, 2), between = 0;
         struct vec3 *normal = mem_alloc(p.n, sizeof *normal);
-        cloud_normals(p.item, p.n, near, 2, normal);
+        cloud_normals(p.item, p.n, near, vec(0, 0, 1), 2, normal);
         for (size_t i = 0; i < p.n; i++) {
             struct vec3 n = vec(fabs(normal[i].x), fabs(normal[i].y), normal[i].z);
             bool out = vec_dot(normal[i], vec_sub(p.item[i], vec(15, 10, 0))) > 0;
@@ -130,7 +130,7 @@ START_TEST(pocket)
     rectangle(&p, 2000, vec(10, -10, 0), vec(0, 20, 0), vec(0, 0, 10), 0);
     size_t *near = cloud_neighbours(p.item, p.n, 1);
     struct vec3 *normal = mem_alloc(p.n, sizeof *normal);
-    cloud_normals(p.item, p.n, near, 1, normal);
+    cloud_normals(p.item, p.n, near, vec(0, 0, 1), 1, normal);
     for (size_t i = 0; i < p.n; i++)
         ck_assert_double_gt(vec_dot(normal[i], vec_sub(vec(0, 0, 12), p.item[i])), 0);
     free(normal);
@@ -182,7 +182,7 @@ static size_t turned_over(double (*height)(double x, double y), double apart, do
     }
     size_t *near = cloud_neighbours(p.item, p.n, 2), over = 0;
     struct vec3 *normal = mem_alloc(p.n, sizeof *normal);
-    cloud_normals(p.item, p.n, near, 2, normal);
+    cloud_normals(p.item, p.n, near, vec(0, 0, 1), 2, normal);
     for (size_t i = 0; i < p.n; i++)
         over += vec_dot(normal[i], out.item[i]) < -0.3;
     free(normal);

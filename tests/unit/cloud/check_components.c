@@ -15,7 +15,7 @@ static size_t pieces_of(const struct vec3s *p, int *label, bool settle, int **of
     struct vec3 *normal = mem_alloc(p->n, sizeof *normal);
     struct components c = {p->n, near, normal, directions, label};
     struct ints found = {0};
-    cloud_normals(p->item, p->n, near, 1, normal);
+    cloud_normals(p->item, p->n, near, vec(0, 0, 1), 1, normal);
     *of = mem_alloc(p->n, sizeof **of);
     if (settle)
         components_settle(&c);

@@ -15,7 +15,7 @@ static struct vec3s beyond(const struct vec3s *p, size_t own)
     struct vec3 *normal = mem_alloc(p->n, sizeof *normal);
     bool *in = mem_alloc(p->n, sizeof *in);
     struct vec3s found = {0};
-    cloud_normals(p->item, p->n, near, 2, normal);
+    cloud_normals(p->item, p->n, near, vec(0, 0, 1), 2, normal);
     for (size_t i = 0; i < p->n; i++)
         in[i] = i < own;
     struct extend_edges cloud = {p->item, normal, near, p->n, in};
