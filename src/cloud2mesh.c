@@ -176,11 +176,10 @@ static const char *name_of(const struct cli *cli)
 }
 
 /* Takes out what is no part of the surface; returns the noise that vertices are to be rid of.
- * Where nothing was taken out *known is the spacing of the points. */
+ * *done: what was; where nothing *known is the spacing of the points. */
 static double clean_cloud(const char *name, const struct settings *s, struct vec3s *points,
-                          int threads, struct mesh_origin *origin, double *known)
+                          int threads, struct cloud_prepare *done, double *known)
 {
-    struct cloud_prepare cloud_prepare;
     struct error error;
     double mean = points->n >= 3 ? cloudmesh_spacing(&s->meshing, points->item, points->n) : 0;
     size_t read = points->n;
@@ -189,13 +188,14 @@ static double clean_cloud(const char *name, const struct settings *s, struct vec
     enum cloud_prepare_drop drop = s->outliers == OUTLIERS_KEEP ? CLOUD_PREPARE_KEEP
                                    : s->meshing.subdivide       ? CLOUD_PREPARE_DROP_OUTLIERS
                                                                 : CLOUD_PREPARE_DROP;
-    if (cloud_prepare_clean(points, mean, isnan(s->noise) ? -1 : s->noise, drop, threads,
-                            &cloud_prepare, &error) < 0)
+    if (cloud_prepare_clean(points, mean, isnan(s->noise) ? -1 : s->noise, drop, threads, done,
+                            &error) < 0)
         die("%s: %s", name, error.text);
     *known = points->n == read ? mean : 0;
-    origin->noise = isnan(s->noise) ? cloud_prepare.noise : s->noise;
-    note("noise of the scan %.4f mm (one standard deviation)", cloud_prepare.noise);
-    return cloud_prepare_noise(isnan(s->noise) ? -1 : s->noise, cloud_prepare.noise, mean);
+    note("noise of the scan %.4f mm (one standard deviation)", done->noise);
+    double taken_out = cloud_prepare_noise(isnan(s->noise) ? -1 : s->noise, done->noise, mean);
+    done->noise = isnan(s->noise) ? done->noise : s->noise;
+    return taken_out;
 }
 
 static void say_left_out(const struct settings *settings, const struct grid_mesh_count *count)
@@ -212,11 +212,19 @@ static void say_left_out(const struct settings *settings, const struct grid_mesh
             count->alone == 1 ? "" : "s");
 }
 
-/* What one projection serves badly. */
-static void say_steep(const struct settings *settings, double part)
+/* What one projection serves badly; most of a surface that folds under itself, not at all. */
+static void say_steep(const char *name, const struct settings *settings, double part, bool folds,
+                      struct unmets *unmet)
 {
-    const double little = 0.005;
-    if (part > little && !settings->meshing.subdivide && !settings->meshing.paper)
+    const double little = 0.005, most = 0.5;
+    if (!(part > little) || settings->meshing.subdivide || settings->meshing.paper)
+        return;
+    if (part > most && folds)
+        unmet_say(unmet,
+                  "%s: %.1f %% of the surface is steeper than 70 degrees, and it folds under "
+                  "itself: a grid seen from above does not serve it, expected --subdivide",
+                  name, 100 * part);
+    else
         say("%.1f %% of the surface is steeper than 70 degrees, where points are far apart seen "
             "from "
             "above: --subdivide gives it projections of its own",
@@ -387,7 +395,7 @@ static bool stream_mesh(const struct cli *cli, const struct settings *s)
         origin.maker = mem_string("cloud2mesh", strlen("cloud2mesh"));
     }
     say_left_out(s, &stream.facets.count);
-    say_steep(s, stream.facets.steep);
+    say_steep(NULL, s, stream.facets.steep, false, NULL);
     const struct cloud_count *count = &stream.count;
     say_all(stream.n, cloud_left_out(count), &stream.nodes.grid, stream.facets.vertices,
             stream.facets.facets);
@@ -436,7 +444,9 @@ int main(int argc, char **argv)
     say_size(name, &settings, points.n, box_around(points.item, points.n));
     size_t read = points.n;
     double mean = 0;
-    double noise = clean_cloud(name, &settings, &points, cli.threads, &mesh.origin, &mean);
+    struct cloud_prepare prepared = {.noise = mesh.origin.noise};
+    double noise = clean_cloud(name, &settings, &points, cli.threads, &prepared, &mean);
+    mesh.origin.noise = prepared.noise;
     left_out += read - points.n;
     if (!(settings.extend > 0) && !(settings.meshing.error > 0)) /* they stay as they are */
         settings.meshing.mean = mean;
@@ -449,7 +459,8 @@ int main(int argc, char **argv)
         die("%s: %s", name, error.text);
     say_left_out(&settings, &result.count);
     say_turned(name, &settings, &result, mesh.face.n, &mesh.origin.unmet);
-    say_steep(&settings, mesh_steep_part(&mesh, vec(0, 0, 1)));
+    bool folds = result.turned > 0 || (double)prepared.under > 0.02 * (double)read;
+    say_steep(name, &settings, mesh_steep_part(&mesh, vec(0, 0, 1)), folds, &mesh.origin.unmet);
     if (!settings.meshing.smooth && !settings.outside_given) /* what is streamed does not know it */
         say_facing(name, mesh_facing(&mesh), &mesh.origin.unmet);
     if (settings.meshing.method != CLOUDMESH_CHUI)
