@@ -402,6 +402,20 @@ static void say_alone(const struct mesh *mesh)
             "scan)");
 }
 
+/* Rims, edges and what is between points are guarded as of a part that is below them. */
+static void check_facing(const struct mesh *mesh)
+{
+    const double one_side = 0.5, down = -0.2; /* length; cosine: 12 degrees */
+    struct vec3 facing = mesh_facing(mesh);
+    double length = vec_length(facing);
+
+    if (path_options.guarded && length > one_side && facing.z < down * length)
+        unmet_say(&path_options.unguarded,
+                  "the surface faces down, along %.3f %.3f %.3f, and a scan is guarded as if the "
+                  "part were below it, expected it turned over (cloud2mesh --matrix)",
+                  facing.x / length, facing.y / length, facing.z / length);
+}
+
 int path_options_guard(const struct mesh *mesh, const struct mesh_edges *edges, double near,
                        int threads, struct gouge_check **guard, struct error *error)
 {
@@ -419,6 +433,7 @@ int path_options_guard(const struct mesh *mesh, const struct mesh_edges *edges, 
     if (check_extent(mesh, c->radius, error) != 0)
         return -1;
     say_alone(mesh);
+    check_facing(mesh);
     *guard = c->guarded ? guard_read(&guard_scan, mesh, near, &rule, error)
                         : guard_of_mesh(mesh, edges, threads, error);
     path_options.said_noise = c->noise;

@@ -70,6 +70,8 @@ lean() { # a plate of 60 degrees
 lean >"$TMP/lean.xyz"
 ok "a plate that leans by 60 degrees, seen from below" cloud2mesh --subdivide --outside 0,1,-1 \
 	-o "$TMP/lean.ply" "$TMP/lean.xyz"
+status 3 "no path is made of it without a word" meshnorm -r 2 --avoid -o "$TMP/lean.cl" "$TMP/lean.ply"
+has "a scan is guarded from above" 'the surface faces down, along -?0\.000 0\.866 -0\.500' "$TMP/err"
 ok "faces down" awk '$1 == "element" && $2 == "vertex" { n = $3 } body && i++ < n { bad += $6 >= 0 }
 	/^end_header/ { body = 1 } END { exit !(n > 100 && bad == 0) }' "$TMP/lean.ply"
 status 2 "an outside of a grid seen from above" cloud2mesh --outside 0,0,1 "$TMP/lean.xyz"
