@@ -18,6 +18,9 @@
 #include "io/mesh/ply.h"
 #include "math/box.h"
 
+/* Part of a scan that is under others from where on it folds under itself. */
+static const double FOLDS = 0.02;
+
 struct settings {
     struct cloudmesh_options meshing;
     double noise;  /* NAN: from the cloud */
@@ -459,7 +462,7 @@ int main(int argc, char **argv)
         die("%s: %s", name, error.text);
     say_left_out(&settings, &result.count);
     say_turned(name, &settings, &result, mesh.face.n, &mesh.origin.unmet);
-    bool folds = result.turned > 0 || (double)prepared.under > 0.02 * (double)read;
+    bool folds = (double)prepared.under > FOLDS * (double)read;
     say_steep(name, &settings, mesh_steep_part(&mesh, vec(0, 0, 1)), folds, &mesh.origin.unmet);
     if (!settings.meshing.smooth && !settings.outside_given) /* what is streamed does not know it */
         say_facing(name, mesh_facing(&mesh), &mesh.origin.unmet);

@@ -7,6 +7,7 @@
 #ifndef CLOUDMILL_CENTRE_PATH_H
 #define CLOUDMILL_CENTRE_PATH_H
 
+#include "math/box.h"
 #include "simulate/nc_motion.h"
 
 struct centre_segment {
@@ -21,16 +22,24 @@ struct centre_path {
     struct centre_segment *item;
 };
 
-/* Appends the segments of one piece, within `flat` mm of where the centre goes. */
-void centre_path_piece(const struct nc_motion *motion, size_t piece, double radius, double flat,
-                       struct centre_path *path);
+struct centre_path_options {
+    double radius;          /* of the ball, mm */
+    double flat;            /* segments are so near to where the centre goes, mm, ... */
+    const struct box *part; /* ... but far off this, ten of its diagonals, by a hundredth of the
+                               rest of that way: a program may go to where there is nothing, in
+                               rounds of many metres; NULL: everywhere */
+};
+
+/* Appends the segments of one piece. */
+void centre_path_piece(const struct nc_motion *motion, size_t piece,
+                       const struct centre_path_options *options, struct centre_path *path);
 
 /* All pieces at feed. */
-void centre_path_cut(const struct nc_motion *motion, double radius, double flat,
+void centre_path_cut(const struct nc_motion *motion, const struct centre_path_options *options,
                      struct centre_path *path);
 
 /* All rapid pieces. */
-void centre_path_rapid(const struct nc_motion *motion, double radius, double flat,
+void centre_path_rapid(const struct nc_motion *motion, const struct centre_path_options *options,
                        struct centre_path *path);
 
 #endif

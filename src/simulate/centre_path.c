@@ -9,7 +9,8 @@ struct piece_walk {
     const struct nc_motion *motion;
     const struct nc_piece *piece;
     size_t index;
-    double height, flat; /* above the point that the motion tracks */
+    double height; /* above the point that the motion tracks */
+    const struct centre_path_options *options;
     struct centre_path *path;
 };
 
@@ -20,16 +21,29 @@ static struct vec3 centre_at(const struct piece_walk *w, double s)
     return vec_along(pose.p, w->height, pose.a);
 }
 
+/* How near to m, the middle of a segment, it has to be. */
+static double flat_at(const struct piece_walk *w, struct vec3 m)
+{
+    const double far = 10, part = 0.01;
+    const struct box *box = w->options->part;
+
+    if (!box || box->low.x > box->high.x) /* no point */
+        return w->options->flat;
+    double off = sqrt(box_distance2(box, m)) - far * box_diagonal(box);
+    return w->options->flat + part * fmax(0, off);
+}
+
 /* Halves until three places between the ends lie on the chord. */
 static void add_segments(const struct piece_walk *w, double s0, struct vec3 a, double s1,
                          struct vec3 b, int depth)
 {
     double s = (s0 + s1) / 2;
     struct vec3 m = centre_at(w, s);
-    bool straight = vec_segment_distance(a, b, m) <= w->flat;
+    double flat = flat_at(w, m);
+    bool straight = vec_segment_distance(a, b, m) <= flat;
     for (int i = 1; straight && i <= 3; i += 2) {
         double between = s0 + (s1 - s0) * i / 4;
-        straight = vec_segment_distance(a, b, centre_at(w, between)) <= w->flat;
+        straight = vec_segment_distance(a, b, centre_at(w, between)) <= flat;
     }
     if (depth >= DEEPEST || (straight && depth >= 0)) {
         *array_push(w->path) =
@@ -40,12 +54,12 @@ static void add_segments(const struct piece_walk *w, double s0, struct vec3 a, d
     add_segments(w, s, m, s1, b, depth + 1);
 }
 
-void centre_path_piece(const struct nc_motion *motion, size_t piece, double radius, double flat,
-                       struct centre_path *path)
+void centre_path_piece(const struct nc_motion *motion, size_t piece,
+                       const struct centre_path_options *options, struct centre_path *path)
 {
     const struct nc_piece *at = &motion->piece.item[piece];
-    double height = motion->track == NC_MOTION_TIP ? radius : 0;
-    struct piece_walk w = {motion, at, piece, height, flat, path};
+    double height = motion->track == NC_MOTION_TIP ? options->radius : 0;
+    struct piece_walk w = {motion, at, piece, height, options, path};
     struct vec3 a = centre_at(&w, 0), b = centre_at(&w, 1);
     bool still = at->shape == SHAPE_LINE && vec_distance(at->q[0], at->q[1]) == 0 &&
                  at->interpolation != AXIS_BY_HEAD;
@@ -55,18 +69,18 @@ void centre_path_piece(const struct nc_motion *motion, size_t piece, double radi
         add_segments(&w, 0, a, 1, b, at->shape == SHAPE_LINE ? 0 : -2);
 }
 
-void centre_path_cut(const struct nc_motion *motion, double radius, double flat,
+void centre_path_cut(const struct nc_motion *motion, const struct centre_path_options *options,
                      struct centre_path *path)
 {
     for (size_t i = 0; i < motion->piece.n; i++)
         if (!motion->piece.item[i].rapid)
-            centre_path_piece(motion, i, radius, flat, path);
+            centre_path_piece(motion, i, options, path);
 }
 
-void centre_path_rapid(const struct nc_motion *motion, double radius, double flat,
+void centre_path_rapid(const struct nc_motion *motion, const struct centre_path_options *options,
                        struct centre_path *path)
 {
     for (size_t i = 0; i < motion->piece.n; i++)
         if (motion->piece.item[i].rapid)
-            centre_path_piece(motion, i, radius, flat, path);
+            centre_path_piece(motion, i, options, path);
 }

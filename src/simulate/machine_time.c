@@ -5,7 +5,11 @@
 
 #include "base/array.h"
 
-enum { WINDOW = 4 }; /* steps in the length that is smoothed */
+enum {
+    WINDOW = 4,     /* steps in the length that is smoothed */
+    RUN = 4000000,  /* steps after which a run ends as if the axes stood, so that memory does */
+    MOST = 40000000 /* steps of a program, about: they are longer where it goes far */
+};
 
 #define STEP_LEAST 0.02 /* mm */
 #define TIP_STANDS 1e-5 /* mm */
@@ -276,6 +280,20 @@ static void add_turns(struct timing *t, const struct axis_place *a, const struct
         t->time->turn[k] += fabs(b->axis[k] - a->axis[k]);
 }
 
+/* By the ends of the pieces at feed: the steps of a program of many kilometres are longer. */
+static double step_of(const struct nc_motion *motion, double smoothing)
+{
+    struct axis_follow follow = {motion, {0, 0}};
+    double way = 0;
+
+    for (size_t i = 0; i < motion->piece.n; i++) {
+        struct axis_place a = axis_limits_place(&follow, i, 0),
+                          b = axis_limits_place(&follow, i, 1);
+        way += motion->piece.item[i].rapid ? 0 : way_of(&a, &b);
+    }
+    return fmax(fmax(smoothing / WINDOW, STEP_LEAST), way / MOST);
+}
+
 struct machine_time machine_time_of(const struct nc_motion *motion,
                                     const struct machine_time_options *options)
 {
@@ -284,7 +302,7 @@ struct machine_time machine_time_of(const struct nc_motion *motion,
     size_t n = motion->piece.n;
     double carry = 0, cut = 0, *ideal = mem_alloc(n, sizeof *ideal);
     t.follow = (struct axis_follow){motion, {0, 0}};
-    t.step = fmax(options->smoothing / WINDOW, STEP_LEAST);
+    t.step = step_of(motion, options->smoothing);
     t.spent = mem_alloc(n, sizeof *t.spent);
     time.share = mem_alloc(n, sizeof *time.share);
     for (size_t i = 0; i < n; i++) {
@@ -299,6 +317,8 @@ struct machine_time machine_time_of(const struct nc_motion *motion,
         } else {
             cut += add_piece(&t, i, &carry);
         }
+        if (t.steps.n >= RUN)
+            end_run(&t, &carry);
         ideal[i] = 60 * (time.programmed - programmed);
     }
     end_run(&t, &carry);

@@ -43,7 +43,8 @@ static void run_rapid(struct simulation *s, size_t piece, struct centre_path *pa
     const struct stock_simulate_options *options = s->options;
     bool deep = false;
     path->n = 0;
-    centre_path_piece(options->motion, piece, options->radius, options->flat, path);
+    const struct centre_path_options how = {options->radius, options->flat, NULL};
+    centre_path_piece(options->motion, piece, &how, path);
     for (size_t k = 0; k < path->n; k++) {
         struct stock_bite bite =
             stock_capsule(s->stock, path->item[k].a, path->item[k].b, options->radius, 0);

@@ -146,6 +146,13 @@ static void roll_cuts(struct verdict *v)
     deviation_map_sum(&roll, &v->map);
 }
 
+/* How the ball is followed about the part, which *around becomes the box of. */
+static struct centre_path_options path_options(const struct verdict *v, struct box *around)
+{
+    *around = box_around(v->program.part->item, v->program.part->n);
+    return (struct centre_path_options){v->options.radius, FLAT, around};
+}
+
 /* The deepest that the ball goes into the part in a rapid move. */
 static void roll_rapids(struct verdict *v)
 {
@@ -153,7 +160,9 @@ static void roll_rapids(struct verdict *v)
     const struct vec3s *part = v->program.part;
     struct centre_path rapid = {0};
     struct deviation_map map;
-    centre_path_rapid(v->program.motion, o->radius, FLAT, &rapid);
+    struct box around;
+    const struct centre_path_options how = path_options(v, &around);
+    centre_path_rapid(v->program.motion, &how, &rapid);
     struct deviation_map_options options = {o->radius, o->tolerance + v->noise, 0, o->threads, true,
                                             HUGE_VAL};
     deviation_map_run(&rapid, part->item, part->n, &options, &map);
@@ -265,7 +274,9 @@ struct verdict verify_run(const struct verify_program *program,
               (isfinite(options->left) ? options->left : fmax(options->told, options->tolerance));
     struct aside *aside = aside_begin(options->threads);
     aside_do(aside, follow_axes, &v);
-    centre_path_cut(program->motion, options->radius, FLAT, &v.cut);
+    struct box around;
+    const struct centre_path_options how = path_options(&v, &around);
+    centre_path_cut(program->motion, &how, &v.cut);
     roll_cuts(&v);
     roll_rapids(&v);
     if (options->tool.n > 0)

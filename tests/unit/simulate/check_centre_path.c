@@ -59,8 +59,31 @@ START_TEST(a_full_turn)
 {
     struct nc_motion m = one_piece(full_turn);
     struct centre_path path = {0};
-    centre_path_piece(&m, 0, RADIUS, FLAT, &path);
+    centre_path_piece(&m, 0, &(struct centre_path_options){RADIUS, FLAT, NULL}, &path);
     on_circle(&path, vec(5, 7, 1 + RADIUS), up, 10, 2 * PI);
+    array_free(&path);
+    nc_motion_free(&m);
+}
+END_TEST
+
+/* A circle of a kilometre about a part as large as a hand: near it as fine as ever. */
+START_TEST(far_off_the_part)
+{
+    const double r = 1e6, near = 100;
+    struct nc_motion m = one_piece(full_turn);
+    struct box part = {{-near, -near, -near}, {near, near, near}};
+    struct centre_path path = {0};
+    m.track = NC_MOTION_CENTRE;
+    m.arc.item[0].centre = vec(r, 0, 0);
+    m.piece.item[0].p[0] = m.piece.item[0].p[1] = vec(2 * r, 0, 0);
+    centre_path_piece(&m, 0, &(struct centre_path_options){RADIUS, FLAT, &part}, &path);
+    joins(&path);
+    ck_assert_uint_lt(path.n, 2000);
+    for (size_t i = 0; i < path.n; i++) {
+        struct vec3 middle = vec_mix(path.item[i].a, path.item[i].b, 0.5);
+        if (vec_length(middle) < 5 * near)
+            ck_assert_double_eq_tol(vec_distance(middle, vec(r, 0, 0)), r, FLAT);
+    }
     array_free(&path);
     nc_motion_free(&m);
 }
@@ -71,7 +94,7 @@ START_TEST(a_path_of_centres_is_not_raised)
     struct nc_motion m = one_piece(full_turn);
     struct centre_path path = {0};
     m.track = NC_MOTION_CENTRE;
-    centre_path_piece(&m, 0, RADIUS, FLAT, &path);
+    centre_path_piece(&m, 0, &(struct centre_path_options){RADIUS, FLAT, NULL}, &path);
     on_circle(&path, vec(5, 7, 1), up, 10, 2 * PI);
     array_free(&path);
     nc_motion_free(&m);
@@ -85,7 +108,7 @@ START_TEST(a_tool_that_turns_about_its_tip)
                                                      .p = {{1, 2, 3}, {1, 2, 3}},
                                                      .q = {up, ahead}});
     struct centre_path path = {0};
-    centre_path_piece(&m, 0, RADIUS, FLAT, &path);
+    centre_path_piece(&m, 0, &(struct centre_path_options){RADIUS, FLAT, NULL}, &path);
     on_circle(&path, vec(1, 2, 3), vec(0, 1, 0), RADIUS, PI / 2);
     ck_assert(vec_distance(path.item[0].a, vec(1, 2, 3 + RADIUS)) < 1e-12);
     ck_assert(vec_distance(path.item[path.n - 1].b, vec(1 + RADIUS, 2, 3)) < 1e-9);
@@ -107,8 +130,8 @@ START_TEST(cuts_and_rapids)
     piece.p[0] = piece.p[1];
     piece.p[1] = vec(30, 0, 50);
     *array_push(&m.piece) = piece;
-    centre_path_cut(&m, RADIUS, FLAT, &cut);
-    centre_path_rapid(&m, RADIUS, FLAT, &rapid);
+    centre_path_cut(&m, &(struct centre_path_options){RADIUS, FLAT, NULL}, &cut);
+    centre_path_rapid(&m, &(struct centre_path_options){RADIUS, FLAT, NULL}, &rapid);
     ck_assert_uint_eq(cut.n, 1);
     ck_assert_uint_eq(rapid.n, 1);
     ck_assert_uint_eq(cut.item[0].piece, 0);
@@ -126,6 +149,7 @@ int main(void)
     Suite *suite = suite_create("centre_path");
     TCase *tcase = tcase_create("centre_path");
     tcase_add_test(tcase, a_full_turn);
+    tcase_add_test(tcase, far_off_the_part);
     tcase_add_test(tcase, a_path_of_centres_is_not_raised);
     tcase_add_test(tcase, a_tool_that_turns_about_its_tip);
     tcase_add_test(tcase, cuts_and_rapids);

@@ -267,7 +267,7 @@ START_TEST(a_link_of_smooth_arcs)
     add_arc(&motion, b, c, -2 * (_i ? 1.6 * lean : lean));
     add_arc(&motion, c, d, lean);
     *array_push(&motion.piece) = (struct nc_piece){.p = {d, vec(12, 0, 0)}, .q = {z, z}};
-    centre_path_cut(&motion, RADIUS, 0.001, &path);
+    centre_path_cut(&motion, &(struct centre_path_options){RADIUS, 0.001, NULL}, &path);
     deviation_map_run(&path, points.item, points.n, &setup, &roll);
     struct excursion leap = excursion_find(&motion, &path, points.item, points.n,
                                            &(struct excursion_options){RADIUS, setup.band});

@@ -48,7 +48,7 @@ static void run(struct fixture *f, struct holder_collision_options *holder)
         for (int i = -19; i <= 19; i++)
             *array_push(&f->points) = vec(i / 2.0, j / 2.0, -3);
     f->motion.track = NC_MOTION_CENTRE;
-    centre_path_cut(&f->motion, R, 0.001, &f->cut);
+    centre_path_cut(&f->motion, &(struct centre_path_options){R, 0.001, NULL}, &f->cut);
     f->stock = stock_box(vec(-10, -10, -10), vec(10, 10, 0), 0.1);
     f->left = stock_rest_new(f->points.item, f->points.n, &f->stock);
     struct collision_body block = collision_body_stock(&f->stock);
