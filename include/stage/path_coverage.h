@@ -46,7 +46,8 @@ void path_coverage_measure(struct path_coverage *c, const struct toolpath *t);
  * EXIT_UNMET where the last, and what of the others who judges by the points takes for it
  * (coverage_judge.h), are more than path_options.left_share of the points, or of a part of the mesh
  * any is more than the next stage may leave, and rows of a scallop should have cut them, or where
- * the ball comes near no point at all: they are head->unmet then.  What only a fitter's tolerance makes up for is head->unfitted. */
+ * the ball comes near no point at all: they are head->unmet then.  What only a fitter's tolerance
+ * makes up for is head->unfitted. */
 int path_coverage_conclude(const struct path_coverage *c, struct path_head *head);
 
 void path_coverage_free(struct path_coverage *c);

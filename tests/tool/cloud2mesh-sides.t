@@ -37,7 +37,8 @@ hasnt "none of it faces against its points" 'face against' "$TMP/err"
 hasnt "it faces up" 'leans' "$TMP/err"
 
 cap -82 >"$TMP/cap.xyz"
-status 3 "a cap that leans far: a mesh, not to be trusted" cloud2mesh -o "$TMP/cap.ply" "$TMP/cap.xyz"
+status 3 "a cap that leans far: a mesh, not to be trusted" \
+	cloud2mesh -o "$TMP/cap.ply" "$TMP/cap.xyz"
 has "facets that face into it are left out, and told" \
 	'2 of [0-9]+ facets would face against the points about them and are left out' "$TMP/err"
 below "no facet faces into it" "$(inward "$TMP/cap.ply")" 0
@@ -70,8 +71,10 @@ lean() { # a plate of 60 degrees
 lean >"$TMP/lean.xyz"
 ok "a plate that leans by 60 degrees, seen from below" cloud2mesh --subdivide --outside 0,1,-1 \
 	-o "$TMP/lean.ply" "$TMP/lean.xyz"
-status 3 "no path is made of it without a word" meshnorm -r 2 --avoid -o "$TMP/lean.cl" "$TMP/lean.ply"
-has "a scan is guarded from above" 'the surface faces down, along -?0\.000 0\.866 -0\.500' "$TMP/err"
+status 3 "no path is made of it without a word" \
+	meshnorm -r 2 --avoid -o "$TMP/lean.cl" "$TMP/lean.ply"
+has "a scan is guarded from above" \
+	'the surface faces down, along -?0\.000 0\.866 -0\.500' "$TMP/err"
 ok "faces down" awk '$1 == "element" && $2 == "vertex" { n = $3 } body && i++ < n { bad += $6 >= 0 }
 	/^end_header/ { body = 1 } END { exit !(n > 100 && bad == 0) }' "$TMP/lean.ply"
 status 2 "an outside of a grid seen from above" cloud2mesh --outside 0,0,1 "$TMP/lean.xyz"
