@@ -28,13 +28,14 @@ size_t *cloud_neighbours(const struct vec3 *point, size_t n, int threads);
 double cloud_spacing(const struct vec3 *point, size_t n, const size_t *neighbour);
 
 /*
- * Fills normal[n]: unit, of the plane through each point and its neighbours.  Where a surface is no
- * steeper than 60 degrees and nothing is over it, it faces up: along `up`, unit.  From there signs
- * follow from neighbour to neighbour over the least change of direction (minimum spanning tree: Hoppe et al.
- * 1992), by what a circle through both points would make of them, for at a right angle the
- * directions alone say nothing.  Most of a connected piece without such places faces up.  Where the
- * plane of a neighbour, or of one up to three steps away, serves a point at least twice as well as
- * its own it takes that normal, so that beside a sharp edge normals are those of their side.
+ * Fills normal[n]: unit, of the plane through each point and its neighbours.  Where a surface is
+ * no steeper than 60 degrees and nothing is over it, it faces up: along `up`, unit.  From there
+ * signs follow from neighbour to neighbour over the least change of direction (minimum spanning
+ * tree: Hoppe et al. 1992), by what a circle through both points would make of them, for at a
+ * right angle the directions alone say nothing.  Most of a connected piece without such places
+ * faces up.  Where the plane of a neighbour, or of one up to three steps away, serves a point at
+ * least twice as well as its own it takes that normal, so that beside a sharp edge normals are
+ * those of their side.
  */
 void cloud_normals(const struct vec3 *point, size_t n, const size_t *neighbour, struct vec3 up,
                    int threads, struct vec3 *normal);
