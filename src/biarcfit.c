@@ -202,7 +202,8 @@ int main(int argc, char **argv)
                       .usage = "[options] [FILE]",
                       .about =
                           "Replaces the points of a path by arcs and lines within a tolerance.",
-                      .option = option};
+                      .option = option,
+                      .in_place = true};
     struct error error;
 
     s.common = fitter_defaults(0.01);

@@ -277,7 +277,8 @@ int main(int argc, char **argv)
                       .usual = "tolerance guard axis-tolerance degree table quiet verbose",
                       .usage = "[options] [FILE]",
                       .about = "Replaces the points of a path by B-splines within a tolerance.",
-                      .option = option};
+                      .option = option,
+                      .in_place = true};
     struct error error;
 
     s.common = fitter_defaults(0.01);

@@ -64,6 +64,7 @@ struct cli {
     const struct cli_option *more;   /* a second such table, of options that tools share; or NULL */
     const char *usual;  /* names of the options that --help shows, blanks between; the others are in
                           --help all.  NULL: all */
+    bool in_place;      /* -o may name the operand: a result of its kind takes its place */
     const char *output; /* -o, NULL: standard output */
     int threads;        /* -j, 0: as many as there are processors */
     int files;          /* number of operands */

@@ -3,7 +3,7 @@
  *
  * A file is written under a temporary name beside its place and renamed by out_close.  A process
  * that ends before that (die, a signal) leaves an older file unchanged and no temporary file.
- * Anything but a regular file (a FIFO, /dev/null) is written directly.  A failure to write ends the
+ * What has been read stays: a result with its name is an error.  Anything but a regular file (a FIFO, /dev/null) is written directly.  A failure to write ends the
  * process with exit status 1.  One output at a time, beside those in memory.
  */
 #ifndef CLOUDMILL_OUT_H
@@ -17,6 +17,12 @@ struct out;
 /* From now on a second output to a file that has one ends the process too: for tools, each of whose
  * results is a file of its own. */
 void out_once_each(void);
+
+/* The file that is open here is read: no result may take its place.  From any thread. */
+void out_keep(int fd);
+
+/* But this one's may: it is changed in place. */
+void out_may_replace(const char *file);
 
 /* There is nothing of this name, or a regular file. */
 bool out_may_be_file(const char *file);

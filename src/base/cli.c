@@ -511,6 +511,18 @@ static _Noreturn void finish_stdout(void)
     exit(EXIT_DONE);
 }
 
+/* A result takes no operand's place but by a tool that changes it; found before hours of work. */
+static void check_output(const struct cli *cli)
+{
+    for (int i = 0; cli->output && i < cli->files; i++) {
+        if (strcmp(cli->file[i], "-") == 0 || !out_same_file(cli->output, cli->file[i]))
+            continue;
+        if (!cli->in_place)
+            die_usage("option -o: found %s, which is read, expected another file", cli->output);
+        out_may_replace(cli->output);
+    }
+}
+
 void cli_parse(struct cli *cli, int argc, char **argv)
 {
     static char standard_input[] = "-";
@@ -541,4 +553,5 @@ void cli_parse(struct cli *cli, int argc, char **argv)
         cli->files = 1;
         cli->file = only_standard_input;
     }
+    check_output(cli);
 }

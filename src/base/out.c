@@ -2,6 +2,7 @@
 #include "base/out.h"
 
 #include <errno.h>
+#include <pthread.h>
 #include <stdarg.h>
 #include <stdbool.h>
 #include <stdio.h>
@@ -60,14 +61,21 @@ static void watch_signals(void)
             sigaction(ending[i], &action, NULL);
 }
 
-/* The files that this process has given their names: two results with one name are one too few. */
-static struct {
+struct file_ids {
     size_t n, cap;
     struct file_id {
         dev_t device;
         ino_t number;
     } * item;
-} written;
+};
+
+/* The files that this process has given their names: two results with one name are one too few; and
+ * those that it reads. */
+static struct file_ids written, kept;
+static pthread_mutex_t keeping = PTHREAD_MUTEX_INITIALIZER;
+
+/* A file that a result may replace though it is read. */
+static struct file_id in_place;
 
 static bool once;
 
@@ -79,13 +87,51 @@ void out_once_each(void)
     once = true;
 }
 
-static bool is_written(const struct stat *st)
+static bool is_file(const struct file_id *id, const struct stat *st)
 {
-    for (size_t i = 0; i < written.n; i++)
-        if (st->st_ino != 0 && written.item[i].device == st->st_dev &&
-            written.item[i].number == st->st_ino)
+    return st->st_ino != 0 && id->device == st->st_dev && id->number == st->st_ino;
+}
+
+static bool is_among(const struct file_ids *ids, const struct stat *st)
+{
+    for (size_t i = 0; i < ids->n; i++)
+        if (is_file(&ids->item[i], st))
             return true;
     return false;
+}
+
+void out_keep(int fd)
+{
+    struct stat st;
+
+    if (fstat(fd, &st) != 0 || !S_ISREG(st.st_mode))
+        return;
+    pthread_mutex_lock(&keeping);
+    if (!is_among(&kept, &st))
+        *array_push(&kept) = (struct file_id){st.st_dev, st.st_ino};
+    pthread_mutex_unlock(&keeping);
+}
+
+void out_may_replace(const char *file)
+{
+    struct stat st;
+
+    if (stat(file, &st) == 0)
+        in_place = (struct file_id){st.st_dev, st.st_ino};
+}
+
+/* A file that has been read, under whatever name. */
+static void check_kept(const char *file)
+{
+    struct stat st;
+
+    if (stat(file, &st) != 0 || !S_ISREG(st.st_mode) || is_file(&in_place, &st))
+        return;
+    pthread_mutex_lock(&keeping);
+    bool is_kept = is_among(&kept, &st);
+    pthread_mutex_unlock(&keeping);
+    if (is_kept)
+        die("%s: found a file that is read, expected another name for the result", file);
 }
 
 static bool is_same(const struct stat *a, const struct stat *b)
@@ -199,11 +245,12 @@ struct out *out_open(const char *file)
         return o;
     }
     bool over = there && is_standard(&st);
-    if (there && (is_written(&st) || (over && standard)))
+    if (there && (is_among(&written, &st) || (over && standard)))
         die("%s: found two results for this file, expected a file for each", file);
     standard |= over;
     if (there && access(file, W_OK) < 0)
         die("%s: cannot write: %s", file, strerror(errno));
+    check_kept(file);
     o->target = resolve_links(file);
     o->fd = create_beside(o, there ? &st : NULL);
     return o;
@@ -346,6 +393,7 @@ void out_close(struct out *o)
         die("%s: cannot write: %s", o->name, strerror(errno));
     if (o->target) {
         char *done = unfinished;
+        check_kept(o->target); /* it may have been read meanwhile */
         if (rename(done, o->target) < 0)
             die("%s: cannot rename: %s", o->name, strerror(errno));
         unfinished = NULL;

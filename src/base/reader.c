@@ -12,6 +12,7 @@
 
 #include "base/array.h"
 #include "base/cli.h"
+#include "base/out.h"
 #include "system.h"
 
 enum { CHUNK = 1 << 16, LARGE = 1 << 22, BEHIND = 8 /* bytes that may be looked at */ };
@@ -41,6 +42,7 @@ int reader_open(struct reader *r, const char *file, struct error *error)
         reader_close(r);
         return error_at(error, r->name, 0, "is a directory, expected a file");
     }
+    out_keep(r->fd);
     off_t at = S_ISREG(st.st_mode) ? lseek(r->fd, 0, SEEK_CUR) : -1;
     if (at >= 0 && st.st_size > at)
         r->size = (size_t)(st.st_size - at);
