@@ -2,9 +2,10 @@
  * out - checked output to standard output, or to a file that is complete or absent.
  *
  * A file is written under a temporary name beside its place and renamed by out_close.  A process
- * that ends before that (die, a signal) leaves an older file unchanged and no temporary file.
- * What has been read stays: a result with its name is an error.  Anything but a regular file (a FIFO, /dev/null) is written directly.  A failure to write ends the
- * process with exit status 1.  One output at a time, beside those in memory.
+ * that ends before that (die, a signal) leaves an older file unchanged and no temporary file. What
+ * has been read stays: a result with its name is an error.  Anything but a regular file (a FIFO,
+ * /dev/null) is written directly.  A failure to write ends the process with exit status 1.  One
+ * output at a time, beside those in memory.
  */
 #ifndef CLOUDMILL_OUT_H
 #define CLOUDMILL_OUT_H
