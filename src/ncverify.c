@@ -377,6 +377,28 @@ static bool is_of_scan(const struct ncread_head *head, double points)
     return one || all == points;
 }
 
+/* A program may be judged by another scan of the same part, or by part of its own; by next to none
+ * of it it is not judged. */
+static void check_scan(const struct settings *s, const struct ncread_head *head, size_t n)
+{
+    const double few = 0.01;
+    const char *file = s->part.item[0];
+    double all = 0;
+
+    for (size_t i = 0; i < head->scans; i++)
+        all += head->scan_points[i];
+    if (head->scans == 0 || is_of_scan(head, (double)n))
+        return;
+    if ((double)n < few * all)
+        die("%s: found %zu points, expected the scan of %.0f that the program was made for, or a "
+            "hundredth of it at least",
+            file, n, all);
+    if (head->place_rows != 7) /* else it has been said */
+        say("%s: %zu points, none of the scan of %.0f that the program was made for: judged by "
+            "them alone",
+            file, n, all);
+}
+
 /* As a file stands, in the unit of -u. */
 static struct transform place_as_it_stands(const struct settings *s)
 {
@@ -565,6 +587,7 @@ int main(int argc, char **argv)
         program.path = &path;
     }
     if (read_part(&s, &head, &points)) {
+        check_scan(&s, &head, points.n);
         program.guarded = head.scans > 0 && is_of_scan(&head, (double)points.n);
         find_noise(&s, &head, points.n);
         find_surface(&s, cli.threads, &points, &surface);

@@ -90,6 +90,11 @@ done
 sed 1d scan.xyz >another.xyz
 ncverify -g another.xyz noisy.nc >out 2>err
 hasnt "of another scan it is measured" noise out
+has "that it is another one is told" \
+	"another.xyz: $(wc -l <another.xyz) points, none of the scan of $(wc -l <scan.xyz) that" err
+sed -n '1p;$p' scan.xyz >two.xyz
+status 1 "two points of the scan" ncverify -g two.xyz noisy.nc
+has "judge nothing" 'two.xyz: found 2 points, expected the scan of [0-9]+ ' err
 
 # the tolerance: what the head of a program says that a scan guarded, else 0.05 or that if it is more
 biarcfit -q -e 0.01 path.cl -o arcs.cl
