@@ -56,6 +56,7 @@ struct ncread_head {
     bool noise_given;               /* of the scan: */
     double noise;                   /* one standard deviation; 0: every point is believed */
     double mesh;                    /* of this: the mesh off the scan; 0: not said */
+    double smoothing;               /* what the control may smooth; 0: not said */
     double post, axis;              /* what ncpost spent, mm and degrees; below zero: not said */
     bool contact_feed;              /* feeds are those of the contact point */
     bool centre;                    /* places are the ball's centre, not the tip */

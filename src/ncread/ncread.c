@@ -8,6 +8,7 @@
 #include "math/elementary.h"
 #include "base/reader.h"
 #include "ncread_head.h"
+#include "ncread_rounding.h"
 #include "ncread_state.h"
 
 static void add_axis(struct verify_kinematics *kinematics, const struct machine *machine,
@@ -170,6 +171,7 @@ static int read_lines(struct ncread *c, struct reader *r, struct error *error)
             continue; /* editors leave such lines behind the end */
         if (c->options->head && c->motion->piece.n == 0)
             ncread_head_line(c->options->head, line);
+        ncread_rounding_watch(c);
         if (c->options->dialect->block(c, line, error) < 0 || ncread_length_watch(c, error) < 0)
             return -1;
     }

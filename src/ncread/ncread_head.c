@@ -254,6 +254,8 @@ void ncread_head_line(struct ncread_head *head, const char *line)
         head->of_whole = true;
     } else if (has_word(&s, "Tolerance ncpost")) {
         head->post = number_at(&s);
+    } else if (has_word(&s, "Tolerance smoothing")) {
+        head->smoothing = number_at(&s);
     } else if (has_word(&s, "Tolerance cloud2mesh")) {
         head->mesh = number_at(&s);
     } else if (has_word(&s, "Tolerance sum")) {

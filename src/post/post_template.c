@@ -141,7 +141,7 @@ static size_t write_value(const struct nc_program *p, enum template_word word, c
         break;
     case TEMPLATE_TOLERANCE:
         value = p->options.chord;
-        digits = 4;
+        digits = p->plan->ability.unit > 1 ? 5 : 4; /* of an inch */
         break;
     case TEMPLATE_ORIENTATION:
         value = DEGREES(p->options.axis_tolerance);

@@ -1,0 +1,17 @@
+/*
+ * ncread_rounding - how far a control may leave the path at corners, as the blocks of a program say
+ * it: a program of ncpost says in its head how far that is.
+ *
+ * LinuxCNC: G64 P (User Manual, G-code: path blending), without P as far as it likes; Siemens:
+ * CYCLE832's first argument, ADIS= of G641; Haas: E of G187; Heidenhain: T of CYCL DEF 32.1.
+ */
+#ifndef CLOUDMILL_NCREAD_ROUNDING_H
+#define CLOUDMILL_NCREAD_ROUNDING_H
+
+struct ncread;
+
+/* Remarks the block just read where it allows more than the program's head says: what was smoothed,
+ * else its tolerance.  Programs of others are not asked. */
+void ncread_rounding_watch(struct ncread *c);
+
+#endif
