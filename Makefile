@@ -177,6 +177,9 @@ $(benches): $(BUILD)/bench/%: $(BUILD)/tests/bench/%.o $(BUILD)/tests/lib/decima
 
 units: $(units)
 
+# With -j, too, `make deps check` builds no test before what it needs is installed.
+$(unit_src:%.c=$(BUILD)/%.o) $(help_obj) $(back_obj): | $(filter deps deps-all,$(MAKECMDGOALS))
+
 check: all $(units) $(readback) $(cloud) $(BUILD)/tests/fuzz/replay
 	@CC="$(CC)" BIN="$(abspath $(BUILD))/bin" READBACK="$(abspath $(BUILD))/tests/readback/readback" \
 	  CLOUD="$(abspath $(cloud))" REPLAY="$(abspath $(BUILD))/tests/fuzz/replay" UNITS="$(abspath $(units))" MAKE="$(MAKE)" STARTED=$(started) \
