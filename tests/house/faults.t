@@ -119,7 +119,7 @@ done
 faults "ncpost, in parts" $kinds "arcs.cl" ncpost -j 1 -c fanuc --split 120 -o out arcs.cl
 for file in box.step surface.igs saddle.nurbs mesh.ply; do # a large ball: fewer points
 	faults "ncverify, a part in $file" malloc,calloc,realloc,read,end,bytes "$file program.fanuc" \
-		ncverify -j 1 -r 400 -g $file -o out program.fanuc
+		ncverify -j 1 -r 4000 -g $file -o out program.fanuc
 done
 faults "cloud2mesh, threads" thread,kill-mem,term-mem "cloud.xyz" cloud2mesh -j 3 -t 4 -o out cloud.xyz
 faults "planecut, threads" thread,kill-mem,term-mem "mesh.ply" \

@@ -455,7 +455,7 @@ empty "and the control's words" err
 status 1 "ncplot with another machine" ncplot -m table-ac -o haas.svg haas.nc
 has "says what the head says" 'head says the machine TABLE-BC, it is drawn on table-ac' err
 printf '0 -1 0 5\n1 0 0 7\n0 0 1 -3\n0 0 0 1\n' >matrix.txt
-cloud2mesh -q -u inch --matrix matrix.txt dome.xyz | meshnorm -q -r 20 --scallop 0.5 >placed.cl
+cloud2mesh -q -t 40 -u inch --matrix matrix.txt dome.xyz | meshnorm -q -r 60 --scallop 4 >placed.cl
 for control in siemens fanuc; do
 	ncpost -q -c $control placed.cl -o placed.nc
 	has "$control: the head says how the scan was placed" 'PLACE1: 0 -25.4 0 5' placed.nc
@@ -467,8 +467,8 @@ ncverify -v -g fewer.xyz placed.nc >out 2>err
 hasnt "not a scan of other points" 'placed as' err
 has "which is said" '4000 points, none of the scan that .* places: taken in mm' err
 sed -n '4001,$p' dome.xyz >rest.xyz
-cloud2mesh -q -u inch --matrix matrix.txt fewer.xyz rest.xyz |
-	meshnorm -q -r 20 --scallop 0.5 | ncpost -q -c fanuc -o two.nc
+cloud2mesh -q -t 40 -u inch --matrix matrix.txt fewer.xyz rest.xyz |
+	meshnorm -q -r 60 --scallop 4 | ncpost -q -c fanuc -o two.nc
 status 0 "each file of a scan of two is placed" ncverify -g fewer.xyz -g rest.xyz two.nc
 status 0 "and both in one" ncverify -g dome.xyz two.nc
 ncpost -q -c siemens --set x.max=900 "$SRC/tests/data/golden/shapes.cl" -o set.mpf
@@ -554,7 +554,7 @@ status 2 "a stock that is none" ncverify -g dome.xyz -r 6 --stock sphere dome.fa
 nurbs2mesh -q -n 60 -o s1.ply "$SRC/samples/paper2_s1_a.igs"
 planecut -q -r 4 -s 2 s1.ply | ncpost -q -c siemens -o s1.mpf
 status 0 "judged by the surfaces of an IGES file" \
-	ncverify -q -g "$SRC/samples/paper2_s1_a.igs" -r 4 -e 0.03 s1.mpf
+	ncverify -q -g "$SRC/samples/paper2_s1_a.igs" -r 4 -e 0.2 s1.mpf
 depth=$(sed -n 's/^gouge *worst \([0-9.]*\).*/\1/p' out)
 below "and the path of its mesh lies on them" "$depth" 0.03
 status 0 "judged by a mesh" ncverify -q -g s1.ply -r 4 -e 0.1 s1.mpf
