@@ -17,7 +17,7 @@ cuts() {
 cloud2mesh -q -t 2 -o panel.ply "$panel"
 for axis in "--fixed 0,0,1" "--tilt 15"; do
 	# shellcheck disable=SC2086 # words
-	status 0 "the panel, $axis" planecut -q -r 8 -s 6 -a 0 -e 0.005 $axis -o none.cl panel.ply
+	status 0 "the panel, $axis" planecut -q -r 8 -s 12 -a 0 -e 0.005 $axis -o none.cl panel.ply
 	"$READBACK" -c none none.cl --panel >out
 	below "$axis: the ball goes no deeper than" "$(sed -n '/^ball:/s/.*deepest \([-0-9.]*\) mm.*/\1/p' out)" 0.005
 	biarcfit -q -e 0.01 -o biarcfit.cl none.cl
@@ -32,10 +32,10 @@ for axis in "--fixed 0,0,1" "--tilt 15"; do
 		done
 	done
 done
-planecut -q -r 8 -s 2 -j 1 panel.ply >one.cl
-planecut -q -r 8 -s 2 -j 4 panel.ply >four.cl
+planecut -q -r 8 -s 6 -j 1 panel.ply >one.cl
+planecut -q -r 8 -s 6 -j 4 panel.ply >four.cl
 same "threads change nothing" one.cl four.cl
-planecut -q -r 8 -s 2 <panel.ply >stdin.cl
+planecut -q -r 8 -s 6 <panel.ply >stdin.cl
 same "nor does standard input" one.cl stdin.cl
 
 # ---- put on the surfaces that a coarse mesh was made from
