@@ -185,6 +185,20 @@ static void crop(struct vec3s *scan, double x, double y)
     scan->n = n;
 }
 
+/* Leaves what is in front of the line x = least of the turned shape. */
+static void crop_behind(struct vec3s *scan, double least)
+{
+    size_t n = 0;
+
+    for (size_t i = 0; i < scan->n; i++) {
+        double x = scan->item[i].x, y = scan->item[i].y;
+        turned(&x, &y);
+        if (x >= least)
+            scan->item[n++] = scan->item[i];
+    }
+    scan->n = n;
+}
+
 /* Of g->scan, in cells so wide, mm. */
 static void guarded_make(struct guarded *g, double cell, double sigma)
 {
@@ -534,6 +548,7 @@ START_TEST(walls_under_round_rims)
     noisy_seed(90 + (unsigned)_i);
     noisy_scan(&g.scan, _i < 6 ? boss : footed_boss, POINTS, pattern[_i % 3], noise);
     crop(&g.scan, 14, 14);
+    crop_behind(&g.scan, 0);
     guarded_make(&g, spacing, noise);
     struct gouge_check *guard = guarded_gouge(&g);
     for (int i = 0; i < PLACES; i++) {
