@@ -68,7 +68,8 @@ static int read_g(struct ncread *c, const struct ncread_word *w, struct gcode_bl
         c->move = MOVE_SPLINE;
         b->spline_begins = true;
         return 0;
-    case 280:
+    case 280: /* the reference point, and the others by their number P */
+    case 300:
         b->home = true;
         return 0;
     case 430:
@@ -142,19 +143,22 @@ static int read_words(struct ncread *c, struct gcode_block *b, struct error *err
     return 0;
 }
 
-/* G28 and G53: to a place of the machine; the axes named are not known any more. */
+/* G28, G30 and G53: to a place of the machine; the axes named are not known any more.  Without any
+ * of them G28 and G30 take all axes there, on Haas and others. */
 static int machine_move(struct ncread *c, struct gcode_block *b, struct error *error)
 {
     if (c->tcp)
         return ncread_error(c, error, "G28 or G53 under tool centre point control");
     if (b->home && c->absolute)
         return ncread_error(c, error,
-                            "G28 without G91: the move leads over a point of the workpiece");
+                            "G28 or G30 without G91: the move leads over a point of the workpiece");
     if (b->home && b->moved) { /* over a point on the way */
         ncread_turned(c, &b->to);
         if (ncread_go(c, &b->to, ncread_piece(c, &b->to), true, error) < 0)
             return -1;
     }
+    if (b->home && !b->named)
+        ncread_gcode_forget_all(c);
     ncread_gcode_forget(c);
     c->here.has_axis = c->here.has_axis && c->here.turned[0] && c->here.turned[1];
     return 0;

@@ -113,6 +113,12 @@ void ncread_gcode_forget(struct ncread *c)
     }
 }
 
+void ncread_gcode_forget_all(struct ncread *c)
+{
+    memset(c->here.known, 0, sizeof c->here.known);
+    memset(c->here.turned, 0, sizeof c->here.turned);
+}
+
 bool ncread_gcode_centred(const struct gcode_block *b)
 {
     return b->centre_named[0] || b->centre_named[1] || b->centre_named[2];

@@ -47,6 +47,9 @@ int ncread_gcode_statement(struct ncread *c, const char *line, struct error *err
 /* After a move to a place of the machine: the axes that the block names are not known any more. */
 void ncread_gcode_forget(struct ncread *c);
 
+/* The same of all axes. */
+void ncread_gcode_forget_all(struct ncread *c);
+
 /* The block names I, J or K. */
 bool ncread_gcode_centred(const struct gcode_block *b);
 

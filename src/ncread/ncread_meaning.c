@@ -183,8 +183,8 @@ static const struct {
     {100, 100, "a change of offsets"},
     {120, 139, "a circle of its own or an interpolation"},
     {160, 160, "polar coordinates"},
-    {270, 279, "a way to a reference point"},
-    {290, 290, "a way to a reference point"},
+    {270, 290, "a way to a reference point"}, /* G28.1 of Mach3 and G30.1 of Fanuc go there, too */
+    {300, 309, "a way to a reference point"},
     {310, 389, "a skip, a thread or a measurement"},
     {410, 429, "radius compensation"},
     {440, 449, "a tool's length against Z"},

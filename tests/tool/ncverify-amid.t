@@ -1,0 +1,61 @@
+#!/bin/sh
+# ncverify-amid.t - one block more amid a cut of a good program: what moves the tool, shifts it, or
+# stops, slows or turns round its spindle is refused; what does nothing is not.
+. "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
+cd "$TMP" || exit 1
+
+awk 'BEGIN { for (y = -5; y <= 5.001; y += 0.5) for (x = -7; x <= 7.001; x += 0.5)
+	printf "%.5f %.5f %.5f\n", x, y, 20 - (x * x + y * y) / 80 }' >dome.xyz
+cloud2mesh -q -t 1 -o dome.ply dome.xyz
+meshnorm -q -r 6 --fixed 0,0,1 -o three.cl dome.ply
+
+# The program with the block amid a row, blocks of Klartext numbered anew.
+amid() { # BLOCK [COMMAND OF SED]
+	awk -v put="$1" -v control="$control" '{ line[NR] = $0 }
+	function cuts(i) { return line[i] ~ / [XY][-+0-9]/ && line[i] !~ / (G0?0|FMAX|M[0-9]+|SUPA)( |$)/ }
+	END { for (at = int(NR / 2); !(cuts(at) && cuts(at + 1) && cuts(at + 2)); at++) ;
+		for (i = 1; i <= NR; i++) {
+			if (control ~ /heidenhain/) sub(/^[0-9]+/, n++, line[i])
+			print line[i]
+			if (i == at) print (control ~ /heidenhain/ ? n++ " " : "") put
+		}
+	}' good.nc | sed "${2:-}" >bad.nc
+}
+judge() { ncverify -c $control -m three-axis -g dome.xyz -r 6 -e 0.1 "$@" >out 2>err; got=$?; }
+good() { # CONTROL: its program, accepted
+	control=$1
+	ncpost -q -c $control -m three-axis -o good.nc three.cl
+	judge good.nc
+	result $got "$control: the good program is accepted"
+}
+refused() { # BLOCK REGEX [COMMAND OF SED]
+	amid "$1" "${3:-}"
+	judge bad.nc
+	case $got in 1 | 3) result 0 "$control: $1 is refused" ;; *) result 1 "$control: $1 is refused ($got)" ;; esac
+	has "$control: $1 is told" "$2" err
+}
+taken() { # BLOCK [COMMAND OF SED]
+	amid "$1" "${2:-}"
+	judge bad.nc
+	result $got "$control: $1 is taken"
+}
+foreign='s/CLOUDMILL NCPOST/ANOTHER SYSTEM/; s/cloudmill ncpost/another system/'
+
+# ---- ways to a stored place
+for c in linuxcnc grbl tormach mach3; do
+	good $c
+	for block in G28 G30 G28.1 'G91 G28 Z0.' 'G30 P2'; do
+		refused "$block" 'found G(28|30|28\.1), a way to a reference point'
+	done
+done
+for c in fanuc haas; do
+	good $c
+	refused G30 'G28 or G30 without G91'
+	refused G28 'G28 or G30 without G91'
+	refused 'G91 G30' 'not known' "$foreign"
+	refused 'G91 G30 P2 Z0' 'G91|not known|bad.nc'
+done
+good okuma
+refused 'G30 P1' 'not known'
+
+done_testing
