@@ -51,17 +51,41 @@ static double named(const char *text)
     return -1.0 - hash;
 }
 
+/* The length of a tool goes on in this block: H is its number. */
+static bool takes_length(const struct ncread *c)
+{
+    for (size_t i = 0; i < c->words.n; i++) {
+        const struct ncread_word *w = &c->words.item[i];
+        enum ncread_meaning meaning = ncread_meaning_of_word(c, w);
+        if (meaning == MEANS_LENGTH || meaning == MEANS_TCP || meaning == MEANS_TCP_VECTORS ||
+            (strcmp(w->name, "G") == 0 && w->value[0] >= 43 && w->value[0] < 44))
+            return true;
+    }
+    return false;
+}
+
+/* A work offset G110 or with a number behind it: G15 H1, G154 P5. */
+static void set_offset_g(struct ncread *c, double code, const struct ncread_word *number)
+{
+    char text[60];
+    double value = number ? number->value[0] : 0;
+    if (number)
+        snprintf(text, sizeof text, "G%.6g %c%.6g", code, *number->name, value);
+    else
+        snprintf(text, sizeof text, "G%.6g", code);
+    set_offset(c, 1000 * code + value, text);
+}
+
 static void watch_g(struct ncread *c, const struct ncread_word *g)
 {
     double code = g->value[0], offset = code;
     char text[60];
     const struct ncread_word *p = ncread_word_find(&c->words, "P");
-    const struct ncread_word *h = ncread_word_find(&c->words, "H");
     enum ncread_meaning meaning = ncread_meaning_of_word(c, g);
-    if (meaning == MEANS_OFFSET) {
-        snprintf(text, sizeof text, "G%.6g H%.6g", code, h ? h->value[0] : 0);
-        set_offset(c, 1000 * code + (h ? h->value[0] : 0), text);
-    }
+    if (meaning == MEANS_OFFSET)
+        set_offset_g(c, code, takes_length(c) ? NULL : ncread_word_find(&c->words, "H"));
+    if (meaning == MEANS_NOTHING_KNOWN && code == 154) /* of Haas: P1 to P99 */
+        set_offset_g(c, code, p);
     if (meaning != MEANS_NOTHING_KNOWN)
         return;
     snprintf(text, sizeof text, "G%.6g", code);

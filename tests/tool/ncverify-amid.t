@@ -21,7 +21,11 @@ amid() { # BLOCK [COMMAND OF SED]
 		}
 	}' good.nc | sed "${2:-}" >bad.nc
 }
-judge() { ncverify -c $control -m three-axis -g dome.xyz -r 6 -e 0.1 "$@" >out 2>err; got=$?; }
+set=
+judge() { # PROGRAM
+	ncverify -c $control -m three-axis ${set:+--set "$set"} -g dome.xyz -r 6 -e 0.1 "$1" >out 2>err
+	got=$?
+}
 good() { # CONTROL: its program, accepted
 	control=$1
 	ncpost -q -c $control -m three-axis -o good.nc three.cl
@@ -57,5 +61,21 @@ for c in fanuc haas; do
 done
 good okuma
 refused 'G30 P1' 'not known'
+
+# ---- another work offset
+good haas
+for block in 'G154 P5' G110 G111 G114 G129 G55; do
+	refused "$block" 'the work offset (changes|becomes).* amid the program'
+done
+for offset in 'G154 P5' G110; do
+	ncpost -q -c haas -m three-axis --set "offset=$offset" -o good.nc three.cl
+	set="offset=$offset"
+	taken "$offset"
+	refused 'G154 P6' 'the work offset changes amid the program'
+done
+set=
+sed "s/ G43 H1 / G110&/; s/ G110\$//; $foreign" good.nc >other.nc
+mv other.nc good.nc
+taken G110 # H1 beside it is the tool's length
 
 done_testing
