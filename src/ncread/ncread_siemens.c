@@ -59,14 +59,27 @@ static bool is_idle_call(const char *name)
     return false;
 }
 
-/* G words that do not change where the tool goes: compensation off, frames, path control. */
-static const int no_effect[] = {9,   40,  54,  55,  56,  57,  60,  64,  97,  500, 505, 506,
-                                507, 508, 509, 601, 602, 603, 641, 642, 643, 644, 645};
+/* G words that do not change where the tool goes: compensation off, frames, path control, what
+ * compensation does at corners, how a soft approach would go (of G147, which is not read). */
+static const int no_effect[] = {9,   40,  54,  55,  56,  57,  60,  62,  64,  97,  140,
+                                141, 142, 143, 340, 341, 450, 451, 460, 461, 462, 500,
+                                601, 602, 603, 621, 641, 642, 643, 644, 645};
+
+/* A G word that is not known: those that move the tool (G331, G147) or shift it (G58) are too many
+ * to be listed, so that a control's file must say that one does not. */
+static int unknown_g(struct ncread *c, const struct ncread_word *w, struct error *error)
+{
+    if (ncread_meaning_of_word(c, w) == MEANS_IDLE)
+        return 0;
+    if (ncread_meaning_moves('G', (int)lround(10 * w->value[0])))
+        return ncread_unknown(c, w, error); /* which says what it is */
+    return ncread_unread(c, w, error);
+}
 
 static int read_g(struct ncread *c, const struct ncread_word *w, struct error *error)
 {
     if (w->value[0] != floor(w->value[0]))
-        return ncread_unknown(c, w, error);
+        return unknown_g(c, w, error);
     int code = (int)w->value[0];
     switch (code) {
     case 0:
@@ -82,7 +95,7 @@ static int read_g(struct ncread *c, const struct ncread_word *w, struct error *e
         return 0;
     case 41: /* a path of the centre, whatever the side */
     case 42:
-        return c->options->cutcom ? 0 : ncread_unknown(c, w, error);
+        return c->options->cutcom ? 0 : unknown_g(c, w, error);
     case 70:
     case 700:
         return ncread_unit(c, INCH, error);
@@ -102,7 +115,7 @@ static int read_g(struct ncread *c, const struct ncread_word *w, struct error *e
         for (size_t i = 0; i < sizeof no_effect / sizeof *no_effect; i++)
             if (code == no_effect[i])
                 return 0;
-        return ncread_unknown(c, w, error);
+        return code >= 505 && code <= 599 ? 0 : unknown_g(c, w, error); /* work offsets */
     }
 }
 
@@ -199,6 +212,35 @@ static bool read_centre(const struct ncread *c, const struct ncread_word *w,
     return true;
 }
 
+/* NAME=value that moves nothing: auxiliary functions, other spindles, limits of the axes, how far
+ * path control may round, and overrides that make nothing faster. */
+static bool is_idle_setting(const struct ncread_word *w)
+{
+    static const char *const idle[] = {"H",        "M",       "S",        "ACC",
+                                       "ACCLIMA",  "JERKLIM", "JERKLIMA", "VELOLIM",
+                                       "VELOLIMA", "LIMS",    "ADIS",     "ADISPOS",
+                                       "ATOL",     "CTOL",    "OTOL",     "FAD"},
+                             *const slow[] = {"OVR", "OVRA", "OVRRAP"};
+    size_t n = strcspn(w->name, "0123456789[");
+    bool slower = w->values == 1 && w->value[0] > 0 && w->value[0] <= 100;
+    for (size_t i = 0; i < sizeof idle / sizeof *idle; i++)
+        if (strlen(idle[i]) == n && strncmp(w->name, idle[i], n) == 0)
+            return true;
+    for (size_t i = 0; i < sizeof slow / sizeof *slow && slower; i++)
+        if (strlen(slow[i]) == n && strncmp(w->name, slow[i], n) == 0)
+            return true;
+    return false;
+}
+
+/* One that is not known: an offset of the tool (TOFFL, TCARR, DL), an oscillating axis (OS[X]), a
+ * feed of the block (FB) have no mark that tells them from others. */
+static int unknown_setting(struct ncread *c, const struct ncread_word *w, struct error *error)
+{
+    if (ncread_meaning_of(c, w->name) == MEANS_IDLE)
+        return 0;
+    return is_idle_setting(w) ? ncread_unknown(c, w, error) : ncread_unread(c, w, error);
+}
+
 /* NAME=value */
 static int read_setting(struct ncread *c, const struct ncread_word *w,
                         struct ncread_siemens_block *b, struct error *error)
@@ -206,11 +248,11 @@ static int read_setting(struct ncread *c, const struct ncread_word *w,
     const char *name = w->name;
     double value = w->value[0];
     if (w->values == 0) /* T="BALL" */
-        return strcmp(name, "T") == 0 ? 0 : ncread_unknown(c, w, error);
+        return strcmp(name, "T") == 0 ? 0 : unknown_setting(c, w, error);
     if (strncmp(name, "PO[", 3) == 0)
         return read_polynomial(c, w, b, error);
     if (w->values > 1)
-        return ncread_unknown(c, w, error);
+        return unknown_setting(c, w, error);
     if (strlen(name) == 2 && name[0] >= 'A' && name[0] <= 'C' && name[1] == '3') {
         b->vector[name[0] - 'A'] = value;
         b->vector_n++;
@@ -243,7 +285,7 @@ static int read_setting(struct ncread *c, const struct ncread_word *w,
     } else if (w->by || w->absolute || ncread_meaning_shapes(name)) {
         return ncread_error(c, error, "a word of a place that this reader does not know");
     } else if (strcmp(name, "S") != 0 && strcmp(name, "D") != 0) {
-        return ncread_unknown(c, w, error);
+        return unknown_setting(c, w, error);
     }
     return 0;
 }
@@ -272,9 +314,24 @@ static int read_address(struct ncread *c, const struct ncread_word *w,
     }
 }
 
+/* M1=3 S1=8000 T1=5 of the spindle that cuts, and F=800, are M3 S8000 T5 F800. */
+static void plain_words(struct ncread_words *words)
+{
+    for (size_t i = 0; i < words->n; i++) {
+        struct ncread_word *w = &words->item[i];
+        if (w->kind != WORD_SET || !strchr("MSTF", *w->name) ||
+            (w->name[1] && strcmp(w->name + 1, "1") != 0) || (*w->name == 'F' && w->name[1]))
+            continue;
+        w->name[1] = '\0';
+        if (w->values == 1 && !w->by && !w->absolute && !w->shortest)
+            w->kind = WORD_ADDRESS;
+    }
+}
+
 /* The words of a block into the state and *b. */
 static int read_words(struct ncread *c, struct ncread_siemens_block *b, struct error *error)
 {
+    plain_words(&c->words);
     if (ncread_hole_dwell(c, 0))
         return 0;
     for (size_t i = 0; i < c->words.n; i++) { /* they hold for words before them too */

@@ -17,17 +17,33 @@ static bool letter_moves(char letter)
     return strchr("ABCUVWXYZIJKRL", letter) != NULL;
 }
 
+enum { NAMED = WORD_TEXT + 24 };
+
+/* A word as it is told. */
+static void word_text(const struct ncread_word *w, char text[NAMED])
+{
+    if (w->kind == WORD_ADDRESS)
+        snprintf(text, NAMED, "%s%.15g", w->name, w->value[0]);
+    else
+        snprintf(text, NAMED, "%s", w->name);
+}
+
+int ncread_unread(struct ncread *c, const struct ncread_word *w, struct error *error)
+{
+    char text[160], word[NAMED];
+    word_text(w, word);
+    snprintf(text, sizeof text, "found %s, which this reader does not know", word);
+    return ncread_error(c, error, text);
+}
+
 int ncread_unknown(struct ncread *c, const struct ncread_word *w, struct error *error)
 {
-    char text[160], word[WORD_TEXT + 24];
+    char text[160], word[NAMED];
     bool address = w->kind == WORD_ADDRESS, number = address && strchr("GM", *w->name);
-    if (address)
-        snprintf(word, sizeof word, "%s%.15g", w->name, w->value[0]);
-    else
-        snprintf(word, sizeof word, "%s", w->name);
     const char *what =
         number ? ncread_meaning_moves(*w->name, (int)lround(10 * w->value[0])) : NULL;
     bool places = false;
+    word_text(w, word);
     for (size_t i = 0; number && i < c->words.n; i++)
         places = places || (c->words.item[i].kind == WORD_ADDRESS &&
                             strchr("XYZABC", *c->words.item[i].name));
@@ -41,7 +57,7 @@ int ncread_unknown(struct ncread *c, const struct ncread_word *w, struct error *
         ncread_meaning_note(c, number ? word : w->name);
         return 0;
     } else
-        snprintf(text, sizeof text, "found %s, which this reader does not know", word);
+        return ncread_unread(c, w, error);
     return ncread_error(c, error, text);
 }
 

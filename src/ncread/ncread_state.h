@@ -115,6 +115,9 @@ int ncread_error(const struct ncread *c, struct error *error, const char *what);
 /* A word that is not known here: an error where it may move the tool, else it is noted. */
 int ncread_unknown(struct ncread *c, const struct ncread_word *w, struct error *error);
 
+/* The same where nothing may be passed over: an error. */
+int ncread_unread(struct ncread *c, const struct ncread_word *w, struct error *error);
+
 /* An M word: the spindle, the end, and those that move nothing. */
 int ncread_m(struct ncread *c, const struct ncread_word *w, struct error *error);
 

@@ -78,4 +78,27 @@ sed "s/ G43 H1 / G110&/; s/ G110\$//; $foreign" good.nc >other.nc
 mv other.nc good.nc
 taken G110 # H1 beside it is the tool's length
 
+# ---- Siemens: what shifts the tool, or is not known to leave it where it is
+good siemens
+for name in TOFFL TOFF 'TOFFL[1]' 'TOFF[Z]' TOFFR TOFFLR TCARR DL 'OS[X]' 'OSP1[X]' 'OSP2[X]' 'OST1[X]' DISR DISCL \
+	FB OMA1 CUTMOD 'FXS[X]' RNDX; do
+	refused "$name=1" "found $(echo "$name" | tr '[]' '..'), which this reader does not know"
+done
+refused OVR=200 'found OVR, which'
+for word in TCOFR G331 G332 G147 G148 G247 G58 G59 G153 G810 G961; do
+	refused $word "found $word, which"
+done
+refused G33 'found G33, a skip'
+refused G75 'found G75, a cycle'
+for block in LIMS=9000 'ACC[X]=80' OVR=90 'VELOLIM[X]=80' FAD=100 ADIS=0.001 H2=5 S2=500 M2=3 S1=8000 S=8000 \
+	M1=3 G450 G621 F=800 'CTOL=0.001'; do
+	taken "$block"
+done
+refused M1=5 'cuts while the spindle is off'
+refused F=0 'cuts without a feed'
+printf 'base = siemens\nwords = SPECIAL: idle | G961: idle\n' >own.txt
+control=own
+taken SPECIAL=5
+taken G961
+
 done_testing
