@@ -505,13 +505,12 @@ static void find_surface(const struct settings *s, int threads, struct vec3s *po
             surface->sheets_at.x, surface->sheets_at.y, surface->sheets_at.z);
 }
 
-/* All of it is cut by the tool of its head, at that speed. */
-static bool is_made_by_one_tool(const struct path *path)
+static bool has_statement(const struct path *path, const char *word)
 {
-    bool one = path->tool.n == 0;
+    bool found = false;
     for (size_t i = 0; i < path->text.n; i++)
-        one = one && strncmp(path->text.item[i], "SPINDL", 6) != 0;
-    return one;
+        found = found || strncmp(path->text.item[i], word, strlen(word)) == 0;
+    return found;
 }
 
 static void say_tool(const struct path_head *head, struct nc_motion *motion)
@@ -546,7 +545,8 @@ static void read_path(const char *file, struct nc_motion *motion, struct ncread_
         die_error(&error);
     motion->name = file;
     motion->coolant = path.head.coolant > COOLANT_OFF;
-    if (is_made_by_one_tool(&path))
+    motion->asked = has_statement(&path, "SPINDL") ? NC_ASKED_SPEEDS : 0;
+    if (path.tool.n == 0 && !motion->asked) /* all of it by the tool of its head, at that speed */
         say_tool(&path.head, motion);
     adopt_noise(&path.head, head);
     if (!region_given(region)) {

@@ -75,11 +75,16 @@ struct nc_piece {
 /* What the first channel is: the tool's tip, or the ball's centre. */
 enum nc_motion_track { NC_MOTION_TIP, NC_MOTION_CENTRE, NC_MOTION_CONTACT };
 
+/* What only some paths ask for: other speeds of the spindle, or another way round, amid a tool. */
+enum nc_asked { NC_ASKED_SPEEDS = 1 };
+
 /* What a reader finds wrong with a program that can be run all the same. */
 struct nc_remark {
     size_t line;
     int block; /* -1: none */
     char text[120];
+    bool notice;     /* no fault: nobody knows that it was not meant so */
+    unsigned unless; /* of enum nc_asked: nothing is wrong where the path asks for it */
 };
 
 struct nc_motion {
@@ -111,6 +116,7 @@ struct nc_motion {
     char work[60];                     /* the work offset there, as its words say it; "": none */
     int turns;                         /* the spindle there: 1 clockwise, -1, 0: not known */
     double speed;                      /* rev/min, 0: none is said */
+    unsigned asked;                    /* of a path: enum nc_asked */
     int tool, offset;                  /* number, -1: a name, and that of its length; 0: none */
     size_t blocks;                     /* lines with something in them */
     double dwell;                      /* minutes that the tool stands still */

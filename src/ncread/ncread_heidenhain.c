@@ -276,11 +276,14 @@ static int read_tool(struct ncread *c, const struct klartext *k, struct error *e
     for (int i = 2; i < k->n; i++) {
         const char *w = k->word[i], *value = w + (*w == 'S' ? 1 : 2 + (strncmp(w, "DR2", 3) == 0));
         bool name = quoted || *w == '"';
-        double more = 0;
+        double more = 0, speed = 0;
         for (const char *s = w; *s; s++)
             quoted = quoted != (*s == '"');
-        if (!name && *w == 'S' && !num_read(&value, &c->speed))
-            return ncread_error(c, error, "TOOL CALL with a speed that is no number");
+        if (!name && *w == 'S') {
+            if (!num_read(&value, &speed))
+                return ncread_error(c, error, "TOOL CALL with a speed that is no number");
+            ncread_watch_speed(c, speed);
+        }
         if (!name && (strncmp(w, "DL", 2) == 0 || strncmp(w, "DR", 2) == 0) &&
             (!num_read(&value, &more) || more != 0))
             return ncread_error(c, error,

@@ -232,6 +232,16 @@ static bool is_idle_setting(const struct ncread_word *w)
     return false;
 }
 
+/* SPOS=0, SPOSA[1]=90: the spindle that cuts turns to an angle and stands there. */
+static bool is_turned(const char *name)
+{
+    static const char *const turning[] = {"SPOS", "SPOSA", "SPOS[1]", "SPOSA[1]"};
+    for (size_t i = 0; i < sizeof turning / sizeof *turning; i++)
+        if (strcmp(name, turning[i]) == 0)
+            return true;
+    return false;
+}
+
 /* One that is not known: an offset of the tool (TOFFL, TCARR, DL), an oscillating axis (OS[X]), a
  * feed of the block (FB) have no mark that tells them from others. */
 static int unknown_setting(struct ncread *c, const struct ncread_word *w, struct error *error)
@@ -247,6 +257,10 @@ static int read_setting(struct ncread *c, const struct ncread_word *w,
 {
     const char *name = w->name;
     double value = w->value[0];
+    if (is_turned(name)) {
+        c->spindle = false;
+        return 0;
+    }
     if (w->values == 0) /* T="BALL" */
         return strcmp(name, "T") == 0 ? 0 : unknown_setting(c, w, error);
     if (strncmp(name, "PO[", 3) == 0)
@@ -299,7 +313,10 @@ static int read_address(struct ncread *c, const struct ncread_word *w,
     case 'G':
         return read_g(c, w, error);
     case 'M':
-        return ncread_m(c, w, error);
+        if (w->value[0] != 70) /* the spindle as an axis */
+            return ncread_m(c, w, error);
+        c->spindle = false;
+        return 0;
     case 'F':
         c->feed = w->value[0];
         c->feed_here = true;

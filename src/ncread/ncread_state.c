@@ -63,13 +63,13 @@ int ncread_unknown(struct ncread *c, const struct ncread_word *w, struct error *
 
 int ncread_m(struct ncread *c, const struct ncread_word *w, struct error *error)
 {
-    static const int idle[] = {0, 1, 6, 7, 8, 9, 10, 11, 12, 13, 19, 29, 48, 49, 60, 88, 89};
+    static const int idle[] = {0, 1, 6, 7, 8, 9, 10, 11, 12, 13, 29, 48, 49, 60, 88, 89};
     int code = (int)w->value[0];
     enum ncread_meaning meaning = ncread_meaning_of_word(c, w);
     if (meaning != MEANS_NOTHING_KNOWN)
         return ncread_meaning_apply(c, meaning, error);
-    if (code == 3 || code == 4 || code == 5)
-        c->spindle = code != 5;
+    if (code == 3 || code == 4 || code == 5 || code == 19) /* M19 turns it to an angle: it stands */
+        c->spindle = code == 3 || code == 4;
     else if (code == 30 || code == 2)
         c->ended = true;
     else {
@@ -267,6 +267,8 @@ int ncread_ready(struct ncread *c, struct error *error)
         return ncread_error(c, error, "cuts while the spindle is off");
     if (c->options->tcp && !c->tcp && !c->tilted.on && !ncread_upright(c))
         return ncread_error(c, error, "cuts without tool centre point control");
+    if (ncread_watch_still(c))
+        return ncread_error(c, error, "cuts at a speed of the spindle that is not above 0");
     if (!(c->feed > 0))
         return ncread_error(c, error, "cuts without a feed");
     if (c->inverse_time && !c->feed_here)

@@ -7,7 +7,7 @@
 
 #include "ncread_state.h"
 
-enum watched { WORK_OFFSET, TOOL, EDGE, LENGTH, COOLANT };
+enum watched { WORK_OFFSET, TOOL, EDGE, LENGTH, COOLANT, SPEED, SENSE };
 
 static void set_value(struct ncread *c, enum watched what, double value)
 {
@@ -97,12 +97,31 @@ static void watch_g(struct ncread *c, const struct ncread_word *g)
         set_offset(c, offset, text);
 }
 
+/* The spindle turns clockwise, 1, or anticlockwise, -1. */
+static void set_sense(struct ncread *c, int turns)
+{
+    if (!c->watch.cuts)
+        c->watch.turns = turns;
+    set_value(c, SENSE, turns);
+}
+
+void ncread_watch_speed(struct ncread *c, double speed)
+{
+    c->speed = speed;
+    set_value(c, SPEED, speed);
+}
+
+bool ncread_watch_still(const struct ncread *c)
+{
+    return (c->watch.known[SPEED] || c->watch.changed[SPEED]) && !(c->speed > 0);
+}
+
 static void watch_m(struct ncread *c, double code)
 {
     if (code == 3 || code == 13)
-        c->watch.turns = 1;
+        set_sense(c, 1);
     else if (code == 4 || code == 14)
-        c->watch.turns = -1;
+        set_sense(c, -1);
     if (code == 7 || code == 8 || code == 13 || code == 14)
         set_value(c, COOLANT, 1);
     else if (code == 9)
@@ -132,6 +151,18 @@ static void watch_own_coolant(struct ncread *c)
             set_value(c, COOLANT, 1);
     if (has_block(c->text, c->options->coolant_off))
         set_value(c, COOLANT, 0);
+}
+
+/* The block waits, or is a limit: S is no speed of the spindle (G4 S30 of Siemens, G26 S9000). */
+static bool waits_or_limits(const struct ncread *c)
+{
+    for (size_t i = 0; i < c->words.n; i++) {
+        const struct ncread_word *w = &c->words.item[i];
+        bool g = strcmp(w->name, "G") == 0 && w->values == 1;
+        if (g && (w->value[0] == 4 || w->value[0] == 25 || w->value[0] == 26))
+            return true;
+    }
+    return false;
 }
 
 /* True where the block switches on the compensation of a radius. */
@@ -171,7 +202,8 @@ void ncread_watch_words(struct ncread *c)
             set_value(c, LENGTH, w->value[0]);
             break;
         case 'S':
-            c->speed = w->value[0];
+            if (!waits_or_limits(c))
+                ncread_watch_speed(c, w->value[0]);
             break;
         default:
             break;
@@ -198,8 +230,38 @@ void ncread_watch_text(struct ncread *c, int n, const char *const word[])
 void ncread_watch_remark(struct ncread *c, size_t line, long block, const char *text)
 {
     struct nc_remark *remark = array_push(&c->motion->remark);
-    *remark = (struct nc_remark){line, (int)block, ""};
+    *remark = (struct nc_remark){.line = line, .block = (int)block};
     snprintf(remark->text, sizeof remark->text, "%s", text);
+}
+
+void ncread_watch_unasked(struct ncread *c, size_t line, long block, const char *text,
+                          unsigned unless)
+{
+    bool ours = c->options->head && c->options->head->numbered;
+    ncread_watch_remark(c, line, block, text);
+    struct nc_remark *remark = &c->motion->remark.item[c->motion->remark.n - 1];
+    remark->notice = !ours;
+    remark->unless = unless;
+}
+
+/* The spindle's speed or its sense, which a new tool may bring along. */
+static void tell_spindle(struct ncread *c, enum watched what)
+{
+    const struct ncread_watch *w = &c->watch;
+    char text[120];
+    if (w->changed[TOOL] || (what == SENSE && !w->known[what]))
+        return;
+    if (what == SENSE)
+        snprintf(text, sizeof text,
+                 "the spindle turns the other way amid the program, and cuts follow");
+    else if (w->known[what])
+        snprintf(text, sizeof text,
+                 "the spindle's speed changes from %g to %g amid the program, and cuts follow",
+                 w->value[what], w->now[what]);
+    else
+        snprintf(text, sizeof text,
+                 "the spindle's speed becomes %g amid the program, and cuts follow", w->now[what]);
+    ncread_watch_unasked(c, w->line[what], w->block[what], text, NC_ASKED_SPEEDS);
 }
 
 static void tell_change(struct ncread *c, enum watched what)
@@ -208,6 +270,10 @@ static void tell_change(struct ncread *c, enum watched what)
                                        "the tool's offset H"};
     const struct ncread_watch *w = &c->watch;
     char text[120];
+    if (what == SPEED || what == SENSE) {
+        tell_spindle(c, what);
+        return;
+    }
     if (what == COOLANT && w->now[what] != 0)
         return;
     if (what == COOLANT)
@@ -247,9 +313,10 @@ static void tell_first(const struct ncread *c)
 void ncread_watch_cut(struct ncread *c)
 {
     struct ncread_watch *w = &c->watch;
-    for (int k = 0; k < NCREAD_WATCHED && w->cuts; k++) {
+    for (int k = 0; k < NCREAD_WATCHED && w->cuts; k++)
         if (w->changed[k])
             tell_change(c, (enum watched)k);
+    for (int k = 0; k < NCREAD_WATCHED && w->cuts; k++) {
         if (w->changed[k]) {
             w->known[k] = true;
             w->value[k] = w->now[k];

@@ -1,6 +1,6 @@
 /*
  * ncread_watch - what must not change while a program cuts: the work offset, the tool, its offsets,
- * the coolant.  What does is remarked in the motion, by its block, once a cut follows.  The motion
+ * the coolant, how the spindle turns.  What does is remarked in the motion, by its block, once a cut follows.  The motion
  * is told with what the first cut is made: spindle, tool, coolant.
  */
 #ifndef CLOUDMILL_NCREAD_WATCH_H
@@ -10,7 +10,7 @@
 
 struct ncread;
 
-enum { NCREAD_WATCHED = 5 };
+enum { NCREAD_WATCHED = 7 };
 
 struct ncread_watch {
     bool cuts;                    /* a cut was seen */
@@ -28,8 +28,19 @@ struct ncread_watch {
 void ncread_watch_words(struct ncread *c);
 void ncread_watch_text(struct ncread *c, int n, const char *const word[]);
 
+/* The spindle's speed, as a word says it. */
+void ncread_watch_speed(struct ncread *c, double speed);
+
+/* It was said, and nothing turns so. */
+bool ncread_watch_still(const struct ncread *c);
+
 /* Remarks it of a place in the motion. */
 void ncread_watch_remark(struct ncread *c, size_t line, long block, const char *text);
+
+/* The same of what a path may have asked for (enum nc_asked), and others than ncpost have reasons
+ * for that nobody knows. */
+void ncread_watch_unasked(struct ncread *c, size_t line, long block, const char *text,
+                          unsigned unless);
 
 /* A cut begins or goes on in this block. */
 void ncread_watch_cut(struct ncread *c);

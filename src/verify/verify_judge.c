@@ -416,16 +416,19 @@ static void judge_axes(struct verdict *v)
             letter[use->speed.axis], use->speed.value, use->fast);
 }
 
-/* What the reader remarked. */
+/* What the reader remarked, but for what the path asks for. */
 static void judge_remarks(struct verdict *v)
 {
     const struct nc_motion *motion = v->program.motion;
+    unsigned asked = v->program.path ? v->program.path->asked : 0;
     for (size_t i = 0; i < motion->remark.n; i++) {
         const struct nc_remark *remark = &motion->remark.item[i];
         struct nc_piece at = {.line = remark->line, .block = remark->block};
         char place[60];
+        if (remark->unless & asked)
+            continue;
         ncread_place(&at, place, sizeof place);
-        finding_remark(v, true, "%s: %s", place, remark->text);
+        finding_remark(v, !remark->notice, "%s: %s", place, remark->text);
     }
 }
 

@@ -22,8 +22,8 @@ amid() { # BLOCK [COMMAND OF SED]
 	}' good.nc | sed "${2:-}" >bad.nc
 }
 set=
-judge() { # PROGRAM
-	ncverify -c $control -m three-axis ${set:+--set "$set"} -g dome.xyz -r 6 -e 0.1 "$1" >out 2>err
+judge() { # PROGRAM [OPTION]...
+	ncverify -c $control -m three-axis ${set:+--set "$set"} -g dome.xyz -r 6 -e 0.1 "$@" >out 2>err
 	got=$?
 }
 good() { # CONTROL: its program, accepted
@@ -100,5 +100,43 @@ printf 'base = siemens\nwords = SPECIAL: idle | G961: idle\n' >own.txt
 control=own
 taken SPECIAL=5
 taken G961
+
+# ---- the spindle
+for c in fanuc haas okuma siemens linuxcnc heidenhain; do
+	good $c
+	refused M19 'cuts while the spindle is off'
+	refused M4 'the spindle turns the other way amid the program, and cuts follow'
+	taken M3
+	taken M4 "$foreign"
+	has "$c: is told of others" 'notice: .*the spindle turns the other way amid' err
+	if [ $c = heidenhain ]; then call='TOOL CALL '; else call=; fi
+	for speed in 50 100000; do
+		refused "${call}S$speed" "the spindle's speed changes from 8000 to $speed amid the program"
+	done
+	taken "${call}S8000"
+	refused "${call}S0" 'cuts at a speed of the spindle that is not above 0'
+	refused "${call}S-8000" 'cuts at a speed of the spindle that is not above 0'
+	refused "${call}S0" 'cuts at a speed' "$foreign"
+	taken "${call}S50" "$foreign"
+	has "$c: is told of others" "notice: .*the spindle's speed changes from 8000 to 50" err
+done
+good siemens
+for block in SPOS=0 'SPOS[1]=90' SPOSA=DC\(90\) M70 M1=19; do
+	refused "$block" 'cuts while the spindle is off'
+done
+refused S1=50 "the spindle's speed changes from 8000 to 50"
+taken 'G4 S30'
+
+# a path that asks for another speed
+awk '{ print } /^GOTO/ && ++n == 200 { print "SPINDL/RPM,5000,CLW" }' three.cl >speeds.cl
+for c in fanuc heidenhain; do
+	control=$c
+	ncpost -q -c $c -m three-axis -o good.nc speeds.cl
+	judge good.nc
+	result $((got != 3)) "$c: another speed, the path not known"
+	has "$c: is told" "the spindle's speed changes from 8000 to 5000" err
+	judge good.nc -p speeds.cl
+	result $got "$c: the path asks for it"
+done
 
 done_testing
