@@ -545,8 +545,10 @@ static void read_path(const char *file, struct nc_motion *motion, struct ncread_
         die_error(&error);
     motion->name = file;
     motion->coolant = path.head.coolant > COOLANT_OFF;
-    motion->asked = has_statement(&path, "SPINDL") ? NC_ASKED_SPEEDS : 0;
-    if (path.tool.n == 0 && !motion->asked) /* all of it by the tool of its head, at that speed */
+    bool speeds = has_statement(&path, "SPINDL");
+    motion->asked =
+        (speeds ? NC_ASKED_SPEEDS : 0u) | (has_statement(&path, "OPSKIP") ? NC_ASKED_SKIPS : 0u);
+    if (path.tool.n == 0 && !speeds) /* all of it by the tool of its head, at that speed */
         say_tool(&path.head, motion);
     adopt_noise(&path.head, head);
     if (!region_given(region)) {

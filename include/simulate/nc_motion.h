@@ -75,8 +75,9 @@ struct nc_piece {
 /* What the first channel is: the tool's tip, or the ball's centre. */
 enum nc_motion_track { NC_MOTION_TIP, NC_MOTION_CENTRE, NC_MOTION_CONTACT };
 
-/* What only some paths ask for: other speeds of the spindle, or another way round, amid a tool. */
-enum nc_asked { NC_ASKED_SPEEDS = 1 };
+/* What only some paths ask for: other speeds of the spindle, or another way round, amid a tool;
+ * blocks that a switch of the control leaves out. */
+enum nc_asked { NC_ASKED_SPEEDS = 1, NC_ASKED_SKIPS = 2 };
 
 /* What a reader finds wrong with a program that can be run all the same. */
 struct nc_remark {

@@ -291,6 +291,16 @@ static void tell_change(struct ncread *c, enum watched what)
     ncread_watch_remark(c, w->line[what], w->block[what], text);
 }
 
+void ncread_watch_skip(struct ncread *c, const char *line)
+{
+    if (*line != '/' || c->watch.skips)
+        return;
+    c->watch.skips = true;
+    ncread_watch_unasked(c, c->line, c->block,
+                         "a block that a switch of the control leaves out (/): it is judged as run",
+                         NC_ASKED_SKIPS);
+}
+
 /* A number of a tool, 0: none is known, -1: it has a name. */
 static int number_of(const struct ncread_watch *w, enum watched what)
 {

@@ -13,6 +13,7 @@ struct ncread;
 enum { NCREAD_WATCHED = 7 };
 
 struct ncread_watch {
+    bool skips;                   /* a block that may be skipped was seen */
     bool cuts;                    /* a cut was seen */
     int turns;                    /* the spindle, as in nc_motion */
     char work[60];                /* the work offset before it, as its words say it */
@@ -41,6 +42,9 @@ void ncread_watch_remark(struct ncread *c, size_t line, long block, const char *
  * for that nobody knows. */
 void ncread_watch_unasked(struct ncread *c, size_t line, long block, const char *text,
                           unsigned unless);
+
+/* The line of a block: one that begins with `/` is run, and the first of them is told. */
+void ncread_watch_skip(struct ncread *c, const char *line);
 
 /* A cut begins or goes on in this block. */
 void ncread_watch_cut(struct ncread *c);

@@ -139,4 +139,28 @@ for c in fanuc heidenhain; do
 	result $got "$c: the path asks for it"
 done
 
+# ---- a block that a switch of the control leaves out
+awk '{ print } /^GOTO/ && ++n == 200 { print "OPSKIP/ON" } n == 205 { print "OPSKIP/OFF"; n++ }' three.cl >skip.cl
+for c in fanuc haas okuma linuxcnc mach3; do
+	good $c
+	awk '/ G0 / { at = NR } { line[NR] = $0 }
+		END { sub(/^/, "/", line[at]); for (i = 1; i <= NR; i++) print line[i] }' good.nc >bad.nc
+	judge bad.nc
+	result $((got != 3)) "$c: a retract that may be left out"
+	has "$c: is told" 'bad.nc: [^:]*: a block that a switch of the control leaves out' err
+	judge bad.nc -p three.cl
+	result $((got != 3)) "$c: the path does not ask for it"
+	sed -i "$foreign" bad.nc
+	judge bad.nc
+	result $got "$c: of others it is taken"
+	has "$c: with a notice" 'notice: .*a block that a switch of the control leaves out' err
+	ncpost -q -c $c -m three-axis -o good.nc skip.cl
+	has "$c: OPSKIP" '^/' good.nc
+	judge good.nc -p skip.cl
+	result $got "$c: the path asks for it"
+	hasnt "$c: and nothing is told" 'leaves out' err
+	judge good.nc
+	result $((got != 3)) "$c: the path not known"
+done
+
 done_testing
