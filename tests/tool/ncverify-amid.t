@@ -23,12 +23,12 @@ amid() { # BLOCK [COMMAND OF SED]
 }
 set=
 judge() { # PROGRAM [OPTION]...
-	ncverify -c $control -m three-axis ${set:+--set "$set"} -g dome.xyz -r 6 -e 0.1 "$@" >out 2>err
+	ncverify -c "$control" -m three-axis ${set:+--set "$set"} -g dome.xyz -r 6 -e 0.1 "$@" >out 2>err
 	got=$?
 }
 good() { # CONTROL: its program, accepted
 	control=$1
-	ncpost -q -c $control -m three-axis -o good.nc three.cl
+	ncpost -q -c "$control" -m three-axis -o good.nc three.cl
 	judge good.nc
 	result $got "$control: the good program is accepted"
 }
@@ -131,7 +131,7 @@ taken 'G4 S30'
 awk '{ print } /^GOTO/ && ++n == 200 { print "SPINDL/RPM,5000,CLW" }' three.cl >speeds.cl
 for c in fanuc heidenhain; do
 	control=$c
-	ncpost -q -c $c -m three-axis -o good.nc speeds.cl
+	ncpost -q -c "$c" -m three-axis -o good.nc speeds.cl
 	judge good.nc
 	result $((got != 3)) "$c: another speed, the path not known"
 	has "$c: is told" "the spindle's speed changes from 8000 to 5000" err
@@ -154,7 +154,7 @@ for c in fanuc haas okuma linuxcnc mach3; do
 	judge bad.nc
 	result $got "$c: of others it is taken"
 	has "$c: with a notice" 'notice: .*a block that a switch of the control leaves out' err
-	ncpost -q -c $c -m three-axis -o good.nc skip.cl
+	ncpost -q -c "$c" -m three-axis -o good.nc skip.cl
 	has "$c: OPSKIP" '^/' good.nc
 	judge good.nc -p skip.cl
 	result $got "$c: the path asks for it"
