@@ -304,6 +304,17 @@ static int read_setting(struct ncread *c, const struct ncread_word *w,
     return 0;
 }
 
+/* M70: the spindle as an axis; M17: the end, where no program has called this one. */
+static int read_m(struct ncread *c, const struct ncread_word *w, struct error *error)
+{
+    if (ncread_meaning_of_word(c, w) != MEANS_NOTHING_KNOWN ||
+        (w->value[0] != 70 && w->value[0] != 17))
+        return ncread_m(c, w, error);
+    c->spindle = c->spindle && w->value[0] != 70;
+    c->ended = c->ended || w->value[0] == 17;
+    return 0;
+}
+
 static int read_address(struct ncread *c, const struct ncread_word *w,
                         struct ncread_siemens_block *b, struct error *error)
 {
@@ -313,10 +324,7 @@ static int read_address(struct ncread *c, const struct ncread_word *w,
     case 'G':
         return read_g(c, w, error);
     case 'M':
-        if (w->value[0] != 70) /* the spindle as an axis */
-            return ncread_m(c, w, error);
-        c->spindle = false;
-        return 0;
+        return read_m(c, w, error);
     case 'F':
         c->feed = w->value[0];
         c->feed_here = true;

@@ -76,6 +76,21 @@ static void set_offset_g(struct ncread *c, double code, const struct ncread_word
     set_offset(c, 1000 * code + value, text);
 }
 
+/* G54 P3 of Fanuc is G54.1 P3, unless P is of another word. */
+static bool counts_offsets(const struct ncread *c)
+{
+    static const double plain[] = {0, 1, 17, 18, 19, 20, 21, 40, 43, 49, 54, 80, 90, 91, 94};
+    bool own = c->options->dialect == &ncread_fanuc;
+    for (size_t i = 0; i < c->words.n; i++) {
+        const struct ncread_word *w = &c->words.item[i];
+        bool is_plain = strcmp(w->name, "G") != 0;
+        for (size_t k = 0; k < sizeof plain / sizeof *plain; k++)
+            is_plain = is_plain || w->value[0] == plain[k];
+        own = own && is_plain && strcmp(w->name, "M") != 0;
+    }
+    return own;
+}
+
 static void watch_g(struct ncread *c, const struct ncread_word *g)
 {
     double code = g->value[0], offset = code;
@@ -89,8 +104,8 @@ static void watch_g(struct ncread *c, const struct ncread_word *g)
     if (meaning != MEANS_NOTHING_KNOWN)
         return;
     snprintf(text, sizeof text, "G%.6g", code);
-    if (fabs(code - 54.1) < 1e-6 && p) {
-        offset += p->value[0];
+    if (p && (fabs(code - 54.1) < 1e-6 || (code == 54 && counts_offsets(c)))) {
+        offset = 54.1 + p->value[0];
         snprintf(text, sizeof text, "G54.1 P%.6g", p->value[0]);
     }
     if ((code >= 54 && code < 59.95) || (code >= 500 && code <= 599))

@@ -62,7 +62,19 @@ done
 good okuma
 refused 'G30 P1' 'not known'
 
+# ---- G that shift or turn the tool by numbers of their own, or none
+for c in fanuc linuxcnc; do
+	good $c
+	for block in 'G43.1 H1' 'G43.2 H1' G45 G96 G53.5 G53.6 G10.6 G17.1; do
+		refused "$block" "found ${block% *}, "
+	done
+done
+
 # ---- another work offset
+good fanuc
+refused 'G54 P2' 'the work offset changes from 54 to 56.1 amid the program'
+taken 'G54 G4 P2'
+taken G54
 good haas
 for block in 'G154 P5' G110 G111 G114 G129 G55; do
 	refused "$block" 'the work offset (changes|becomes).* amid the program'
@@ -89,6 +101,7 @@ for word in TCOFR G331 G332 G147 G148 G247 G58 G59 G153 G810 G961; do
 	refused $word "found $word, which"
 done
 refused G33 'found G33, a skip'
+refused M17 'a block after M30'
 refused G75 'found G75, a cycle'
 for block in LIMS=9000 'ACC[X]=80' OVR=90 'VELOLIM[X]=80' FAD=100 ADIS=0.001 H2=5 S2=500 M2=3 S1=8000 S=8000 \
 	M1=3 G450 G621 F=800 'CTOL=0.001'; do
