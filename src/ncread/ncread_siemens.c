@@ -565,6 +565,7 @@ static int read_block(struct ncread *c, const char *line, struct error *error)
     const struct ncread_word *n = ncread_word_find(&c->words, "N");
     if (n && ncread_block(c, n->value[0], error) < 0)
         return -1;
+    ncread_watch_skip(c, line);
     if (lexed < 0)
         return ncread_error(c, error, found.text);
     struct ncread_siemens_block b = {.to = c->here, .length = 1, .weight = 1};

@@ -167,7 +167,8 @@ static int siemens_word(const char **at, struct ncread_words *words, struct erro
 int ncread_word_siemens(const char *line, struct ncread_words *words, struct error *error)
 {
     words->n = 0;
-    for (const char *s = line; *s && *s != ';';) {
+    const char *first = line + (*line == '/'); /* a block that may be skipped is run */
+    for (const char *s = first; *s && *s != ';';) {
         if (*s == ' ')
             s++;
         else if (!is_capital(*s))

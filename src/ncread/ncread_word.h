@@ -44,7 +44,7 @@ int ncread_word_number(const char **s, double *value, bool *pointed, struct erro
  * that begins with `/` is read as any other. */
 int ncread_word_fanuc(const char *line, struct ncread_words *words, struct error *error);
 
-/* The words of a Siemens block, up to a comment after `;`. */
+/* The words of a Siemens block, up to a comment after `;`; `/` as there. */
 int ncread_word_siemens(const char *line, struct ncread_words *words, struct error *error);
 
 /* The word of this name, NULL: not in the block. */

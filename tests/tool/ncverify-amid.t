@@ -154,7 +154,7 @@ done
 
 # ---- a block that a switch of the control leaves out
 awk '{ print } /^GOTO/ && ++n == 200 { print "OPSKIP/ON" } n == 205 { print "OPSKIP/OFF"; n++ }' three.cl >skip.cl
-for c in fanuc haas okuma linuxcnc mach3; do
+for c in fanuc haas okuma siemens linuxcnc mach3; do
 	good $c
 	awk '/ G0 / { at = NR } { line[NR] = $0 }
 		END { sub(/^/, "/", line[at]); for (i = 1; i <= NR; i++) print line[i] }' good.nc >bad.nc
