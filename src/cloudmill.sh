@@ -100,7 +100,8 @@ doctor() {
 		shift
 	done
 	[ -n "$scan" ] || die 2 "found no scan, expected doctor SCAN"
-	folder=$(mktemp -d "${TMPDIR:-/tmp}/cloudmill.XXXXXX") || exit 1
+	folder=$(mktemp -d "${TMPDIR:-/tmp}/cloudmill.XXXXXX" 2>/dev/null) ||
+		die 1 "no folder can be made in ${TMPDIR:-/tmp}, expected room for files (TMPDIR)"
 	trap 'rm -rf "$folder"' EXIT
 	cloud2mesh -v ${unit:+-u "$unit"} -o "$folder/mesh.ply" "$scan" 2>"$folder/said"
 	code=$?
@@ -217,7 +218,8 @@ if [ -n "$dry$keep" ]; then
 	folder=${keep:-streams}
 	run mkdir -p "$folder"
 else
-	folder=$(mktemp -d "${TMPDIR:-/tmp}/cloudmill.XXXXXX") || exit 1
+	folder=$(mktemp -d "${TMPDIR:-/tmp}/cloudmill.XXXXXX" 2>/dev/null) ||
+		die 1 "no folder can be made in ${TMPDIR:-/tmp}, expected room for files (TMPDIR)"
 	trap 'rm -rf "$folder"' EXIT
 	trap 'exit 130' INT TERM
 fi

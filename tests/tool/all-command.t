@@ -119,4 +119,6 @@ status 0 "and one in the folder above" cloudmill "../../$scan" -f points -r 4 -c
 cd ../.. || exit 1
 ok "too" test -s dot.d/up.svg -a -s dot.d/up.html
 status 0 "-h" cloudmill -h
+status 1 "no room for files" env TMPDIR=/no/such/folder cloudmill doctor "$scan"
+has "is told" '^cloudmill: no folder can be made in /no/such/folder, expected' "$TMP/err"
 done_testing
