@@ -35,7 +35,7 @@ static bool is_much(const struct path_coverage *c, const struct path_judged *jud
     double share = path_options.left_share, points = (double)coverage_report(c->coverage).points;
     double may = share > 0 && n == 0 ? share + PERCENT : share; /* of n it is a bound */
 
-    return 100 * ((double)judged->left + JUDGED * (double)n) > times * may * points;
+    return 100 * (double)(judged->left + path_judged_most(n)) > times * may * points;
 }
 
 /* What a judge is asked of, and what is on it. */

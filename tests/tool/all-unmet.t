@@ -104,4 +104,11 @@ status 0 "a path" meshnorm -q -r 2.5 --avoid -g gable.xyz -o gable.cl gable.ply
 status 0 "arcs" biarcfit -q -e 0.01 -g gable.xyz -o arcs.cl gable.cl
 status 0 "a program" ncpost -q -c siemens -o gable.mpf arcs.cl
 status 0 "it is accepted" ncverify -q -r 2.5 -g gable.xyz gable.mpf
+
+# Of few points each is much: one that a judge takes for left by the path may be two by the program,
+# and half a percent of 265 is one.  A rib among points anywhere, fixed axis, a wide holder.
+cloud2mesh -q -o few.ply "$SRC/tests/data/rib-random-265.xyz"
+status 3 "one of 265 points that is judged left" meshnorm -r 2 --holder 2:2:12+20:20:50 \
+	--fixed 0,0,1 --scallop 0.02 --avoid -o few.cl few.ply
+has "is told" 'who judges by the points of the scan alone takes 1 of these for left' err
 done_testing
