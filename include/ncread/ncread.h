@@ -61,6 +61,7 @@ struct ncread_head {
     bool contact_feed;              /* feeds are those of the contact point */
     bool centre;                    /* places are the ball's centre, not the tip */
     bool numbered;                  /* by ncpost: in even steps */
+    unsigned asked;                 /* enum nc_asked: what its path does amid a tool */
     bool dry;                       /* its first cut is made without coolant */
     bool of_whole;                  /* the program is a part, and this of all of it: ... */
     double rapid;                   /* way of rapid moves, mm; 0: not said */

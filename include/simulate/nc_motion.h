@@ -117,7 +117,7 @@ struct nc_motion {
     char work[60];                     /* the work offset there, as its words say it; "": none */
     int turns;                         /* the spindle there: 1 clockwise, -1, 0: not known */
     double speed;                      /* rev/min, 0: none is said */
-    unsigned asked;                    /* of a path: enum nc_asked */
+    unsigned asked;                    /* of a path, or by the head of a program: enum nc_asked */
     int tool, offset;                  /* number, -1: a name, and that of its length; 0: none */
     size_t blocks;                     /* lines with something in them */
     double dwell;                      /* minutes that the tool stands still */

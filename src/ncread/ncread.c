@@ -195,6 +195,7 @@ int ncread_read(const char *file, const struct ncread_options *options, struct n
     c.here.has_axis = options->kinematics.n == 0;
     c.length = ncread_meaning_of(&c, "G43") == MEANS_NEVER;
     int result = read_lines(&c, &r, error);
+    motion->asked = options->head ? options->head->asked : 0;
     c.block = -1;
     if (result == 0)
         result = options->dialect->end(&c, error);

@@ -231,6 +231,9 @@ void ncread_head_line(struct ncread_head *head, const char *line)
         read_name(head->set, sizeof head->set, s);
     } else if (has_key(&s, "SET+: ")) {
         add_name(head->set, sizeof head->set, s);
+    } else if (has_key(&s, "AMID: ")) {
+        head->asked = (has_word(&s, "SPEEDS") ? NC_ASKED_SPEEDS : 0u) |
+                      (has_word(&s, "SKIPS") ? NC_ASKED_SKIPS : 0u);
     } else if (has_key(&s, "COOLANT: NONE")) {
         head->dry = true;
     } else if (has_key(&s, "FEED: CONTACT")) {

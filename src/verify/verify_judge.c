@@ -420,7 +420,7 @@ static void judge_axes(struct verdict *v)
 static void judge_remarks(struct verdict *v)
 {
     const struct nc_motion *motion = v->program.motion;
-    unsigned asked = v->program.path ? v->program.path->asked : 0;
+    unsigned asked = motion->asked | (v->program.path ? v->program.path->asked : 0);
     for (size_t i = 0; i < motion->remark.n; i++) {
         const struct nc_remark *remark = &motion->remark.item[i];
         struct nc_piece at = {.line = remark->line, .block = remark->block};

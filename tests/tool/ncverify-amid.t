@@ -145,10 +145,14 @@ awk '{ print } /^GOTO/ && ++n == 200 { print "SPINDL/RPM,5000,CLW" }' three.cl >
 for c in fanuc heidenhain; do
 	control=$c
 	ncpost -q -c "$c" -m three-axis -o good.nc speeds.cl
+	has "$c: another speed, the head says so" 'AMID: SPEEDS' good.nc
 	judge good.nc
-	result $((got != 3)) "$c: another speed, the path not known"
+	result $got "$c: the path not known"
+	sed 's/AMID: SPEEDS/NOTHING/' good.nc >bad.nc
+	judge bad.nc
+	result $((got != 3)) "$c: another speed that the head does not say"
 	has "$c: is told" "the spindle's speed changes from 8000 to 5000" err
-	judge good.nc -p speeds.cl
+	judge bad.nc -p speeds.cl
 	result $got "$c: the path asks for it"
 done
 
@@ -173,7 +177,10 @@ for c in fanuc haas okuma siemens linuxcnc mach3; do
 	result $got "$c: the path asks for it"
 	hasnt "$c: and nothing is told" 'leaves out' err
 	judge good.nc
-	result $((got != 3)) "$c: the path not known"
+	result $got "$c: the path not known, the head says so"
+	sed 's/AMID: SKIPS/NOTHING/' good.nc >bad.nc
+	judge bad.nc
+	result $((got != 3)) "$c: the path not known, nor said"
 done
 
 done_testing
