@@ -35,7 +35,10 @@ good() { # CONTROL: its program, accepted
 refused() { # BLOCK REGEX [COMMAND OF SED]
 	amid "$1" "${3:-}"
 	judge bad.nc
-	case $got in 1 | 3) result 0 "$control: $1 is refused" ;; *) result 1 "$control: $1 is refused ($got)" ;; esac
+	case $got in
+	1 | 3) result 0 "$control: $1 is refused" ;;
+	*) result 1 "$control: $1 is refused ($got)" ;;
+	esac
 	has "$control: $1 is told" "$2" err
 }
 taken() { # BLOCK [COMMAND OF SED]
@@ -92,7 +95,8 @@ taken G110 # H1 beside it is the tool's length
 
 # ---- Siemens: what shifts the tool, or is not known to leave it where it is
 good siemens
-for name in TOFFL TOFF 'TOFFL[1]' 'TOFF[Z]' TOFFR TOFFLR TCARR DL 'OS[X]' 'OSP1[X]' 'OSP2[X]' 'OST1[X]' DISR DISCL \
+for name in TOFFL TOFF 'TOFFL[1]' 'TOFF[Z]' TOFFR TOFFLR TCARR DL 'OS[X]' 'OSP1[X]' 'OSP2[X]' \
+	'OST1[X]' DISR DISCL \
 	FB OMA1 CUTMOD 'FXS[X]' RNDX; do
 	refused "$name=1" "found $(echo "$name" | tr '[]' '..'), which this reader does not know"
 done
@@ -103,7 +107,8 @@ done
 refused G33 'found G33, a skip'
 refused M17 'a block after M30'
 refused G75 'found G75, a cycle'
-for block in LIMS=9000 'ACC[X]=80' OVR=90 'VELOLIM[X]=80' FAD=100 ADIS=0.001 H2=5 S2=500 M2=3 S1=8000 S=8000 \
+for block in LIMS=9000 'ACC[X]=80' OVR=90 'VELOLIM[X]=80' FAD=100 ADIS=0.001 H2=5 \
+	S2=500 M2=3 S1=8000 S=8000 \
 	M1=3 G450 G621 F=800 'CTOL=0.001'; do
 	taken "$block"
 done
@@ -157,7 +162,8 @@ for c in fanuc heidenhain; do
 done
 
 # ---- a block that a switch of the control leaves out
-awk '{ print } /^GOTO/ && ++n == 200 { print "OPSKIP/ON" } n == 205 { print "OPSKIP/OFF"; n++ }' three.cl >skip.cl
+awk '{ print } /^GOTO/ && ++n == 200 { print "OPSKIP/ON" }
+	n == 205 { print "OPSKIP/OFF"; n++ }' three.cl >skip.cl
 for c in fanuc haas okuma siemens linuxcnc mach3; do
 	good $c
 	awk '/ G0 / { at = NR } { line[NR] = $0 }

@@ -90,7 +90,8 @@ refuses "scaling" fanuc 's/^\(N[0-9]*\) M8$/\1 G51 X0. Y0. Z0. P2/' 'G51, scalin
 refuses "mirroring" haas 's/^\(N[0-9]*\) M8$/\1 G101 X0./' 'G101, mirroring'
 refuses "a turned frame" fanuc 's/^\(N[0-9]*\) M8$/\1 G68 X0. Y0. R45./' 'G68, a turned frame'
 refuses "a shift" fanuc 's/^\(N[0-9]*\) M8$/\1 G52 X10./' 'G52, .*shift'
-refuses "a change of offsets" fanuc 's/^\(N[0-9]*\) M8$/\1 G10 L2 P1 X5./' 'G10, a change of offsets or a retract'
+refuses "a change of offsets" fanuc \
+	's/^\(N[0-9]*\) M8$/\1 G10 L2 P1 X5./' 'G10, a change of offsets or a retract'
 refuses "radius compensation" fanuc 's/^\(N[0-9]*\) M8$/\1 G41 D1/' 'G41, radius'
 refuses "a cycle" fanuc 's/^\(N[0-9]*\) M8$/\1 G76 X1. Y1. Z1. R5./' 'G76, a cycle'
 refuses "a pocket" haas 's/^\(N[0-9]*\) M8$/\1 G150 P100/' 'G150, a pocket'
