@@ -1,7 +1,7 @@
 /*
- * ncread_watch - what must not change while a program cuts: the work offset, the tool, its offsets,
- * the coolant, how the spindle turns.  What does is remarked in the motion, by its block, once a cut
- * follows.  The motion is told with what the first cut is made: spindle, tool, coolant.
+ * ncread_watch - what must not change while a program cuts: the work offset, the tool, its
+ * offsets, the coolant, how the spindle turns.  What does is remarked in the motion, by its block,
+ * once a cut follows.  The motion is told with what the first cut is made: spindle, tool, coolant.
  */
 #ifndef CLOUDMILL_NCREAD_WATCH_H
 #define CLOUDMILL_NCREAD_WATCH_H
