@@ -1,6 +1,7 @@
 /*
  * path_check - a path looked at once more as it is printed: is the whole tool clear of the guard in
- * cuts, links and rapids, and is every feed one that a control can drive?
+ * cuts, links and rapids, is every feed one that a control can drive, and every axis one that the
+ * machine has?
  *
  * The tool that makes a path, or fits motions to one, checks what it makes while it makes it.  This
  * looks at the result alone: it follows the items one after the other, points, arcs, B-splines and
@@ -12,6 +13,7 @@
 
 #include "gouge/gouge_refit.h"
 #include "io/path/path.h"
+#include "machine/kinematics.h"
 
 /* No feed below this is one, mm/min. */
 #define PATH_CHECK_SLOWEST 0.1
@@ -33,12 +35,17 @@ struct path_check {
     const bool *clear; /* by item of the path: whoever made it has found its motion clear, and it is
                           not swept again; NULL: none */
     int threads;       /* as of parallel_for */
+    struct kinematic_chain
+        chain; /* whose travel the axis stays in; of no axes: it is not looked at */
 
     /* What was found. */
     struct path_check_deep deep[3]; /* by enum path_motion */
     size_t slow;                    /* motions at a feed below PATH_CHECK_SLOWEST */
     double slowest;                 /* mm/min */
     size_t slow_pass;
+    size_t out; /* places whose axis the machine does not reach, and the first of them */
+    struct pose out_at;
+    size_t out_pass;
 
     /* How far the path was followed. */
     struct pose at;
@@ -54,7 +61,7 @@ void path_check_items(struct path_check *check, const struct path *path, size_t 
 /* Follows items [from, to) without a look at them: they are somebody else's. */
 void path_check_follow(struct path_check *check, const struct path *path, size_t from, size_t to);
 
-/* Says with say() what is too deep and too slow, kind by kind: how many motions, the deepest with
+/* Says with say() what is too deep, too slow and out of reach, kind by kind: how many motions, the deepest with
  * place, pass, depth and part of the tool; they are added to `unmet`.  EXIT_DONE or EXIT_UNMET. */
 int path_check_conclude(const struct path_check *check, struct unmets *unmet);
 

@@ -146,7 +146,15 @@ static bool try_arch(const struct link_options *options, const struct run_point 
     return true;
 }
 
-/* The axis turns no faster than it may, and the whole tool is clear on the straight motions of its
+/* The rotary axes have all directions of a motion; NULL: any axes do. */
+static bool is_in_travel(const struct kinematic_chain *chain, const struct run_point *from,
+                         const struct run_point *to)
+{
+    return !chain || chain->n < 1 ||
+           (rotary_reaches(chain, to->axis) && rotary_reaches_between(chain, from->axis, to->axis));
+}
+
+/* The axis stays within its travel, turns no faster than it may, and the whole tool is clear on the straight motions of its
  * tip, on the link from point `first` of it on. */
 static bool is_link_free(const struct link_options *options, const struct run_point *from,
                          const struct run_point *to, const struct run *link, size_t first)
@@ -160,7 +168,7 @@ static bool is_link_free(const struct link_options *options, const struct run_po
         struct run_point ends[2] = {before, i < link->n ? link->item[i] : *to};
         struct run both = {.n = 2, .item = ends, .radius = options->radius};
         link_sweep_to(&sweep, &ends[0], &ends[1]);
-        is_free = sweep.gouges.n == 0 &&
+        is_free = is_in_travel(options->chain, &ends[0], &ends[1]) && sweep.gouges.n == 0 &&
                   !(options->rate > 0 && axis_smooth_fastest(&both) > options->rate);
         before = ends[1];
     }

@@ -5,6 +5,7 @@
 
 #include "base/cli.h"
 #include "base/parallel.h"
+#include "machine/rotary_cost.h"
 
 /* A motion of the path, and what is too deep on it. */
 struct checked_motion {
@@ -64,6 +65,23 @@ static void look_at_feed(struct path_check *check)
     }
 }
 
+/* What is printed may be off by that, radians. */
+static const double PRINTED = 1e-5;
+
+static void look_at_axis(struct path_check *check, struct pose pose)
+{
+    struct kinematic_chain chain = check->chain;
+
+    for (int i = 0; i < chain.n; i++) {
+        chain.rotary[i].min -= PRINTED;
+        chain.rotary[i].max += PRINTED;
+    }
+    if (chain.n < 1 || rotary_reaches(&chain, pose.a) || check->out++ > 0)
+        return;
+    check->out_at = pose;
+    check->out_pass = check->pass;
+}
+
 /* A cut is what leads from a contact to a contact; in a path without any, all at feed. */
 static enum path_motion kind_of(const struct path_check *check, const struct path_item *item)
 {
@@ -88,6 +106,7 @@ static void follow_item(struct path_check *check, const struct path *path, size_
         return;
     if (!path_is_rapid(item))
         look_at_feed(check);
+    look_at_axis(check, item->to);
     enum path_motion kind = kind_of(check, item);
     if (check->begun && check->tool.guard && !clear && !(kind == MOTION_CUT && check->coarse))
         *array_push(motions) = (struct checked_motion){
@@ -144,5 +163,12 @@ int path_check_conclude(const struct path_check *check, struct unmets *unmet)
     if (check->slow > 0)
         unmet_say(unmet, "%zu motions have a feed below %g mm/min, the slowest in pass %zu: %g",
                   check->slow, PATH_CHECK_SLOWEST, check->slow_pass, check->slowest);
-    return kept ? EXIT_DONE : EXIT_UNMET;
+    if (check->out > 0)
+        unmet_say(
+            unmet,
+            "at %zu places of the path the axis is out of the travel of the machine (-m), first "
+            "in pass %zu: %.6f %.6f %.6f at %.3f %.3f %.3f",
+            check->out, check->out_pass, check->out_at.a.x, check->out_at.a.y, check->out_at.a.z,
+            check->out_at.p.x, check->out_at.p.y, check->out_at.p.z);
+    return kept && check->out == 0 ? EXIT_DONE : EXIT_UNMET;
 }

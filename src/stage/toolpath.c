@@ -70,6 +70,7 @@ struct link_options toolpath_link_options(const struct toolpath *t)
                                  .longest = fmax(t->rule.longest, LONGEST * t->rule.radius),
                                  .rate = t->rule.rate,
                                  .frame = vec_length(t->frame.pole) > 0 ? &t->frame : NULL,
+                                 .chain = &t->rule.chain,
                                  .clearance = t->rule.clearance,
                                  .approach = t->rule.approach};
 }
@@ -315,6 +316,7 @@ static struct path_check path_check_of(const struct toolpath *t)
                                         .tolerance = t->lift.tolerance,
                                         .holder = t->rule.holder},
                                .coarse = !t->lift.between,
+                               .chain = t->rule.chain,
                                .threads = t->threads};
 }
 

@@ -71,7 +71,19 @@ static void retract(struct toolpath *t, struct vec3 next_axis)
     t->down = false;
 }
 
-/* Over the part, by way of an axis that leans less where the turn to this one would dip into it. */
+/* The straight way from one axis to another leaves the travel, and that by the pole does not. */
+static bool turns_by_pole(const struct toolpath *t, struct vec3 from, struct vec3 to)
+{
+    const double upright = 0.9; /* cosine */
+    const struct kinematic_chain *chain = &t->rule.chain;
+    struct vec3 pole = t->frame.pole;
+
+    return pole.z > upright && !rotary_reaches_between(chain, from, to) &&
+           rotary_reaches_between(chain, from, pole) && rotary_reaches_between(chain, pole, to);
+}
+
+/* Over the part, by way of an axis that leans less where the turn to this one would dip into it, or
+ * by the pole where the rotary axes do not travel so far. */
 static void turn_over_part(struct toolpath *t, struct vec3 axis)
 {
     size_t last = t->path->item.n;
@@ -84,6 +96,8 @@ static void turn_over_part(struct toolpath *t, struct vec3 axis)
     struct pose now = t->path->item.item[last - 1].to;
     if (link_axis_dips(now.a, axis, &way))
         add_point(t, (struct pose){now.p, way}, true);
+    else if (turns_by_pole(t, now.a, axis))
+        add_point(t, (struct pose){now.p, t->frame.pole}, true);
 }
 
 /* A path ends over its clearance plane, also where its last axis may turn lower than another one:

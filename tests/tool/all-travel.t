@@ -1,0 +1,27 @@
+#!/bin/sh
+# all-travel.t - machines whose rotary axes travel little: where a path ends with 0 its program is
+# written and accepted, for no axis of a cut, of a link or on the way over the part is out of it.
+. "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
+cd "$TMP" || exit 1
+
+awk 'BEGIN { for (x = 0; x <= 12; x += 0.5) for (y = 0; y <= 12; y += 0.5)
+	print x, y, 2 * sin(x / 3) * cos(y / 4) }' >scan.xyz
+cloud2mesh -q -o scan.ply scan.xyz
+
+through() { # DESC CONTROL COMMAND...: from the mesh to the verdict
+	desc=$1
+	control=$2
+	shift 2
+	status 0 "$desc: a path" "$@" -q -r 2 --scallop 0.06 --avoid -m ./own.txt -o path.cl scan.ply
+	status 0 "... a program" ncpost -q -c "$control" -m ./own.txt -o program path.cl
+	status 0 "... that is accepted" ncverify -q -g scan.xyz -m ./own.txt program
+}
+for machine in table-bc nutating-head; do
+	for travel in "-30 30" "-45 20" "-200 100"; do
+		printf 'include = %s\nc.min = %s\nc.max = %s\n' "$machine" $travel >own.txt
+		through "$machine, C from $travel" fanuc meshnorm
+	done
+done
+printf 'include = table-ac-notcp\nc.min = -30\nc.max = 30\n' >own.txt
+through "no tool centre point control" siemens planecut --lead 10
+done_testing
