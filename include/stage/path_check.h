@@ -61,8 +61,9 @@ void path_check_items(struct path_check *check, const struct path *path, size_t 
 /* Follows items [from, to) without a look at them: they are somebody else's. */
 void path_check_follow(struct path_check *check, const struct path *path, size_t from, size_t to);
 
-/* Says with say() what is too deep, too slow and out of reach, kind by kind: how many motions, the deepest with
- * place, pass, depth and part of the tool; they are added to `unmet`.  EXIT_DONE or EXIT_UNMET. */
+/* Says with say() what is too deep, too slow and out of reach, kind by kind: how many motions, the
+ * deepest with place, pass, depth and part of the tool; they are added to `unmet`.  EXIT_DONE or
+ * EXIT_UNMET. */
 int path_check_conclude(const struct path_check *check, struct unmets *unmet);
 
 #endif

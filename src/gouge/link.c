@@ -154,8 +154,8 @@ static bool is_in_travel(const struct kinematic_chain *chain, const struct run_p
            (rotary_reaches(chain, to->axis) && rotary_reaches_between(chain, from->axis, to->axis));
 }
 
-/* The axis stays within its travel, turns no faster than it may, and the whole tool is clear on the straight motions of its
- * tip, on the link from point `first` of it on. */
+/* The axis stays within its travel, turns no faster than it may, and the whole tool is clear on
+ * the straight motions of its tip, on the link from point `first` of it on. */
 static bool is_link_free(const struct link_options *options, const struct run_point *from,
                          const struct run_point *to, const struct run *link, size_t first)
 {
