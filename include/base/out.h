@@ -15,8 +15,8 @@
 
 struct out;
 
-/* From now on a second output to a file that has one ends the process too: for tools, each of whose
- * results is a file of its own. */
+/* From now on a second output to a file that has one ends the process too, and one to a file that
+ * was read: for tools, each of whose results is a file of its own. */
 void out_once_each(void);
 
 /* The file that is open here is read: no result may take its place.  From any thread. */

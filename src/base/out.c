@@ -125,7 +125,7 @@ static void check_kept(const char *file)
 {
     struct stat st;
 
-    if (stat(file, &st) != 0 || !S_ISREG(st.st_mode) || is_file(&in_place, &st))
+    if (!once || stat(file, &st) != 0 || !S_ISREG(st.st_mode) || is_file(&in_place, &st))
         return;
     pthread_mutex_lock(&keeping);
     bool is_kept = is_among(&kept, &st);

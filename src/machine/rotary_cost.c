@@ -82,12 +82,16 @@ static bool reaches_extremes(const struct kinematic_chain *chain, struct vec3 fr
 
 bool rotary_reaches_between(const struct kinematic_chain *chain, struct vec3 from, struct vec3 to)
 {
-    double angle = vec_angle(from, to), parts = chain->n < 1 ? 0 : ceil(angle / RADIANS(1));
+    const double still = 1e-9;
+    double angle = vec_angle(from, to), parts = fmax(4, ceil(angle / RADIANS(1)));
+
+    if (chain->n < 1 || angle < still)
+        return true;
 
     for (double k = 1; k < parts; k++)
         if (!rotary_reaches(chain, vec_slerp(from, to, k / parts)))
             return false;
-    return parts <= 1 || reaches_extremes(chain, from, to, angle);
+    return reaches_extremes(chain, from, to, angle);
 }
 
 struct rotary_frame rotary_frame_of(const struct kinematic_chain *chain)
