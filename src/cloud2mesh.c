@@ -63,9 +63,8 @@ static void check_outside(struct settings *s)
 /* What is believed of a scan takes the place of no input, and not that of the mesh. */
 static void check_clean_file(const char *file, const struct cli *cli)
 {
-    for (int i = 0; file && i < cli->files; i++)
-        if (out_same_file(file, cli->file[i]))
-            die_usage("option --clean: found %s, which is read, expected another file", file);
+    if (file && cli_is_operand(cli, file))
+        die_usage("option --clean: found %s, which is read, expected another file", file);
     if (file && cli->output && out_same_file(file, cli->output))
         die_usage("option --clean: found %s, which the mesh goes to, expected another file", file);
 }

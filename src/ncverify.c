@@ -505,14 +505,6 @@ static void find_surface(const struct settings *s, int threads, struct vec3s *po
             surface->sheets_at.x, surface->sheets_at.y, surface->sheets_at.z);
 }
 
-static bool has_statement(const struct path *path, const char *word)
-{
-    bool found = false;
-    for (size_t i = 0; i < path->text.n; i++)
-        found = found || strncmp(path->text.item[i], word, strlen(word)) == 0;
-    return found;
-}
-
 static void say_tool(const struct path_head *head, struct nc_motion *motion)
 {
     motion->speed = head->spindle;
@@ -545,9 +537,9 @@ static void read_path(const char *file, struct nc_motion *motion, struct ncread_
         die_error(&error);
     motion->name = file;
     motion->coolant = path.head.coolant > COOLANT_OFF;
-    bool speeds = has_statement(&path, "SPINDL");
-    motion->asked =
-        (speeds ? NC_ASKED_SPEEDS : 0u) | (has_statement(&path, "OPSKIP") ? NC_ASKED_SKIPS : 0u);
+    bool speeds = path_statements(&path, "SPINDL") > 0;
+    motion->asked = (speeds ? NC_ASKED_SPEEDS : 0u) |
+                    (path_statements(&path, "OPSKIP") > 0 ? NC_ASKED_SKIPS : 0u);
     if (path.tool.n == 0 && !speeds) /* all of it by the tool of its head, at that speed */
         say_tool(&path.head, motion);
     adopt_noise(&path.head, head);

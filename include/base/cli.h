@@ -75,6 +75,9 @@ struct cli {
  * 0, a mistake with 2. */
 void cli_parse(struct cli *cli, int argc, char **argv);
 
+/* The file is an operand, under whatever name. */
+bool cli_is_operand(const struct cli *cli, const char *file);
+
 /* The name of this tool: "cloudmill" before cli_parse. */
 const char *cli_tool(void);
 

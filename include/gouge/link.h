@@ -18,11 +18,10 @@ struct link_options {
     double limit;                          /* highest lift of a low link, mm */
     double longest;                        /* a low link may be as long as this, mm */
     double rate; /* fastest turn of the axis on a low link, radians/mm; 0: any */
-    const struct rotary_frame
-        *frame; /* the axis of a low link turns as rotary axes do, through their
-                                         pole or wide of it; NULL: straight */
-    const struct kinematic_chain
-        *chain;                /* in whose travel the axis of a low link stays; NULL: in any */
+    /* The axis of a low link turns as rotary axes do, through their pole or wide of it (NULL:
+     * straight), and stays in the travel of these (NULL: in any). */
+    const struct rotary_frame *frame;
+    const struct kinematic_chain *chain;
     struct vec3 leave, arrive; /* of a low link: directions of the ball's path before and after it,
                                   unit; zero: not known */
     double clearance;          /* least z of the tip on the clearance plane, mm */

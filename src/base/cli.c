@@ -511,16 +511,22 @@ static _Noreturn void finish_stdout(void)
     exit(EXIT_DONE);
 }
 
+bool cli_is_operand(const struct cli *cli, const char *file)
+{
+    for (int i = 0; i < cli->files; i++)
+        if (strcmp(cli->file[i], "-") != 0 && out_same_file(file, cli->file[i]))
+            return true;
+    return false;
+}
+
 /* A result takes no operand's place but by a tool that changes it; found before hours of work. */
 static void check_output(const struct cli *cli)
 {
-    for (int i = 0; cli->output && i < cli->files; i++) {
-        if (strcmp(cli->file[i], "-") == 0 || !out_same_file(cli->output, cli->file[i]))
-            continue;
-        if (!cli->in_place)
-            die_usage("option -o: found %s, which is read, expected another file", cli->output);
-        out_may_replace(cli->output);
-    }
+    if (!cli->output || !cli_is_operand(cli, cli->output))
+        return;
+    if (!cli->in_place)
+        die_usage("option -o: found %s, which is read, expected another file", cli->output);
+    out_may_replace(cli->output);
 }
 
 void cli_parse(struct cli *cli, int argc, char **argv)

@@ -46,21 +46,15 @@ static double number_of(const char *text, char letter, double other)
     return at ? strtod(at + 1, NULL) : other;
 }
 
-static double of_linuxcnc(const char *text)
+/* G64 is a tolerance on LinuxCNC alone: on Fanuc it ends another mode. */
+static double of_gcode(const char *text, bool linuxcnc)
 {
     const char *at = behind(text, "G187");
 
     if (at)
         return number_of(at, 'E', 0);
-    at = behind(text, "G64");
+    at = linuxcnc ? behind(text, "G64") : NULL;
     return at ? number_of(at, 'P', HUGE_VAL) : 0;
-}
-
-static double of_fanuc(const char *text)
-{
-    const char *at = behind(text, "G187");
-
-    return at ? number_of(at, 'E', 0) : 0;
 }
 
 static double of_siemens(const char *text)
@@ -90,7 +84,7 @@ static double rounding_of(const struct ncread *c)
         return of_siemens(text);
     if (strcmp(name, "heidenhain") == 0)
         return of_heidenhain(text);
-    return strcmp(name, "linuxcnc") == 0 ? of_linuxcnc(text) : of_fanuc(text);
+    return of_gcode(text, strcmp(name, "linuxcnc") == 0);
 }
 
 /* Mach3's G64, with which it smooths as it likes: its maker has been told so. */

@@ -43,6 +43,17 @@ struct ncread_siemens_block {
     struct polynomial tip[3], second[3];
 };
 
+/* The first n letters of a name are one of these, whole. */
+static bool is_among(const char *name, size_t n, const char *const list[], size_t listed)
+{
+    for (size_t i = 0; i < listed; i++)
+        if (strlen(list[i]) == n && strncmp(list[i], name, n) == 0)
+            return true;
+    return false;
+}
+
+#define IS_ONE_OF(name, list) is_among(name, strlen(name), list, sizeof(list) / sizeof *(list))
+
 /* Names that do not change where the tool goes. */
 static const char *const known_names[] = {
     "ORIWKS",   "SOFT",     "BRISK",  "FFWON", "FFWOF",  "COMPOF",   "STOPRE",    "BNAT",
@@ -53,10 +64,7 @@ static const char *const known_names[] = {
 static bool is_idle_call(const char *name)
 {
     static const char *const idle[] = {"CYCLE832", "FGROUP", "MSG", "TRAORI"};
-    for (size_t i = 0; i < sizeof idle / sizeof *idle; i++)
-        if (strcmp(name, idle[i]) == 0)
-            return true;
-    return false;
+    return IS_ONE_OF(name, idle);
 }
 
 /* G words that do not change where the tool goes: compensation off, frames, path control, what
@@ -155,10 +163,7 @@ static int read_name(struct ncread *c, const struct ncread_word *w, struct ncrea
         b->machine = true;
     } else if (strcmp(w->name, "MCALL") == 0) {
         c->hole.on = false;
-    } else {
-        for (size_t i = 0; i < sizeof known_names / sizeof *known_names; i++)
-            if (strcmp(w->name, known_names[i]) == 0)
-                return 0;
+    } else if (!IS_ONE_OF(w->name, known_names)) {
         return ncread_unknown(c, w, error);
     }
     return 0;
@@ -223,23 +228,15 @@ static bool is_idle_setting(const struct ncread_word *w)
                              *const slow[] = {"OVR", "OVRA", "OVRRAP"};
     size_t n = strcspn(w->name, "0123456789[");
     bool slower = w->values == 1 && w->value[0] > 0 && w->value[0] <= 100;
-    for (size_t i = 0; i < sizeof idle / sizeof *idle; i++)
-        if (strlen(idle[i]) == n && strncmp(w->name, idle[i], n) == 0)
-            return true;
-    for (size_t i = 0; i < sizeof slow / sizeof *slow && slower; i++)
-        if (strlen(slow[i]) == n && strncmp(w->name, slow[i], n) == 0)
-            return true;
-    return false;
+    return is_among(w->name, n, idle, sizeof idle / sizeof *idle) ||
+           (slower && is_among(w->name, n, slow, sizeof slow / sizeof *slow));
 }
 
 /* SPOS=0, SPOSA[1]=90: the spindle that cuts turns to an angle and stands there. */
 static bool is_turned(const char *name)
 {
     static const char *const turning[] = {"SPOS", "SPOSA", "SPOS[1]", "SPOSA[1]"};
-    for (size_t i = 0; i < sizeof turning / sizeof *turning; i++)
-        if (strcmp(name, turning[i]) == 0)
-            return true;
-    return false;
+    return IS_ONE_OF(name, turning);
 }
 
 /* One that is not known: an offset of the tool (TOFFL, TCARR, DL), an oscillating axis (OS[X]), a

@@ -154,20 +154,11 @@ static void assumptions(struct nc_program *p)
     }
 }
 
-static size_t statements(const struct path *path, const char *word)
-{
-    size_t n = 0;
-
-    for (size_t i = 0; i < path->text.n; i++)
-        n += strncmp(path->text.item[i], word, strlen(word)) == 0;
-    return n;
-}
-
 /* AMID: what would look like a fault to who reads the program without its path. */
 static void amid_key(struct nc_program *p)
 {
-    bool said = p->path->head.spindle > 0, skips = statements(p->path, "OPSKIP") > 0;
-    bool speeds = statements(p->path, "SPINDL") > (said ? 0 : 1);
+    bool said = p->path->head.spindle > 0, skips = path_statements(p->path, "OPSKIP") > 0;
+    bool speeds = path_statements(p->path, "SPINDL") > (said ? 0 : 1);
 
     if (speeds || skips)
         key_line(p, "AMID", !skips ? "SPEEDS" : speeds ? "SPEEDS SKIPS" : "SKIPS");

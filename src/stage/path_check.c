@@ -65,18 +65,9 @@ static void look_at_feed(struct path_check *check)
     }
 }
 
-/* What is printed may be off by that, radians. */
-static const double PRINTED = 1e-5;
-
 static void look_at_axis(struct path_check *check, struct pose pose)
 {
-    struct kinematic_chain chain = check->chain;
-
-    for (int i = 0; i < chain.n; i++) {
-        chain.rotary[i].min -= PRINTED;
-        chain.rotary[i].max += PRINTED;
-    }
-    if (chain.n < 1 || rotary_reaches(&chain, pose.a) || check->out++ > 0)
+    if (check->chain.n < 1 || rotary_reaches(&check->chain, pose.a) || check->out++ > 0)
         return;
     check->out_at = pose;
     check->out_pass = check->pass;

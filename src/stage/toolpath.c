@@ -308,6 +308,19 @@ static double plane_of(const struct toolpath *t)
     return link_height(&options, 0, most);
 }
 
+/* The travel that a path is held to: what is printed may be off by a little. */
+static struct kinematic_chain printed_chain(const struct toolpath *t)
+{
+    const double printed = 1e-5; /* radians */
+    struct kinematic_chain chain = t->rule.chain;
+
+    for (int i = 0; i < chain.n; i++) {
+        chain.rotary[i].min -= printed;
+        chain.rotary[i].max += printed;
+    }
+    return chain;
+}
+
 /* What the path is checked with when it is done. */
 static struct path_check path_check_of(const struct toolpath *t)
 {
@@ -316,7 +329,7 @@ static struct path_check path_check_of(const struct toolpath *t)
                                         .tolerance = t->lift.tolerance,
                                         .holder = t->rule.holder},
                                .coarse = !t->lift.between,
-                               .chain = t->rule.chain,
+                               .chain = printed_chain(t),
                                .threads = t->threads};
 }
 

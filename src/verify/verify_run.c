@@ -146,23 +146,14 @@ static void roll_cuts(struct verdict *v)
     deviation_map_sum(&roll, &v->map);
 }
 
-/* How the ball is followed about the part, which *around becomes the box of. */
-static struct centre_path_options path_options(const struct verdict *v, struct box *around)
-{
-    *around = box_around(v->program.part->item, v->program.part->n);
-    return (struct centre_path_options){v->options.radius, FLAT, around};
-}
-
 /* The deepest that the ball goes into the part in a rapid move. */
-static void roll_rapids(struct verdict *v)
+static void roll_rapids(struct verdict *v, const struct centre_path_options *how)
 {
     const struct verify_options *o = &v->options;
     const struct vec3s *part = v->program.part;
     struct centre_path rapid = {0};
     struct deviation_map map;
-    struct box around;
-    const struct centre_path_options how = path_options(v, &around);
-    centre_path_rapid(v->program.motion, &how, &rapid);
+    centre_path_rapid(v->program.motion, how, &rapid);
     struct deviation_map_options options = {o->radius, o->tolerance + v->noise, 0, o->threads, true,
                                             HUGE_VAL};
     deviation_map_run(&rapid, part->item, part->n, &options, &map);
@@ -274,11 +265,11 @@ struct verdict verify_run(const struct verify_program *program,
               (isfinite(options->left) ? options->left : fmax(options->told, options->tolerance));
     struct aside *aside = aside_begin(options->threads);
     aside_do(aside, follow_axes, &v);
-    struct box around;
-    const struct centre_path_options how = path_options(&v, &around);
+    const struct box around = box_around(program->part->item, program->part->n);
+    const struct centre_path_options how = {options->radius, FLAT, &around};
     centre_path_cut(program->motion, &how, &v.cut);
     roll_cuts(&v);
-    roll_rapids(&v);
+    roll_rapids(&v, &how);
     if (options->tool.n > 0)
         follow_tool(&v);
     if (program->surface)

@@ -280,6 +280,9 @@ void path_add_pass(struct path *path, size_t number);
 void path_add_feed(struct path *path, double feed);
 void path_add_text(struct path *path, const char *text);
 
+/* How many of the statements that are kept as text begin with this word. */
+size_t path_statements(const struct path *path, const char *word);
+
 /* Sets the contact at the end of an item. */
 void path_set_contact(struct path *path, struct path_item *item, struct contact contact);
 

@@ -179,6 +179,15 @@ void path_add_text(struct path *path, const char *text)
     *array_push(&path->text) = copy_text(text);
 }
 
+size_t path_statements(const struct path *path, const char *word)
+{
+    size_t n = 0;
+
+    for (size_t i = 0; i < path->text.n; i++)
+        n += strncmp(path->text.item[i], word, strlen(word)) == 0;
+    return n;
+}
+
 void path_set_contact(struct path *path, struct path_item *item, struct contact contact)
 {
     item->touches = true;
