@@ -1,21 +1,64 @@
 /* post_ik - see post_ik.h. */
 #include "post_ik.h"
 
+#include <stdio.h>
 #include <string.h>
 
 #include "base/num.h"
 
-int post_ik_tell_over(struct nc_planner *planner, struct vec3 tip, int axis, const char *what,
-                      double value)
+/* How far the path leads a linear axis that is over, from here on: the furthest of the ends of its
+ * motions that the rotary axes reach one after another.  `tip` and the value are those of here. */
+static double furthest_over(const struct nc_planner *planner, int axis, double value,
+                            struct vec3 *tip)
+{
+    const struct machine *m = planner->machine;
+    const struct path *path = planner->path;
+    double q[ROTARY_MAX] = {planner->state.at.q[0], planner->state.at.q[1]};
+    double side = value > m->max[axis] ? 1 : -1;
+    int over;
+    for (size_t i = planner->next > 0 ? planner->next - 1 : 0; i < path->item.n; i++) {
+        const struct pose *to = &path->item.item[i].to;
+        if (!path_moves(&path->item.item[i]))
+            continue;
+        if (ik_choose(&m->chain, to->a, q, true, -1, q, &over) != 0)
+            break;
+        struct vec3 p = chain_linear(&m->chain, to->p, q);
+        double at = axis == 0 ? p.x : axis == 1 ? p.y : p.z;
+        if (side * at > side * value)
+            value = at, *tip = to->p;
+    }
+    return value;
+}
+
+/* -1, with the error as it was said before "the first such place" and what is said behind it. */
+static int tell_first(struct nc_planner *planner, struct vec3 tip, int axis, const char *what,
+                      double value, const char *behind)
 {
     const struct machine *m = planner->machine;
     double mm = planner->options.unit, scale = axis < 3 ? mm : 1;
     planner->plan->unmet = true;
     return error_at(planner->error, planner->path->name, planner->state.line,
                     "pass %zu: axis %c of %s: found %s %.5f at the point %.3f %.3f %.3f, expected "
-                    "its travel %g to %g (the first such place)",
+                    "its travel %g to %g (the first such place%s)",
                     planner->state.pass, machine_letter(axis), m->name, what, scale * value,
-                    mm * tip.x, mm * tip.y, mm * tip.z, scale * m->min[axis], scale * m->max[axis]);
+                    mm * tip.x, mm * tip.y, mm * tip.z, scale * m->min[axis], scale * m->max[axis],
+                    behind);
+}
+
+int post_ik_tell_over(struct nc_planner *planner, struct vec3 tip, int axis, const char *what,
+                      double value)
+{
+    const double more = 1e-3, mm = planner->options.unit; /* mm beyond: worth to be said */
+    char behind[120] = "";
+    if (axis < 3) {
+        struct vec3 at = tip;
+        double most = furthest_over(planner, axis, value, &at);
+        if (mm * fabs(most - value) > more)
+            snprintf(behind, sizeof behind,
+                     "; the path goes on to %.3f at the point %.3f %.3f %.3f", mm * most, mm * at.x,
+                     mm * at.y, mm * at.z);
+    }
+    return tell_first(planner, tip, axis, what, value, behind);
 }
 
 bool post_ik_chain(const struct machine *machine, int tool, double unit,

@@ -91,6 +91,12 @@ status 0 "X 120.00004 is 120" ncpost -c fanuc --set x.max=120 x.cl
 sed 's/120.00004/120.002/' x.cl >y.cl
 status 1 "120.002 is not" ncpost -c fanuc --set x.max=120 y.cl
 has "is told with its travel, as the first place" 'position of 120.001.* travel -2000 to 120 .the first such place' err
+sed 's/^GOTO.120.*/GOTO\/120.002,0,0\nGOTO\/100,7,0\nGOTO\/131.25,8,-1\nGOTO\/130,9,0/' x.cl >far.cl
+for unit in "" --inch; do
+	# shellcheck disable=SC2086
+	status 1 "a hair beyond it, and then more $unit" ncpost -c fanuc $unit --set x.max=120 far.cl
+	has "is told with the furthest place" '120.00[0-9]* at .* the path goes on to 131.250 at the point 131.250 8.000 -1.000.$' err
+done
 status 1 "nor in inches" ncpost -c fanuc --inch --set x.max=120 y.cl
 has "where it is told in mm, too" 'position of 120.00[0-9]* at the point 120.00.* travel -2000 to 120 ' err
 sed 's/120.00004/-120.00004/' x.cl >x-.cl
