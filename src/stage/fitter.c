@@ -2,7 +2,6 @@
 #include "stage/fitter.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 #include "math/elementary.h"
 #include "base/out.h"
@@ -174,18 +173,6 @@ static void check_path(struct path_check *check, const struct path *in, struct r
     free(is_clear);
 }
 
-/* How deep the tool that made the path from a mesh let it be, mm; 0: the path does not say.  The
- * entry of a fitter has its lifts in it, and says nothing of depth. */
-static double made_within(const struct path *path)
-{
-    for (size_t i = 0; i < path->head.ledger.n; i++) {
-        const char *stage = path->head.ledger.item[i].stage;
-        if (strcmp(stage, "meshnorm") == 0 || strcmp(stage, "planecut") == 0)
-            return path->head.ledger.item[i].spent;
-    }
-    return 0;
-}
-
 /* What is written may be as deep as the path was made: what no fit was found for is written as it
  * came. */
 static struct path_check check_of(const struct gouge_refit_options *gouge, const struct path *in,
@@ -193,7 +180,7 @@ static struct path_check check_of(const struct gouge_refit_options *gouge, const
 {
     struct path_check check = {.tool = *gouge, .threads = threads};
 
-    check.tool.tolerance = fmax(gouge->tolerance, made_within(in));
+    check.tool.tolerance = fmax(gouge->tolerance, gouge_made_within(in));
     return check;
 }
 

@@ -2,6 +2,7 @@
 #include "stage/gouge_options.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/cli.h"
 #include "io/path/path_run.h"
@@ -21,16 +22,30 @@ static struct vec3s balls_of(const struct path *path)
     return ball;
 }
 
+double gouge_made_within(const struct path *path)
+{
+    for (size_t i = 0; i < path->head.ledger.n; i++) {
+        const char *stage = path->head.ledger.item[i].stage;
+        if (strcmp(stage, "meshnorm") == 0 || strcmp(stage, "planecut") == 0)
+            return path->head.ledger.item[i].spent;
+    }
+    return 0;
+}
+
 /* The tolerance that the scan is looked at with: the one that the path was made with, unless it is
  * very far from the fitter's, so that what stands for the scan between its points is the same: by
- * another look rims are elsewhere, by more than either tolerance. */
+ * another look rims are elsewhere, by more than either tolerance.  A path that does not say it is
+ * taken to be made with what its last stage spent, which may have lifts in it. */
 static double scan_tolerance(const struct path *path, double tolerance)
 {
-    const double closest = 0.01, widest = 4; /* of the fitter's */
+    const double closest = 0.01, wide = 4, widest = 100; /* of the fitter's */
     size_t n = path->head.ledger.n;
-    double made = n > 0 ? path->head.ledger.item[n - 1].spent : tolerance;
+    double made = gouge_made_within(path);
 
-    return fmin(fmax(made, closest * tolerance), widest * tolerance);
+    if (made > 0)
+        return fmin(fmax(made, closest * tolerance), widest * tolerance);
+    made = n > 0 ? path->head.ledger.item[n - 1].spent : tolerance;
+    return fmin(fmax(made, closest * tolerance), wide * tolerance);
 }
 
 /* The scan that guards; with --paper only that of -g. */

@@ -111,4 +111,22 @@ for fit in biarcfit bsplfit; do
 	ok "$fit: one with straight sides takes no more motions" \
 		test "$(motions "$TMP/out.cl")" -le "$(motions "$TMP/bent.cl")"
 done
+# A fit that is closer than its path looks at the scan as the path's maker did: by a closer look a
+# wall has its rims elsewhere, and what the path was kept clear of would be told as in the part.
+awk 'function jitter() { seed = (seed * 1103 + 12345) % 65536; return 0.3 * (seed / 65536 - 0.5) }
+BEGIN { seed = 3; for (i = 0; i < 17; i++) for (j = 0; j < 17; j++) {
+	x = 0.6 * i + jitter(); y = 0.6 * j + jitter()
+	printf "%.5f %.5f %.5f\n", x, y, 3 / (1 + exp((sqrt((x - 5)^2 + (y - 5)^2) - 2.5) / 0.25)) } }' \
+	>"$TMP/wall.xyz"
+cd "$TMP" || exit 1
+cloud2mesh -q -o wall.ply wall.xyz
+status 0 "a wall: a path within 0.01" meshnorm -q -r 1 --scallop 0.05 --avoid -o wall.cl wall.ply
+for fit in biarcfit bsplfit; do
+	for e in 0.01 0.002; do
+		status 0 "$fit -e $e of it" $fit -q -e $e -o fitted.cl wall.cl
+		status 0 "... a program" ncpost -q -m table-ac -c siemens -o fitted.mpf fitted.cl
+		status 0 "... accepted" ncverify -q -m table-ac -g wall.xyz fitted.mpf
+	done
+	status 0 "$fit -e 0.002 of the fit within 0.002" $fit -q -e 0.002 -o again.cl fitted.cl
+done
 done_testing
