@@ -64,7 +64,8 @@ double rotary_pole_between(struct rotary_angles from, struct rotary_angles to);
 bool rotary_reaches(const struct kinematic_chain *chain, struct vec3 axis);
 
 /* The same for all directions between two, on the great circle: looked at every degree, and of
- * a turn of less at each quarter.  A chain of no axes: true. */
+ * a turn of less at each quarter; where one solution ends and the other begins, more closely.  A
+ * chain of no axes: true. */
 bool rotary_reaches_between(const struct kinematic_chain *chain, struct vec3 from, struct vec3 to);
 
 enum { ROTARY_LEAN_DIRECTIONS = 24 };

@@ -43,7 +43,8 @@ struct path_check {
     size_t slow;                    /* motions at a feed below PATH_CHECK_SLOWEST */
     double slowest;                 /* mm/min */
     size_t slow_pass;
-    size_t out; /* places whose axis the machine does not reach, and the first of them */
+    size_t out; /* places whose axis the machine does not reach, or not on the straight way there at
+                   feed, and the first of them */
     struct pose out_at;
     size_t out_pass;
 

@@ -265,7 +265,8 @@ static bool is_between_bad(const struct axis_chain *c, const struct holder_sweep
     return !holder_sweep_clear_between(sweep, &a, from->clear, &b, to->clear);
 }
 
-/* The tool is not clear, or would swing the ball off its straight line, on the way to a station. */
+/* The tool is not clear, or would swing the ball off its straight line, or its axis would leave the
+ * travel, on the way to a station. */
 static bool is_way_bad(const struct axis_chain *c, const struct holder_sweep *sweep,
                        struct axis_station *s)
 {
@@ -277,6 +278,8 @@ static bool is_way_bad(const struct axis_chain *c, const struct holder_sweep *sw
         if (turned > swing && turned > vec_angle(s[-1].point->axis, s->point->axis) + 1e-9)
             return true;
     }
+    if (!rotary_reaches_between(&o->chain, s[-1].axis, s->axis))
+        return true;
     /* one that stays may be deeper than that: only as it was has its way been judged */
     return fmin(s[-1].clear, s->clear) < -sweep->slack || is_between_bad(c, sweep, &s[-1], s);
 }

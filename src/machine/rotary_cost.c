@@ -49,23 +49,25 @@ static bool within_travel(const struct rotary *rotary, double q)
     return low <= rotary->max + 1e-9;
 }
 
+/* Which solutions are within the travel, a bit each; where there is but one, or the axis nearest
+ * the work is free, both or none. */
 static int solutions_within(const struct kinematic_chain *chain, struct vec3 axis)
 {
     struct chain_solutions s = chain_angles(chain, axis);
-    int n = 0;
+    int within = 0;
 
     for (int k = 0; k < s.n; k++) {
         bool in = true;
         for (int i = 0; i < chain->n; i++)
             in = in && ((i == 0 && s.free) || within_travel(&chain->rotary[i], s.q[k][i]));
-        n += in;
+        within |= in << k;
     }
-    return n;
+    return within && (s.free || s.n == 1) ? 3 : within;
 }
 
 bool rotary_reaches(const struct kinematic_chain *chain, struct vec3 axis)
 {
-    return solutions_within(chain, axis) > 0;
+    return solutions_within(chain, axis) != 0;
 }
 
 /* Where the way, so long, leans least or most off the first axis, which sets the second one's
@@ -80,6 +82,32 @@ static bool reaches_extremes(const struct kinematic_chain *chain, struct vec3 fr
     return !(at > 0 && at < angle) || rotary_reaches(chain, vec_slerp(from, to, at / angle));
 }
 
+/* Whether a direction is reached is a matter of how far it leans off the first axis alone; and of
+ * two leans that are, all between. */
+static bool turns_wholly(const struct kinematic_chain *chain)
+{
+    return chain->n == 2 && chain->rotary[0].max - chain->rotary[0].min >= 2 * PI;
+}
+
+/* Between two directions, each of one solution, of which the other has none: where the first ends
+ * the second has begun. */
+static bool reaches_change(const struct kinematic_chain *chain, struct vec3 from, int first,
+                           struct vec3 to, int second)
+{
+    enum { HALVINGS = 12 }; /* of a degree: far less than a tool axis may be off */
+
+    for (int i = 0; i < HALVINGS; i++) {
+        struct vec3 middle = vec_slerp(from, to, 0.5);
+        int within = solutions_within(chain, middle);
+        if (within == 0)
+            return false;
+        if ((within & first) && (within & second))
+            return true;
+        *(within & first ? &from : &to) = middle;
+    }
+    return true;
+}
+
 bool rotary_reaches_between(const struct kinematic_chain *chain, struct vec3 from, struct vec3 to)
 {
     const double still = 1e-9;
@@ -88,9 +116,21 @@ bool rotary_reaches_between(const struct kinematic_chain *chain, struct vec3 fro
     if (chain->n < 1 || angle < still)
         return true;
 
-    for (double k = 1; k < parts; k++)
-        if (!rotary_reaches(chain, vec_slerp(from, to, k / parts)))
+    int before = solutions_within(chain, from);
+    if (turns_wholly(chain) && before && rotary_reaches(chain, to))
+        return reaches_extremes(chain, from, to, angle);
+    struct vec3 last = from;
+    for (double k = 1; k <= parts; k++) {
+        struct vec3 axis = k < parts ? vec_slerp(from, to, k / parts) : to;
+        int within = solutions_within(chain, axis);
+        if (within == 0 && k < parts)
             return false;
+        if (before && within && !(before & within) &&
+            !reaches_change(chain, last, before, axis, within))
+            return false;
+        before = within;
+        last = axis;
+    }
     return reaches_extremes(chain, from, to, angle);
 }
 
@@ -104,7 +144,7 @@ struct rotary_frame rotary_frame_of(const struct kinematic_chain *chain)
     f.x = vec_unit(vec_reject(fabs(f.pole.z) > 0.9 ? vec(1, 0, 0) : vec(0, 0, 1), f.pole));
     f.y = vec_cross(f.pole, f.x);
     f.both = chain->n == 0 || solutions_within(chain, vec_along(vec_scale(cos(beside), f.pole),
-                                                                sin(beside), f.x)) > 1;
+                                                                sin(beside), f.x)) == 3;
     return f;
 }
 

@@ -65,11 +65,18 @@ static void look_at_feed(struct path_check *check)
     }
 }
 
-static void look_at_axis(struct path_check *check, struct pose pose)
+/* At its end, and on the way there at feed: a rapid is ncpost's to turn as it may. */
+static void look_at_axis(struct path_check *check, const struct path_item *item)
 {
-    if (check->chain.n < 1 || rotary_reaches(&check->chain, pose.a) || check->out++ > 0)
+    struct pose to = item->to;
+    bool on_way = check->begun && item->kind == PATH_POINT && !path_is_rapid(item);
+
+    if (check->chain.n < 1 ||
+        (rotary_reaches(&check->chain, to.a) &&
+         !(on_way && !rotary_reaches_between(&check->chain, check->at.a, to.a))) ||
+        check->out++ > 0)
         return;
-    check->out_at = pose;
+    check->out_at = to;
     check->out_pass = check->pass;
 }
 
@@ -97,7 +104,7 @@ static void follow_item(struct path_check *check, const struct path *path, size_
         return;
     if (!path_is_rapid(item))
         look_at_feed(check);
-    look_at_axis(check, item->to);
+    look_at_axis(check, item);
     enum path_motion kind = kind_of(check, item);
     if (check->begun && check->tool.guard && !clear && !(kind == MOTION_CUT && check->coarse))
         *array_push(motions) = (struct checked_motion){

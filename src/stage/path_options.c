@@ -227,6 +227,30 @@ static void take_circle(struct kinematic_chain *chain, struct tool_axis_options 
     axis->circle = rotary_circle(chain);
 }
 
+/* How far within its travel a rotary axis is planned, so that what is fitted to the path, whose axis
+ * may be off it, stays within; at the end near `keep`, radians, no further than that. */
+static void stay_inside(struct rotary *r, double keep)
+{
+    double inside = fmin(RADIANS(INSIDE), (r->max - r->min) / 4);
+
+    if (r->max - r->min >= 2 * PI)
+        return;
+    r->min += keep >= r->min ? fmin(inside, keep - r->min) : inside;
+    r->max -= keep <= r->max ? fmin(inside, r->max - keep) : inside;
+}
+
+/* Two rotary axes: the second one has the pole, where the tool is upright on most machines. */
+static void leave_ends(struct kinematic_chain *chain)
+{
+    struct vec3 pole = rotary_frame_of(chain).pole;
+    struct chain_solutions at_pole = chain_angles(chain, pole);
+
+    if (chain->n != 2)
+        return;
+    stay_inside(&chain->rotary[0], HUGE_VAL);
+    stay_inside(&chain->rotary[1], at_pole.n > 0 ? at_pole.q[0][1] : HUGE_VAL);
+}
+
 /* With fewer than two rotary axes and no circle a fixed axis is left, if the machine has it. */
 static int check_machine(const struct kinematic_chain *chain, const struct tool_axis_options *axis,
                          struct error *error)
@@ -251,8 +275,10 @@ static int read_machine(struct kinematic_chain *chain, struct tool_axis_options 
     if (machine_options_read(&options, &machine, error) != 0)
         return -1;
     *chain = machine.chain;
-    if (!path_options.fixed_given)
+    if (!path_options.fixed_given) {
         take_circle(chain, axis);
+        leave_ends(chain);
+    }
     return check_machine(chain, axis, error);
 }
 

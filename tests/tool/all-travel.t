@@ -24,4 +24,18 @@ for machine in table-bc nutating-head; do
 done
 printf 'include = table-ac-notcp\nc.min = -30\nc.max = 30\n' >own.txt
 through "no tool centre point control" siemens planecut --lead 10
+
+# What is fitted to a path is off its axes, by which it would leave a travel that they end at.
+awk 'BEGIN { for (x = 0; x <= 12; x += 0.5) for (y = 0; y <= 12; y += 0.5)
+	print x, y, 3 * exp(-((x - 6)^2 + (y - 6)^2) / 10) }' >hill.xyz
+cloud2mesh -q -o hill.ply hill.xyz
+for machine in table-bc nutating-head; do
+	printf 'include = %s\nc.min = -45\nc.max = 45\n' "$machine" >own.txt
+	meshnorm -q -r 1.5 --scallop 0.06 --avoid -m ./own.txt -o path.cl hill.ply
+	for fit in biarcfit bsplfit; do
+		status 0 "$machine, C from -45 45: $fit" $fit -q -e 0.01 -o fitted.cl path.cl
+		status 0 "... a program" ncpost -q -c fanuc -m ./own.txt -o program fitted.cl
+		status 0 "... that is accepted" ncverify -q -g hill.xyz -m ./own.txt program
+	done
+done
 done_testing

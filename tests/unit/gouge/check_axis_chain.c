@@ -94,6 +94,31 @@ START_TEST(a_way_from_what_was_bad_is_looked_at)
 }
 END_TEST
 
+/* Two stations of which C, with little travel, has each by another solution: none has the way. */
+START_TEST(a_way_out_of_the_travel_is_bad)
+{
+    const double lean = RADIANS(3), off = RADIANS(25);
+    struct scene s = {.guard = floor_and_wall()};
+
+    for (int i = 0; i < 2; i++) {
+        put_point(&s, i, 0.5 * i, lean);
+        s.point[i].axis = s.rule[i] =
+            vec(-sin(lean) * sin(off), (i == 0 ? -1 : 1) * sin(lean) * cos(off), cos(lean));
+    }
+    setup_chain(&s, 2);
+    ck_assert_uint_eq(axis_chain_find_bad(&s.chain), 0);
+    s.options.chain.rotary[0].min = -RADIANS(30);
+    s.options.chain.rotary[0].max = RADIANS(30);
+    for (int i = 0; i < 2; i++) {
+        s.chain.at[i].seen.lean = NAN;
+        ck_assert(rotary_reaches(&s.options.chain, s.point[i].axis));
+    }
+    ck_assert_uint_eq(axis_chain_find_bad(&s.chain), 1);
+    ck_assert(s.chain.at[1].bad);
+    teardown_scene(&s);
+}
+END_TEST
+
 /* The lean to the wall, of a tool at x, with which a point of the wall is so deep in the flute. */
 static double lean_into_wall(const struct holder_sweep *sweep, double x, double depth)
 {
@@ -256,6 +281,7 @@ int main(void)
     Suite *suite = suite_create("axis_chain");
     TCase *tcase = tcase_create("axis_chain");
     tcase_add_test(tcase, a_way_from_what_was_bad_is_looked_at);
+    tcase_add_test(tcase, a_way_out_of_the_travel_is_bad);
     tcase_add_test(tcase, a_way_from_what_stays_deep_is_looked_at);
     tcase_add_loop_test(tcase, moved_by_chance_none_is_forgotten, 0, 3);
     tcase_add_loop_test(tcase, a_clearance_is_on_the_side_of_the_guards, 0, 3);

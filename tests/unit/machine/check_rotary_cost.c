@@ -166,6 +166,41 @@ START_TEST(the_middle_of_a_short_way)
 }
 END_TEST
 
+/* The table B/C of a head that turns by 45 degrees, with C to 90 to both sides: about -Y there is a
+ * gap that no angles have.  With the tool L off Z the head's axis B is at b, cos L = (1 + cos b) / 2,
+ * and the gap is atan(tan(b / 2) / sqrt(2)) wide to each side. */
+START_TEST(a_gap_is_seen_on_a_short_way)
+{
+    struct kinematic_chain nutating = {.tool = {0, 0, 1}, .n = 2}, upright;
+    const double end = PI / 2;
+
+    nutating.rotary[0] = (struct rotary){.axis = {0, 0, 1}, .min = -end, .max = end};
+    nutating.rotary[1] = (struct rotary){.axis = {0, sqrt(0.5), sqrt(0.5)}, .min = -PI, .max = PI};
+    chain_measure(&nutating);
+    upright = nutating;
+    upright.rotary[1].axis = vec(0, 1, 0);
+    chain_measure(&upright);
+    for (int i = 1; i <= 40; i++) {
+        double lean = RADIANS(0.5 * i), b = acos(2 * cos(lean) - 1);
+        double gap = atan(tan(b / 2) / sqrt(2));
+        for (int k = 0; k < 20; k++) {
+            double before = gap + RADIANS(0.02 + 0.13 * k) / sin(lean),
+                   after = gap + RADIANS(2.7 - 0.13 * k) / sin(lean);
+            if (before > 1 || after > 1)
+                continue;
+            struct vec3 a = leaning(lean, -end - before), c = leaning(lean, -end + after);
+            ck_assert(rotary_reaches(&nutating, a) && rotary_reaches(&nutating, c));
+            ck_assert(!rotary_reaches(&nutating, leaning(lean, -end + 0.99 * gap)));
+            ck_assert(!rotary_reaches_between(&nutating, a, c));
+            ck_assert(!rotary_reaches_between(&nutating, c, a));
+            ck_assert(rotary_reaches_between(&upright, a, c)); /* the other solution is there */
+            a.y *= -1, c.y *= -1;
+            ck_assert(rotary_reaches_between(&nutating, a, c)); /* and here both are */
+        }
+    }
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("rotary_cost");
@@ -177,6 +212,7 @@ int main(void)
     tcase_add_test(tests, a_way_past_the_pole_turns_beside_it);
     tcase_add_test(tests, a_turn_stays_within_its_travel_or_not);
     tcase_add_test(tests, the_middle_of_a_short_way);
+    tcase_add_test(tests, a_gap_is_seen_on_a_short_way);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);
     int failed = srunner_ntests_failed(runner);

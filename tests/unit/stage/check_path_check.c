@@ -3,6 +3,7 @@
 #include "stage/path_check.h"
 
 #include <check.h>
+#include <math.h>
 #include <stdlib.h>
 
 #include "base/cli.h"
@@ -139,6 +140,36 @@ START_TEST(a_feed_of_nothing_is_told)
 }
 END_TEST
 
+/* A table whose C turns by 30 degrees to both sides of X: a cut, a feed motion and a rapid from the
+ * one solution to the other, whose middle it does not have. */
+START_TEST(an_axis_out_of_the_travel_on_the_way)
+{
+    const double travel = RADIANS(30), lean = 0.5, turn = RADIANS(25);
+    struct path path = {.name = "path"};
+    struct path_check check = {.threads = 1};
+
+    check.chain = (struct kinematic_chain){.tool = {0, 0, 1}, .n = 2};
+    check.chain.rotary[0] = (struct rotary){.axis = {0, 0, 1}, .min = -travel, .max = travel};
+    check.chain.rotary[1] = (struct rotary){.axis = {0, 1, 0}, .min = -2, .max = 2};
+    chain_measure(&check.chain);
+    struct pose one = {.a = {sin(lean) * cos(turn), sin(lean) * sin(turn), cos(lean)}};
+    struct pose other = {.p = {3, 0, 0}, .a = {-one.a.x, one.a.y, one.a.z}};
+    path_add_pass(&path, 7);
+    path_add_feed(&path, 800);
+    path_add_point(&path, one, false);
+    path_add_point(&path, other, true);
+    path_check_items(&check, &path, 0, path.item.n);
+    ck_assert_uint_eq(check.out, 0);
+    path_add_point(&path, one, false);
+    path_check_items(&check, &path, path.item.n - 1, path.item.n);
+    ck_assert_uint_eq(check.out, 1);
+    ck_assert_uint_eq(check.out_pass, 7);
+    ck_assert_double_eq(check.out_at.a.x, one.a.x);
+    ck_assert_int_eq(path_check_conclude(&check, NULL), EXIT_UNMET);
+    path_free(&path);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("path_check");
@@ -147,6 +178,7 @@ int main(void)
     tcase_add_test(tests, ball_and_holder_in_a_cut_are_told_apart);
     tcase_add_test(tests, a_rapid_through_the_wall_is_the_shafts);
     tcase_add_test(tests, a_feed_of_nothing_is_told);
+    tcase_add_test(tests, an_axis_out_of_the_travel_on_the_way);
     suite_add_tcase(suite, tests);
     SRunner *runner = srunner_create(suite);
     srunner_run_all(runner, CK_NORMAL);
