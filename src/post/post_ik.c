@@ -233,24 +233,46 @@ static bool aim_at(const struct nc_aim *aim, double s, double q[])
     return high > low + 1 && t < 1;
 }
 
-/* No whole turns bring the angle into the travel. */
-static bool angle_over(const struct rotary *r, double q)
+/* The angle turned by whole turns to be nearest to the travel. */
+static double nearest_to_travel(const struct rotary *r, double q)
 {
-    return q + 2 * PI * ceil((r->min - q) / (2 * PI) - 1e-9) > r->max + 1e-9;
+    return angle_nearest(q, (r->min + r->max) / 2);
 }
 
-/* No angles of the machine, or none within its travel, have the direction: of the solution with
- * fewer axes out of it, one of them is named. */
+static double beyond_travel(const struct rotary *r, double q)
+{
+    return fmax(r->min - q, q - r->max);
+}
+
+/* The axis of a solution that is furthest out of its travel, *by radians. */
+static int axis_over(const struct kinematic_chain *chain, const struct chain_solutions *found,
+                     int k, double *by)
+{
+    int worst = 0;
+    *by = -HUGE_VAL;
+    for (int i = found->free ? 1 : 0; i < chain->n; i++) {
+        double out =
+            beyond_travel(&chain->rotary[i], nearest_to_travel(&chain->rotary[i], found->q[k][i]));
+        worst = out > *by ? i : worst;
+        *by = fmax(*by, out);
+    }
+    return worst;
+}
+
+/* No angles of the machine, or none within its travel, have the direction: of the solution that is
+ * less far out of it, which is the one that has just left it, the axis is named. */
 static int not_reached(struct nc_planner *planner, struct pose to, int over)
 {
     const struct machine *m = planner->machine;
-    const struct rotary *r = m->chain.rotary;
     struct chain_solutions found = chain_angles(&m->chain, to.a);
-    int k = found.n == 2 && angle_over(&r[0], found.q[0][0]) + angle_over(&r[1], found.q[0][1]) >
-                                angle_over(&r[0], found.q[1][0]) + angle_over(&r[1], found.q[1][1]);
-    for (int i = 0; i < m->chain.n && over >= 0; i++)
-        if (angle_over(&r[i], found.q[k][i]))
-            return post_ik_tell_over(planner, to.p, m->letter[i], "angle", DEGREES(found.q[k][i]));
+    double by[2] = {HUGE_VAL, HUGE_VAL};
+    int axis[2] = {0};
+    for (int k = 0; k < found.n && over >= 0; k++)
+        axis[k] = axis_over(&m->chain, &found, k, &by[k]);
+    int k = by[1] < by[0], i = axis[k];
+    if (found.n > 0 && over >= 0)
+        return post_ik_tell_over(planner, to.p, m->letter[i], "angle",
+                                 DEGREES(nearest_to_travel(&m->chain.rotary[i], found.q[k][i])));
     planner->plan->unmet = true;
     return error_at(
         planner->error, planner->path->name, planner->state.line,

@@ -359,4 +359,21 @@ mv roof.xyz gone.xyz
 status 0 "a scan that is gone" ncpost -c siemens --set c.min=-200 --set c.max=200 -o roof.nc roof.cl
 has "is said" 'the scan that the path names does not guard: .*; the moves added for rotary axes are not checked' err
 
+# Where no angles are within the travel, the angle that has just left it is named, whichever of the
+# two solutions it is of: LEAN and two directions of the axis.
+turning() { awk -v l="$1" -v b="$2" -v c="$3" 'function axis(d) { return sprintf("%.12f,%.12f,%.12f", sin(l) * cos(d * r), sin(l) * sin(d * r), cos(l)) }
+BEGIN { r = atan2(0, -1) / 180; l *= r
+	print "UNITS/MM\nMULTAX/ON\nLOADTL/1\nSPINDL/900\nRAPID\nGOTO/0,0,50," axis(b) "\nFEDRAT/100\nGOTO/0,0,0," axis(b) "\nGOTO/100,0,0," axis(c) "\nFINI" }' >turning.cl; }
+leaves() { # MACHINE TRAVEL LEAN FROM TO ANGLE
+	turning "$3" "$4" "$5"
+	for c in fanuc siemens; do
+		status 1 "$1, C to $2, from $4 to $5, $c" ncpost -c $c -m "$1" --set c.min=-$2 --set c.max=$2 turning.cl
+		has "leaves its travel at $6" "axis C of .* found angle $6\.000[0-9]* at the point [3-6]" err
+	done
+}
+leaves table-bc 30 20 10 60 30
+leaves table-bc 30 20 190 220 30
+leaves table-bc 30 20 170 130 -30
+leaves nutating-head 90 20 -60 -100 -90
+leaves nutating-head 90 20 -120 -60 90
 done_testing
