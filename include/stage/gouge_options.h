@@ -24,9 +24,10 @@ struct gouge_options {
 /*
  * Reads the scan, in the coordinates of the path, for a ball that may go `tolerance` mm deep, as
  * densely as the path's maker did (gouge_made_within, from a hundredth to a hundred times that
- * tolerance; else by the last entry of its ledger, up to four times).  *refit owns it: gouge_refit_free; without a scan it has no guard.  The path's
- * head then names the scan that guards.  With `paper` only -g does.  -1 also when the path has no
- * ball cutter, or is clearly elsewhere.
+ * tolerance; else by the last entry of its ledger, up to four times).  *refit owns it:
+ * gouge_refit_free; without a scan it has no guard.  The path's head then names the scan that
+ * guards.  With `paper` only -g does.  -1 also when the path has no ball cutter, or is clearly
+ * elsewhere.
  */
 int gouge_options_read(const struct gouge_options *options, struct path *path, bool paper,
                        double tolerance, int threads, struct gouge_refit_options *refit,

@@ -227,8 +227,8 @@ static void take_circle(struct kinematic_chain *chain, struct tool_axis_options 
     axis->circle = rotary_circle(chain);
 }
 
-/* How far within its travel a rotary axis is planned, so that what is fitted to the path, whose axis
- * may be off it, stays within; at the end near `keep`, radians, no further than that. */
+/* How far within its travel a rotary axis is planned, so that what is fitted to the path, whose
+ * axis may be off it, stays within; at the end near `keep`, radians, no further than that. */
 static void stay_inside(struct rotary *r, double keep)
 {
     double inside = fmin(RADIANS(INSIDE), (r->max - r->min) / 4);

@@ -95,7 +95,8 @@ sed 's/^GOTO.120.*/GOTO\/120.002,0,0\nGOTO\/100,7,0\nGOTO\/131.25,8,-1\nGOTO\/13
 for unit in "" --inch; do
 	# shellcheck disable=SC2086
 	status 1 "a hair beyond it, and then more $unit" ncpost -c fanuc $unit --set x.max=120 far.cl
-	has "is told with the furthest place" '120.00[0-9]* at .* the path goes on to 131.250 at the point 131.250 8.000 -1.000.$' err
+	has "is told with the furthest place" \
+		'120.00[0-9]* at .* the path goes on to 131.250 at the point 131.250 8.000 -1.000.$' err
 done
 status 1 "nor in inches" ncpost -c fanuc --inch --set x.max=120 y.cl
 has "where it is told in mm, too" 'position of 120.00[0-9]* at the point 120.00.* travel -2000 to 120 ' err

@@ -361,13 +361,21 @@ has "is said" 'the scan that the path names does not guard: .*; the moves added 
 
 # Where no angles are within the travel, the angle that has just left it is named, whichever of the
 # two solutions it is of: LEAN and two directions of the axis.
-turning() { awk -v l="$1" -v b="$2" -v c="$3" 'function axis(d) { return sprintf("%.12f,%.12f,%.12f", sin(l) * cos(d * r), sin(l) * sin(d * r), cos(l)) }
-BEGIN { r = atan2(0, -1) / 180; l *= r
-	print "UNITS/MM\nMULTAX/ON\nLOADTL/1\nSPINDL/900\nRAPID\nGOTO/0,0,50," axis(b) "\nFEDRAT/100\nGOTO/0,0,0," axis(b) "\nGOTO/100,0,0," axis(c) "\nFINI" }' >turning.cl; }
+turning() {
+	awk -v l="$1" -v b="$2" -v c="$3" 'function axis(d) {
+		return sprintf("%.12f,%.12f,%.12f", sin(l) * cos(d * r), sin(l) * sin(d * r), cos(l))
+	}
+	BEGIN {
+		r = atan2(0, -1) / 180; l *= r
+		print "UNITS/MM\nMULTAX/ON\nLOADTL/1\nSPINDL/900\nRAPID\nGOTO/0,0,50," axis(b)
+		print "FEDRAT/100\nGOTO/0,0,0," axis(b) "\nGOTO/100,0,0," axis(c) "\nFINI"
+	}' >turning.cl
+}
 leaves() { # MACHINE TRAVEL LEAN FROM TO ANGLE
 	turning "$3" "$4" "$5"
 	for c in fanuc siemens; do
-		status 1 "$1, C to $2, from $4 to $5, $c" ncpost -c $c -m "$1" --set c.min=-$2 --set c.max=$2 turning.cl
+		status 1 "$1, C to $2, from $4 to $5, $c" \
+			ncpost -c $c -m "$1" --set c.min=-$2 --set c.max=$2 turning.cl
 		has "leaves its travel at $6" "axis C of .* found angle $6\.000[0-9]* at the point [3-6]" err
 	done
 }

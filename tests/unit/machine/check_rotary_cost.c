@@ -167,8 +167,8 @@ START_TEST(the_middle_of_a_short_way)
 END_TEST
 
 /* The table B/C of a head that turns by 45 degrees, with C to 90 to both sides: about -Y there is a
- * gap that no angles have.  With the tool L off Z the head's axis B is at b, cos L = (1 + cos b) / 2,
- * and the gap is atan(tan(b / 2) / sqrt(2)) wide to each side. */
+ * gap that no angles have.  With the tool L off Z the head's axis B is at b,
+ * cos L = (1 + cos b) / 2, and the gap is atan(tan(b / 2) / sqrt(2)) wide to each side. */
 START_TEST(a_gap_is_seen_on_a_short_way)
 {
     struct kinematic_chain nutating = {.tool = {0, 0, 1}, .n = 2}, upright;
