@@ -42,15 +42,28 @@ struct cliff {
     struct sizes beyond;
 };
 
-/* A place of the flank over (x, y). */
+/* On the plane through `from` with that normal, over (x, y). */
+static struct vec3 plane_above(struct vec3 from, struct vec3 n, double x, double y)
+{
+    return vec(x, y, from.z - (n.x * (x - from.x) + n.y * (y - from.y)) / n.z);
+}
+
+/* A normal, or one no steeper than EDGE_STEEP. */
+static struct vec3 roof_normal(struct vec3 n)
+{
+    n.z = fmax(n.z, hypot(n.x, n.y) / EDGE_STEEP);
+    return vec_unit(n);
+}
+
+/* A place of the flank over (x, y): on a plane where by its bends it would be anywhere. */
 static struct vec3 place_above(const struct cliff *cliff, double x, double y)
 {
-    struct vec3 n = quadric_normal_at(cliff->q, cliff->from), p = cliff->from;
+    struct vec3 n = quadric_normal_at(cliff->q, cliff->from);
+    struct vec3 p = quadric_nearest(cliff->q, plane_above(cliff->from, n, x, y));
 
-    p.z -= (n.x * (x - p.x) + n.y * (y - p.y)) / n.z;
-    p.x = x;
-    p.y = y;
-    return quadric_nearest(cliff->q, p);
+    return edge_plan_distance(p, cliff->from) <= cliff->reach
+               ? p
+               : plane_above(cliff->from, roof_normal(n), x, y);
 }
 
 /* So far off the flank of point i a point k is on it. */
@@ -76,8 +89,7 @@ static double above_roof(const struct edge_flank *flank, struct vec3 own, struct
 
     if (vec_distance(p, own) <= FARTHER * flank->spacing)
         return above_flank(flank, own, p);
-    n.z = fmax(n.z, hypot(n.x, n.y) / EDGE_STEEP);
-    return vec_dot(vec_unit(n), vec_sub(p, own));
+    return vec_dot(roof_normal(n), vec_sub(p, own));
 }
 
 /* Its points are near enough to a flank for a wall to hang from it, though not for a rim. */
