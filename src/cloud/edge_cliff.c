@@ -66,6 +66,14 @@ static struct vec3 place_above(const struct cliff *cliff, double x, double y)
                : plane_above(cliff->from, roof_normal(n), x, y);
 }
 
+/* The place is as near to the point as a flank that is nearly upright may go on. */
+static bool is_place(const struct cliff *cliff, struct vec3 at)
+{
+    const double far = 3; /* times the reach */
+
+    return vec_distance(at, cliff->from) <= far * cliff->reach;
+}
+
 /* So far off the flank of point i a point k is on it. */
 static double least_off(const struct edge_work *work, size_t i, size_t k)
 {
@@ -435,7 +443,7 @@ static void fill_cliff(const struct edge_work *work, const struct cliff *cliff, 
             if (hypot_compare(u, v, cliff->reach) > 0 || !is_before_wall(cliff, u, v))
                 continue;
             struct vec3 at = place_above(cliff, cliff->from.x + u, cliff->from.y + v);
-            if (!is_before_edges(work, cliff, at, false))
+            if (!is_place(cliff, at) || !is_before_edges(work, cliff, at, false))
                 continue;
             *array_push(to) = at;
             if (hangs && is_last(cliff, pitch, j, k))
@@ -467,7 +475,7 @@ static bool add_tip(const struct edge_work *work, const struct cliff *cliff, dou
         !is_amid(cliff, u, v))
         return false;
     struct vec3 at = place_above(cliff, cliff->from.x + u, cliff->from.y + v);
-    if (!is_corner_tip(cliff, at))
+    if (!is_place(cliff, at) || !is_corner_tip(cliff, at))
         return false;
     *array_push(to) = at;
     edge_wall_add(work, at, nearest_below(cliff, at), to);

@@ -196,21 +196,34 @@ static bool is_here(const struct crest_about *about, struct vec3 place)
     return what != CREST_OTHER;
 }
 
+/* As far in space from all that the crest explains as it was fitted to, nobody knows of it: of
+ * noise it may be as steep as anything. */
+static bool is_near(const struct crest_about *about, double reach, struct vec3 place)
+{
+    for (size_t k = 0; k < about->n; k++)
+        if (about->role[k] != CREST_OTHER && vec_distance(about->point[k], place) < reach)
+            return true;
+    return false;
+}
+
 static void add_across(const struct edge_work *work, const struct crest_about *about, double s,
                        struct vec3s *edge, struct vec3s *between)
 {
     const double dense = 0.65;
     const struct crest_fit *fit = about->fit;
     double pitch = dense * work->options->along;
+    double spacing = point_grid_spacing(work->options->point_grid);
     struct vec3 place;
 
-    if (crest_fit_at(fit, s, 0, &place) && is_here(about, place))
+    if (crest_fit_at(fit, s, 0, &place) && is_here(about, place) &&
+        is_near(about, ABOUT * spacing, place))
         *array_push(edge) = place;
     for (int side = 0; side < 2; side++) {
         double down = pitch / hypot(1, fit->c[side ? 5 : 3]);
-        double far = fit->far[side] + BEYOND * point_grid_spacing(work->options->point_grid);
+        double far = fit->far[side] + BEYOND * spacing;
         for (double d = down; d < far; d += down)
-            if (crest_fit_at(fit, s, side ? d : -d, &place) && is_here(about, place))
+            if (crest_fit_at(fit, s, side ? d : -d, &place) && is_here(about, place) &&
+                is_near(about, ABOUT * spacing, place))
                 *array_push(between) = place;
     }
 }
