@@ -30,6 +30,18 @@ case $parts in
 esac
 fitter=$1 path=$2 out=$3
 shift 3
+if [ -e "$out" ] && [ ! -f "$out" ]; then
+	echo "parallel.sh: found \`$out', which is no file, expected a name for the fitted path" >&2
+	exit 2
+fi
+for option; do
+	case $option in
+	--part | --part=*)
+		echo "parallel.sh: found $option, expected -n: which part is fitted is said here" >&2
+		exit 2
+		;;
+	esac
+done
 PATH=${BIN:+$BIN:}$PATH
 export PATH
 command -v parallel >/dev/null || {

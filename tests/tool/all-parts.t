@@ -70,6 +70,17 @@ chmod +x bin/biarcfit
 status 0 "a worker is killed" env BIN="$TMP/bin" sh "$together" -n 3 biarcfit "$passes" joined
 ok "it was" test -e killed
 same "its part is run again" joined whole.biarcfit
+mkdir folder
+echo precious >folder/joined
+status 2 "OUT is a folder" sh "$together" -n 2 biarcfit "$passes" folder
+has "it is said" "found .folder', which is no file" err
+ok "what is in it stays" grep -qx precious folder/joined
+for part in "--part 1/2" --part=2/2; do
+	# shellcheck disable=SC2086 # an option and its argument
+	status 2 "$part handed on" sh "$together" -n 3 biarcfit "$passes" none.out $part
+	has "it is said" "found --part.*, expected -n" err
+	ok "nothing is written" test ! -e none.out
+done
 status 1 "no such path" sh "$together" -n 2 biarcfit none.cl none.out
 status 1 "an option that is none" sh "$together" -n 2 biarcfit "$passes" none.out --wrong
 ok "nothing is written" test ! -e none.out
