@@ -230,6 +230,19 @@ static void check_trimming(const struct patches *patches, const struct sheet *sh
             lost, empty, unknown, patches->item[first].entity);
 }
 
+/* Loops whose curves are farther apart than neighbours may be. */
+static void check_gaps(const struct settings *s, const struct patches *patches,
+                       const struct sheet *sheet, struct unmets *unmet)
+{
+    double limit = fmax(gap_of(s, patches_size(patches)), s->tolerance);
+    size_t open = nurbs_report_gaps(patches, sheet, limit);
+    if (open > 0 && !s->partial)
+        unmet_say(unmet,
+                  "%zu surfaces have a trimming loop that does not close within %g mm, expected "
+                  "none (--partial accepts it)",
+                  open, limit);
+}
+
 /* Of a shell that the file calls closed nothing may stay open; no skin may touch itself along an
  * edge, or be turned both ways. */
 static void check_closed(const struct patches *patches, const struct skin *skin,
@@ -321,6 +334,7 @@ static double make_patch_mesh(const struct cli *cli, const struct settings *s,
          sewn.joined, sewn.inserted, sewn.moved, out.bodies, out.bodies == 1 ? "body" : "bodies",
          out.open);
     check_trimming(patches, sheet, s->partial, unmet);
+    check_gaps(s, patches, sheet, unmet);
     if (out.voids > 0)
         say("%zu closed skins of loose faces lie within others and are taken for voids", out.voids);
     check_rough(patches, s->tolerance > 0 ? s->tolerance : fine, unmet);

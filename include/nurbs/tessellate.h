@@ -19,8 +19,10 @@ struct sheet {
                                    its sides; with a tolerance, at nine places more */
     struct vec3 error_at;       /* where */
     bool too_fine;              /* the tolerance needs more than TESSELLATE_CELLS_MAX: not made */
-    double off;                 /* how far trimming curves in space lie off the surface, mm */
-    size_t lost;                /* of these, loops that do not close on the surface: left out */
+    double gap;         /* between curves of a loop, where it is more than a little, mm ... */
+    struct vec3 gap_at; /* ... and where: a straight line of the range is taken there */
+    double off;         /* how far trimming curves in space lie off the surface, mm */
+    size_t lost;        /* of these, loops that do not close on the surface: left out */
     enum patch_side side;
     size_t unclear;          /* places in which the trimming crosses itself */
     bool refused;            /* for one of these, and emptied (nurbs_report.h) */

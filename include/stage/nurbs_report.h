@@ -31,6 +31,10 @@ size_t nurbs_report_refused(const struct patches *patches, struct sheet *sheet, 
  * `fine` mm off their surface. */
 void nurbs_report_trimming(const struct patches *patches, const struct sheet *sheet, double fine);
 
+/* Trimming loops with a gap of more than `limit` mm, which a straight line closes; returns of how
+ * many surfaces. */
+size_t nurbs_report_gaps(const struct patches *patches, const struct sheet *sheet, double limit);
+
 /* The surface whose approximation, or that of its trimming, is farthest off what the file has, and
  * how far, mm; NULL: none is off. */
 const struct patch *nurbs_report_roughest(const struct patches *patches, double *rough);

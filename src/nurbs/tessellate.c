@@ -280,6 +280,8 @@ static void make_sheet(const struct patch *patch, const struct uv_polygon *loops
     sheet_free(sheet);
     sheet->unclear = mesh.unclear + uv_polygon_crossings(loops, &patch->surface, how.tolerance);
     sheet->off = loops->off;
+    sheet->gap = loops->gap;
+    sheet->gap_at = loops->gap_at;
     sheet->lost = loops->lost;
     sheet->side = loops->side;
     sheet->lines_u = u->n;

@@ -5,6 +5,7 @@
 
 #include "base/array.h"
 #include "trim_crossings.h"
+#include "trim_gap.h"
 #include "trim_steps.h"
 #include "trim_tidy.h"
 #include "trim_told.h"
@@ -179,12 +180,17 @@ static void find_loops(const struct patch *patch, double tolerance, bool bent,
                        struct uv_polygon *loops)
 {
     struct uv_polygon raw = {0};
+    double gap = 0;
+    struct vec3 at = {0, 0, 0}, gap_at = at;
     struct trim_follower f = {
         .on = pullback_new(&patch->surface), .tolerance = tolerance, .bent = bent, .seeks = SEEKS};
     for (size_t i = 0; i < patch->loop.n; i++) {
         struct uvs loop = {0};
         trim_follow(patch, &patch->loop.item[i], &f, &loop);
         *array_push(&raw) = loop;
+        double open = trim_gap(patch, &patch->loop.item[i], &f.on, &loop, &at);
+        gap_at = open > gap ? at : gap_at;
+        gap = fmax(gap, open);
     }
     trim_seam(&f.on, &raw, loops);
     for (size_t i = 0; i < loops->n; i++) {
@@ -194,6 +200,8 @@ static void find_loops(const struct patch *patch, double tolerance, bool bent,
             k++;
     }
     loops->off = f.off;
+    loops->gap = gap;
+    loops->gap_at = gap_at;
     loops->side = side_of(patch, &f, &raw);
     loops->open = is_borderless(&f.on) && (are_holes(patch, &f.on, &raw, loops) ||
                                            is_turned_out(patch, &f.on, &raw, tolerance));

@@ -143,6 +143,6 @@ void uv_polygon_free(struct uv_polygon *loops)
     for (size_t i = 0; i < loops->n; i++)
         array_free(&loops->item[i]);
     array_free(loops);
-    loops->off = 0;
+    loops->off = loops->gap = 0;
     loops->lost = 0;
 }

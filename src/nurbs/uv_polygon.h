@@ -12,9 +12,11 @@
 struct uv_polygon {
     size_t n, cap;
     struct uvs *item;
-    double off;  /* how far curves in space lie off the surface at most, mm */
-    size_t lost; /* loops that do not close on the surface: left out */
-    bool open;   /* directed loops on a surface without borders that are all holes in it */
+    double gap;         /* the largest one between curves of a loop, mm (trim_gap.h) ... */
+    struct vec3 gap_at; /* ... and where */
+    double off;         /* how far curves in space lie off the surface at most, mm */
+    size_t lost;        /* loops that do not close on the surface: left out */
+    bool open;          /* directed loops on a surface without borders that are all holes in it */
     enum patch_side side;
 };
 

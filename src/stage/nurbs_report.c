@@ -135,6 +135,22 @@ void nurbs_report_trimming(const struct patches *patches, const struct sheet *sh
     }
 }
 
+size_t nurbs_report_gaps(const struct patches *patches, const struct sheet *sheet, double limit)
+{
+    size_t found = 0;
+    for (size_t i = 0; i < patches->n; i++) {
+        const struct patch *p = &patches->item[i];
+        struct vec3 at = sheet[i].gap_at;
+        if (sheet[i].refused || !(sheet[i].gap > limit))
+            continue;
+        found++;
+        say("%s: surface %d: the curves of a trimming loop are %g mm apart at %.3f %.3f %.3f, "
+            "expected %g mm at most: a straight line is taken between them",
+            p->file, p->entity, sheet[i].gap, at.x + 0.0, at.y + 0.0, at.z + 0.0, limit);
+    }
+    return found;
+}
+
 const struct patch *nurbs_report_roughest(const struct patches *patches, double *rough)
 {
     const struct patch *roughest = NULL;

@@ -52,6 +52,27 @@ END
 } | on sphere "$sides"
 model "120: an arc's parameter is its angle" "$(calc '100 * 2 * (sin(1.3) - sin(0.2))')" - -e 0.0005 "$TMP/sphere.igs"
 
+# Loops whose curves do not meet: far apart, which is said, and near, which is joined.
+open_to() { # V NAME: a loop in the range of a plane of 40 by 30 that ends at 0, V
+	cat <<END | on "$2" "1,{k}"
+s 128 0 1,1,1,1,0,0,1,0,0,0,0,1,1,0,0,1,1,1,1,1,1,0,0,0,40,0,0,0,30,0,40,30,0,0,1,0,1
+k 106 11 1,5,0,0,0,1,0,1,1,0,1,0,$1
+END
+}
+open_to 0.9 open
+status 3 "a loop that is open" nurbs2mesh -e 0.01 -o "$TMP/x.ply" "$TMP/open.igs"
+has "it is said, where" \
+	'open.igs: surface [0-9]*: the curves .* are 27 mm apart at 0.000 13.500 0.000' "$TMP/err"
+has "and it is in the mesh" 'unmet.*1 surfaces have a trimming loop' "$TMP/x.ply"
+status 0 "--partial accepts it" nurbs2mesh --partial -e 0.01 -o "$TMP/x.ply" "$TMP/open.igs"
+has "and it is said" 'are 27 mm apart' "$TMP/err"
+open_to 0.0004 little
+status 0 "0.012 mm of 140 are joined" nurbs2mesh -e 0.001 -o "$TMP/x.ply" "$TMP/little.igs"
+hasnt "nothing is said" apart "$TMP/err"
+open_to 0.0006 more
+status 3 "0.018 mm are not" nurbs2mesh -e 0.001 -o "$TMP/x.ply" "$TMP/more.igs"
+status 0 "with a tolerance of 0.02 they are" nurbs2mesh -e 0.02 -o "$TMP/x.ply" "$TMP/more.igs"
+
 cat <<'END' | on disc "1,{k}"
 g 100 0 0,0,0,10,0,0,10
 s 122 0 {g},10,0,15

@@ -61,6 +61,7 @@ static double area_inside(const struct patch *p, double most_off)
     double sum = 0;
     trim_loops(p, TOLERANCE, &loops);
     ck_assert_double_le(loops.off, most_off);
+    ck_assert(loops.gap == 0);
     for (size_t i = 0; i < loops.n; i++)
         for (size_t k = 0; k < loops.item[i].n; k++) {
             struct uv at = loops.item[i].item[k];
@@ -116,6 +117,56 @@ START_TEST(on_a_plane)
         }
     uv_polygon_free(&loops);
     expect(p, PI * (144 - 25));
+}
+END_TEST
+
+/* The gap that is found in the only loop of a plane of 40 by 30, whose corners are in space or in
+ * the parameters; a side is left out, and the last one ends so much short. */
+static struct uv_polygon gap_in(bool space, int sides, double less)
+{
+    static const double corner[5][2] = {{5, 5}, {35, 5}, {35, 25}, {5, 25}, {5, 5}};
+    struct patch p = known_flat(vec(0, 0, 0), vec(40, 0, 0), vec(0, 30, 0), vec(40, 30, 0));
+    const struct nurbs_axis *u = &p.surface.u, *v = &p.surface.v;
+    struct patch_loop *loop = new_loop(&p);
+    struct uv_polygon loops;
+    loop->space = space;
+    for (int k = 0; k < sides; k++) {
+        struct vec3 a = vec(corner[k][0], corner[k][1], 0);
+        struct vec3 b = vec(corner[k + 1][0], corner[k + 1][1] + (k + 1 == sides ? less : 0), 0);
+        if (!space) {
+            a = vec(u->from + a.x / 40 * (u->to - u->from), v->from + a.y / 30 * (v->to - v->from),
+                    0);
+            b = vec(u->from + b.x / 40 * (u->to - u->from), v->from + b.y / 30 * (v->to - v->from),
+                    0);
+        }
+        add_line(loop, a, b);
+    }
+    trim_loops(&p, TOLERANCE, &loops);
+    patch_free(&p);
+    return loops;
+}
+
+START_TEST(curves_that_do_not_meet)
+{
+    for (int space = 0; space < 2; space++) {
+        struct uv_polygon l = gap_in(space == 1, 4, 0);
+        ck_assert(l.gap == 0);
+        uv_polygon_free(&l);
+        l = gap_in(space == 1, 4, 3);
+        ck_assert_double_eq_tol(l.gap, 3, 1e-9);
+        ck_assert_double_lt(vec_distance(l.gap_at, vec(5, 6.5, 0)), 1e-9);
+        uv_polygon_free(&l);
+        l = gap_in(space == 1, 3, 0);
+        ck_assert_double_eq_tol(l.gap, 20, 1e-9);
+        ck_assert_double_lt(vec_distance(l.gap_at, vec(5, 15, 0)), 1e-9);
+        uv_polygon_free(&l);
+        l = gap_in(space == 1, 4, 0.009); /* of a length of 100 */
+        ck_assert(l.gap == 0);
+        uv_polygon_free(&l);
+        l = gap_in(space == 1, 4, 0.011);
+        ck_assert_double_eq_tol(l.gap, 0.011, 1e-9);
+        uv_polygon_free(&l);
+    }
 }
 END_TEST
 
@@ -407,6 +458,7 @@ int main(void)
     SRunner *runner = srunner_create(suite);
     tcase_set_timeout(tests, 60);
     tcase_add_test(tests, on_a_plane);
+    tcase_add_test(tests, curves_that_do_not_meet);
     tcase_add_test(tests, round_a_cylinder);
     tcase_add_test(tests, across_the_seam);
     tcase_add_test(tests, caps_of_a_sphere);

@@ -73,6 +73,18 @@ START_TEST(without_an_error_each_is_left_out)
 }
 END_TEST
 
+START_TEST(gaps_beyond_the_limit)
+{
+    ck_assert_uint_eq(nurbs_report_gaps(&patches, sheet, 0.25), 0);
+    sheet[0].gap = 0.25;
+    sheet[1].gap = 0.2500001;
+    sheet[2].gap = 7;
+    ck_assert_uint_eq(nurbs_report_gaps(&patches, sheet, 0.25), 2);
+    sheet[2].refused = true; /* why has been told */
+    ck_assert_uint_eq(nurbs_report_gaps(&patches, sheet, 0.25), 1);
+}
+END_TEST
+
 START_TEST(the_roughest)
 {
     double rough = 9;
@@ -129,6 +141,7 @@ int main(void)
     tcase_add_test(tests, at_the_limit_none_is_refused);
     tcase_add_test(tests, the_first_that_is_refused_is_told);
     tcase_add_test(tests, without_an_error_each_is_left_out);
+    tcase_add_test(tests, gaps_beyond_the_limit);
     tcase_add_test(tests, the_roughest);
     tcase_add_test(tests, a_table_of_a_surface);
     suite_add_tcase(suite, tests);
