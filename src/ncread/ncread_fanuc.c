@@ -72,12 +72,14 @@ static int read_g(struct ncread *c, const struct ncread_word *w, struct gcode_bl
     case 300:
         b->home = true;
         return 0;
-    case 430:
+    case 430: /* of one group with G43.4, which it ends */
+        c->tcp = c->tcp && !c->tcp_by_length;
+        c->vectors = c->vectors && c->tcp;
         c->length = true;
         return 0;
     case 434:
     case 435:
-        c->length = true;
+        c->length = c->tcp_by_length = true;
         return start_tcp(c, w, b, error);
     case 490:
         c->tcp = c->vectors = c->length = false;

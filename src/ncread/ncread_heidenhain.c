@@ -61,6 +61,10 @@ static int read_m(struct ncread *c, const char *text, struct klartext *k, struct
         c->tcp = w.value[0] == 128;
     else if (w.value[0] == 126 || w.value[0] == 127)
         return 0; /* the way of rotary axes over 360 degrees */
+    else if (w.value[0] == 92)
+        return ncread_error(c, error, "found M92, places from a point of the machine's maker");
+    else if (w.value[0] == 143)
+        return ncread_error(c, error, "found M143, which ends a basic rotation");
     else if (w.value[0] == 136)
         return ncread_error(c, error,
                             "found M136, a feed per revolution, which this reader does not read");
@@ -276,6 +280,8 @@ static int read_tool(struct ncread *c, const struct klartext *k, struct error *e
     for (int i = 2; i < k->n; i++) {
         const char *w = k->word[i], *value = w + (*w == 'S' ? 1 : 2 + (strncmp(w, "DR2", 3) == 0));
         bool name = quoted || *w == '"';
+        if (!name && i <= 3 && w[1] == '\0' && strchr("XYUVW", *w))
+            return ncread_error(c, error, "found a tool along another axis, expected TOOL CALL Z");
         double more = 0, speed = 0;
         for (const char *s = w; *s; s++)
             quoted = quoted != (*s == '"');

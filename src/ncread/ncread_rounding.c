@@ -1,6 +1,7 @@
 /* ncread_rounding - see ncread_rounding.h. */
 #include "ncread_rounding.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -57,13 +58,48 @@ static double of_gcode(const char *text, bool linuxcnc)
     return at ? number_of(at, 'P', HUGE_VAL) : 0;
 }
 
+/* The largest number behind one of n words. */
+static double most_behind(const char *text, const char *const *word, size_t n)
+{
+    double most = 0;
+
+    for (size_t i = 0; i < n; i++) {
+        const char *at = strstr(text, word[i]);
+        most = fmax(most, at ? strtod(at + strlen(word[i]), NULL) : 0);
+    }
+    return most;
+}
+
 static double of_siemens(const char *text)
 {
-    const char *cycle = strstr(text, "CYCLE832("), *adis = strstr(text, "ADIS=");
+    static const char *const word[] = {"CYCLE832(", "ADIS=", "ADISPOS=", "CTOL="};
 
-    if (cycle)
-        return strtod(cycle + strlen("CYCLE832("), NULL);
-    return adis ? strtod(adis + strlen("ADIS="), NULL) : 0;
+    return most_behind(text, word, sizeof word / sizeof *word);
+}
+
+/* How far the tool's axis may be off, degrees: on Siemens, of its direction or a rotary axis. */
+static double turn_of(const struct ncread *c)
+{
+    static const char *const word[] = {"OTOL=", "ATOL="};
+    char text[ROOM];
+
+    if (strcmp(c->options->dialect->name, "siemens") != 0)
+        return 0;
+    plain_text(c->text, false, text);
+    return most_behind(text, word, sizeof word / sizeof *word);
+}
+
+static void watch_turn(struct ncread *c)
+{
+    const double most = 2; /* degrees; paths are followed within one */
+    double turn = turn_of(c);
+    char text[100];
+
+    if (!(turn > most))
+        return;
+    snprintf(text, sizeof text,
+             "the axis may turn %.4g degrees off the path's, expected %g at most", turn, most);
+    ncread_watch_remark(c, c->line, c->block, text);
 }
 
 static double of_heidenhain(const char *text)
@@ -100,6 +136,7 @@ void ncread_rounding_watch(struct ncread *c)
 
     if (!head || !head->numbered)
         return;
+    watch_turn(c);
     double may = head->smoothing > 0 ? head->smoothing : head->tolerance, rounds = rounding_of(c);
     if (rounds == 0 || (rounds == HUGE_VAL && head->smoothing > 0 && takes_no_tolerance(head)))
         return;

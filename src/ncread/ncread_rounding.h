@@ -3,7 +3,8 @@
  * it: a program of ncpost says in its head how far that is.
  *
  * LinuxCNC: G64 P (User Manual, G-code: path blending), without P as far as it likes; Siemens:
- * CYCLE832's first argument, ADIS= of G641; Haas: E of G187; Heidenhain: T of CYCL DEF 32.1.
+ * CYCLE832's first argument, ADIS= of G641, CTOL=; Haas: E of G187; Heidenhain: T of CYCL DEF
+ * 32.1.  OTOL= and ATOL= of Siemens are how far the axis may be off, degrees.
  */
 #ifndef CLOUDMILL_NCREAD_ROUNDING_H
 #define CLOUDMILL_NCREAD_ROUNDING_H

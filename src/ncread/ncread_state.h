@@ -80,6 +80,7 @@ struct ncread {
     bool parameter;        /* which runs on the curve's parameter (UPATH), not on its length */
     bool length;           /* the tool's length is on */
     bool lengthened;       /* and was, in some block */
+    bool tcp_by_length;    /* tool centre point control is a length, too (G43.4): G43 ends it */
     size_t length_assumed; /* line of the first cut without it, whose Z was taken for the tip's */
     double speed;          /* of the spindle, 1/min; 0: not set yet */
     double feed;

@@ -110,6 +110,15 @@ if grep -q 'PO\[' curve.siemens; then found "UPATH lost" 'bad.siemens:[0-9]+: N[
 sed 's/\(TOOL CALL.*\)/\1 DL+0.5/' line.heidenhain >bad.heidenhain
 control=heidenhain
 found "a tool longer than its table says" 'bad.heidenhain:[0-9]+: N[0-9]+: TOOL CALL with DL or DR'
+sed 's/\(TOOL CALL [0-9]*\) Z/\1 Y/' line.heidenhain >bad.heidenhain
+found "a tool along another axis" 'N[0-9]+: found a tool along another axis, expected TOOL CALL Z'
+for m in M92 M143; do
+	edit before 45 $m
+	found "$m" "N[0-9]+: found $m, "
+done
+control=fanuc
+edit before 45 'G43 H1'
+found "G43 ends G43.4" 'cuts without tool centre point control'
 control=siemens
 
 # The first way over X and Y is gone, and the numbers do not tell it: from where the tool is at home it

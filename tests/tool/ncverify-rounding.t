@@ -46,6 +46,15 @@ refused "CYCLE832"
 program siemens
 amid 'G641 ADIS=5'
 refused "ADIS"
+for block in CTOL=1 'COMPCAD CTOL=1 OTOL=10' 'G642 CTOL=1'; do
+	amid "$block"
+	refused "$block"
+done
+for block in OTOL=10 ATOL=10; do
+	amid "$block"
+	status 3 "siemens: $block" ncverify -g scan.xyz bad.nc
+	has "... which is told" 'the axis may turn 10 degrees off the path.s, expected 2 at most' err
+done
 program heidenhain --set smooth=yes
 sed 's/\(CYCL DEF 32.1 T\)0[0-9.]*/\15/' good.nc >bad.nc
 refused "CYCL DEF 32"
