@@ -88,6 +88,16 @@ struct nc_remark {
     unsigned unless; /* of enum nc_asked: nothing is wrong where the path asks for it */
 };
 
+/* A move at rapid that is no piece, for nothing tells where the tip goes: X, Y or a rotary axis from
+ * where the last piece ended, its Z not home yet; or Z, before a rotary axis is known. */
+struct nc_blind {
+    size_t line;
+    int block;     /* -1: none */
+    size_t pieces; /* that were before it */
+    bool z_said;   /* Z goes to: */
+    double z;      /* mm */
+};
+
 struct nc_motion {
     const char *name; /* of the file */
     struct verify_kinematics kinematics;
@@ -112,6 +122,10 @@ struct nc_motion {
         size_t n, cap;
         struct nc_remark *item;
     } remark;
+    struct {
+        size_t n, cap;
+        struct nc_blind *item;
+    } blind;
     double unit;                       /* of the lengths in the program, mm; 0: 1 */
     bool coolant;                      /* is on at the first cut */
     char work[60];                     /* the work offset there, as its words say it; "": none */

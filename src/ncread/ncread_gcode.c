@@ -1,6 +1,7 @@
 /* ncread_gcode - see ncread_gcode.h. */
 #include "ncread_gcode.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 /* Tenths of those that do not change where the tool goes: cutter compensation off, work frames,
@@ -85,8 +86,11 @@ int ncread_gcode_statement(struct ncread *c, const char *line, struct error *err
 {
     char text[WORD_TEXT];
     const char *s = line;
-    if (*s == 'N')
+    long number = -1;
+    if (*s == 'N') {
+        number = strtol(s + 1, NULL, 10);
         s += 1 + strspn(s + 1, "0123456789");
+    }
     s += strspn(s, " ");
     size_t n = strcspn(s, "(;");
     while (n && s[n - 1] == ' ')
@@ -98,6 +102,8 @@ int ncread_gcode_statement(struct ncread *c, const char *line, struct error *err
     enum ncread_meaning meaning = ncread_meaning_of(c, text);
     if (meaning == MEANS_NOTHING_KNOWN)
         return 0;
+    if (number >= 0 && ncread_block(c, (double)number, error) < 0)
+        return -1;
     return ncread_meaning_apply(c, meaning, error) < 0 ? -1 : 1;
 }
 

@@ -81,18 +81,21 @@ int ncread_m(struct ncread *c, const struct ncread_word *w, struct error *error)
     return 0;
 }
 
-/* ncpost numbers blocks evenly: where a number is missing, so is a block. */
+/* ncpost numbers blocks evenly, the first one with the step itself: where a number is missing, so is
+ * a block. */
 static void watch_step(struct ncread *c)
 {
     char text[120];
-    long step = c->block - c->last_block;
-    if (c->last_block < 0 || !c->options->head || !c->options->head->numbered)
+    bool first = c->last_block < 0, second = c->last_block == c->step;
+    long step = first ? c->block : c->block - c->last_block;
+    if (!c->options->head || !c->options->head->numbered)
         return;
-    if (c->step > 0 && step > c->step) {
+    if (c->step == 0 || (second && step < c->step)) {
+        c->step = step;
+    } else if (step > c->step) {
         snprintf(text, sizeof text, "the block N%ld before it is missing", c->last_block + c->step);
         ncread_watch_remark(c, c->line, c->block, text);
     }
-    c->step = c->step > 0 ? c->step : step;
 }
 
 int ncread_block(struct ncread *c, double number, struct error *error)
@@ -305,6 +308,7 @@ int ncread_go(struct ncread *c, const struct ncread_place *to, struct nc_piece p
         c->motion->arcs += piece.shape == SHAPE_ARC;
         c->motion->curves += piece.shape == SHAPE_POLYNOMIAL;
     }
+    ncread_home_go(c, to, rapid, tracked);
     c->here = *to;
     if (!tracked) /* words of another frame: nothing is known of the tip */
         memset(c->here.known, 0, sizeof c->here.known);

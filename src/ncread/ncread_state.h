@@ -12,6 +12,7 @@
 #include "base/array.h"
 #include "ncread/ncread.h"
 #include "ncread_hole.h"
+#include "ncread_home.h"
 #include "ncread_meaning.h"
 #include "ncread_plane.h"
 #include "ncread_tool.h"
@@ -100,6 +101,7 @@ struct ncread {
     struct ncread_plane tilted; /* the plane that X Y Z are in */
     struct ncread_hole hole;    /* the drilling cycle that is on */
     struct ncread_watch watch;
+    struct ncread_home home;
     struct ncread_tool tool;
     /* a B-spline being read */
     int order;

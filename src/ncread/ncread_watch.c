@@ -225,6 +225,7 @@ void ncread_watch_words(struct ncread *c)
         }
     }
     watch_own_coolant(c);
+    ncread_home_words(c);
 }
 
 void ncread_watch_text(struct ncread *c, int n, const char *const word[])
@@ -240,6 +241,7 @@ void ncread_watch_text(struct ncread *c, int n, const char *const word[])
     for (int i = 0; i < n; i++)
         if (word[i][0] == 'M')
             watch_m(c, strtod(word[i] + 1, NULL));
+    ncread_home_text(c, n, word);
 }
 
 void ncread_watch_remark(struct ncread *c, size_t line, long block, const char *text)
@@ -350,6 +352,9 @@ void ncread_watch_cut(struct ncread *c)
     }
     if (!w->cuts && !w->known[WORK_OFFSET] && c->options->dialect->offsets)
         ncread_watch_remark(c, c->line, c->block, "cuts without a work offset, G54 or another");
+    if (!w->cuts && !c->home.called && c->options->dialect == &ncread_heidenhain &&
+        c->options->head && c->options->head->numbered)
+        ncread_watch_remark(c, c->line, c->block, "cuts before a tool is called");
     if (!w->cuts)
         tell_first(c);
     w->cuts = true;

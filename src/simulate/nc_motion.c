@@ -18,6 +18,7 @@ void nc_motion_free(struct nc_motion *m)
     array_free(&m->polynomial);
     array_free(&m->piece);
     array_free(&m->remark);
+    array_free(&m->blind);
 }
 
 /* Last knot index whose span holds u. */

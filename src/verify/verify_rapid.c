@@ -3,6 +3,7 @@
 
 #include "math/elementary.h"
 #include "math/kdtree.h"
+#include "ncread/ncread.h"
 #include "verify_finding.h"
 #include "verify_judge.h"
 
@@ -10,6 +11,7 @@
 #define EVEN RADIANS(25) /* that a move at rapid goes on as the cut, at most */
 #define ALONG 0.7        /* ... that leads up or down the tool by less of its length */
 #define STRAIGHT 0.99    /* of its length that a way down the tool leads down it, at least */
+#define NOSE 50.0        /* mm: no tool is shorter */
 #define WAY 0.1          /* mm that a way is shorter than the head says: it has one decimal there */
 #define LAST_BIT 1.0     /* mm: nearer to the part no rapid move comes back */
 #define COMING 0.3       /* of its way that an approach comes nearer, at least, ... */
@@ -82,6 +84,52 @@ static void judge_end(struct verdict *v)
     if (below > 0)
         finding_add(v, true, n - 1,
                     "the program ends %.3f mm below the part's top: a retract is missing", below);
+}
+
+/* How far the lowest point of the ball is below the part's highest at a piece's end, along Z of the
+ * machine: the tool, where all that turns are tables. */
+static double below_highest(const struct verdict *v, size_t piece)
+{
+    const struct nc_motion *motion = v->program.motion;
+    struct nc_motion_pose ball = nc_motion_ball(motion, piece, 1, v->options.radius);
+    double top = -HUGE_VAL;
+    for (int i = 0; i < motion->kinematics.n; i++)
+        if (!motion->kinematics.axis[i].table)
+            ball.a = vec(0, 0, 1);
+    for (size_t i = 0; i < v->program.part->n; i++)
+        top = fmax(top, vec_dot(v->program.part->item[i], ball.a));
+    double low = vec_dot(ball.p, ball.a) - v->options.radius;
+    return low < top - v->options.tolerance ? top - low : 0;
+}
+
+/* Moves that nothing follows, from below the part's top or to there.  Before the tool's length is
+ * on Z is the spindle's: a program of ncpost does not go there. */
+static void judge_blind(struct verdict *v)
+{
+    const struct nc_motion *motion = v->program.motion;
+    double top = part_top(v), more = v->program.post >= 0 ? NOSE : -v->options.tolerance;
+    for (size_t i = 0; i < motion->blind.n; i++) {
+        const struct nc_blind *blind = &motion->blind.item[i];
+        struct nc_piece at = {.line = blind->line, .block = blind->block};
+        char place[60];
+        ncread_place(&at, place, sizeof place);
+        if (blind->z_said && blind->z < top + more) {
+            finding_remark(v, true,
+                           "%s: Z goes at rapid to %.3f before the rotary axes are known, the "
+                           "part's top is at %.3f",
+                           place, blind->z, top);
+            return;
+        }
+        double below =
+            blind->z_said || blind->pieces == 0 ? 0 : below_highest(v, blind->pieces - 1);
+        if (below > 0) {
+            finding_remark(v, true,
+                           "%s: X, Y or a rotary axis goes at rapid while the ball is %.3f mm "
+                           "below the part's top: Z goes first",
+                           place, below);
+            return;
+        }
+    }
 }
 
 /* As long a way at rapid as its maker counted, or a retract or an approach was taken out, but for
@@ -254,4 +302,5 @@ void verify_rapid(struct verdict *v)
     judge_touches(v);
     judge_dark(v);
     judge_end(v);
+    judge_blind(v);
 }

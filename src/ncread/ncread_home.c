@@ -1,0 +1,144 @@
+/* ncread_home - see ncread_home.h. */
+#include "ncread_home.h"
+
+#include <string.h>
+
+#include "ncread_state.h"
+
+static bool ours(const struct ncread *c)
+{
+    return c->options->head && c->options->head->numbered;
+}
+
+/* A move that nothing follows: where the ball was last is where it begins, or Z is said. */
+static void add_blind(struct ncread *c, bool z_said, double z)
+{
+    double unit = c->unit > 0 ? c->unit : 1;
+    *array_push(&c->motion->blind) = (struct nc_blind){.line = c->line,
+                                                       .block = (int)c->block,
+                                                       .pieces = c->motion->piece.n,
+                                                       .z_said = z_said,
+                                                       .z = z_said ? unit * z : 0};
+}
+
+/* Before anything is known of Z: others than ncpost may rest on the operator. */
+static void remark_early(struct ncread *c)
+{
+    if (!c->home.early)
+        ncread_watch_unasked(c, c->line, c->block,
+                             "X, Y or a rotary axis goes at rapid before Z is home or known", 0);
+    c->home.early = true;
+}
+
+static void remark_stray(struct ncread *c)
+{
+    if (!c->home.strayed)
+        ncread_watch_remark(c, c->line, c->block,
+                            "a rapid move to a place of the work without tool centre point "
+                            "control, the rotary axes not at zero");
+    c->home.strayed = true;
+}
+
+/* X, Y or a rotary axis goes where nothing follows it.  A program of ncpost has Z at home then. */
+static void leave(struct ncread *c, bool with_z)
+{
+    if (c->home.high)
+        return;
+    if (c->motion->piece.n > 0 && (with_z || !ours(c)))
+        add_blind(c, false, 0);
+    else if (!with_z)
+        remark_early(c);
+}
+
+static bool names_beside(const struct ncread *c)
+{
+    return c->home.xy || c->home.turn;
+}
+
+/* The name of an axis, or of none. */
+static void name_axis(struct ncread *c, char letter)
+{
+    c->home.z = c->home.z || letter == 'Z';
+    c->home.xy = c->home.xy || letter == 'X' || letter == 'Y';
+    c->home.turn = c->home.turn || letter == 'A' || letter == 'B' || letter == 'C';
+}
+
+/* A tool is changed where the machine wants it; of a program of ncpost it is said where. */
+static void change_tool(struct ncread *c)
+{
+    c->home.called = true;
+    c->home.high = c->home.high || !ours(c);
+}
+
+/* To a place of the machine: G28 and G30 take all axes there, where none is named. */
+static void go_home(struct ncread *c, bool all, bool top)
+{
+    bool z = c->home.z || all || top;
+    if (names_beside(c) || all)
+        leave(c, z);
+    c->home.high = c->home.high || z;
+}
+
+void ncread_home_words(struct ncread *c)
+{
+    bool machine = c->machine_frame, back = false, top = false;
+    c->home.z = c->home.xy = c->home.turn = false;
+    for (size_t i = 0; i < c->words.n; i++) {
+        const struct ncread_word *w = &c->words.item[i];
+        bool one = w->kind == WORD_ADDRESS && !w->name[1];
+        enum ncread_meaning meaning = one ? ncread_meaning_of_word(c, w) : MEANS_NOTHING_KNOWN;
+        int tenths = one ? (int)lround(10 * w->value[0]) : 0;
+        top = top || meaning == MEANS_HOME;
+        if (one && *w->name == 'G' && meaning == MEANS_NOTHING_KNOWN) {
+            back = back || tenths == 280 || tenths == 300;
+            machine = machine || tenths == 530;
+        } else if (one && *w->name == 'M' && tenths == 60) {
+            change_tool(c);
+        }
+        machine = machine || (w->kind == WORD_NAME && strcmp(w->name, "SUPA") == 0);
+        if (!w->name[1] && !c->setting)
+            name_axis(c, *w->name);
+    }
+    if (machine || back || top)
+        go_home(c, back && !c->home.z && !names_beside(c), top);
+}
+
+void ncread_home_text(struct ncread *c, int n, const char *const word[])
+{
+    bool machine = false;
+    c->home.z = c->home.xy = c->home.turn = false;
+    if (n > 1 && strcmp(word[0], "TOOL") == 0 && strcmp(word[1], "CALL") == 0)
+        change_tool(c);
+    if (n == 0 || strcmp(word[0], "L") != 0)
+        return;
+    for (int i = 1; i < n; i++) {
+        const char *w = word[i];
+        machine = machine || strcmp(w, "M91") == 0;
+        name_axis(c, *w == 'I' ? w[1] : *w);
+    }
+    if (machine)
+        go_home(c, false, false);
+}
+
+/* Z alone, to above where the tip was seen last: without the tool's length it is no less. */
+static bool rises(const struct ncread *c, const struct ncread_place *to)
+{
+    return c->motion->piece.n > 0 && c->home.z && !names_beside(c) && to->at[2] > c->here.at[2];
+}
+
+void ncread_home_go(struct ncread *c, const struct ncread_place *to, bool rapid, bool tracked)
+{
+    bool blind = rapid && !tracked;
+    if (blind && c->home.z && !rises(c, to)) {
+        if (c->motion->piece.n > 0)
+            remark_stray(c);
+        else
+            add_blind(c, true, to->at[2]);
+    } else if (blind && c->home.xy && !c->home.high && c->motion->piece.n > 0) {
+        remark_stray(c);
+    } else if (rapid && !c->home.z && names_beside(c) && (!tracked || !c->here.known[2])) {
+        leave(c, false);
+    }
+    if (c->home.z)
+        c->home.high = blind && rises(c, to);
+}
