@@ -42,7 +42,7 @@ static void remark_stray(struct ncread *c)
 /* X, Y or a rotary axis goes where nothing follows it.  A program of ncpost has Z at home then. */
 static void leave(struct ncread *c, bool with_z)
 {
-    if (c->home.high)
+    if (c->home.high || c->home.raised)
         return;
     if (c->motion->piece.n > 0 && (with_z || !ours(c)))
         add_blind(c, false, 0);
@@ -128,17 +128,16 @@ static bool rises(const struct ncread *c, const struct ncread_place *to)
 
 void ncread_home_go(struct ncread *c, const struct ncread_place *to, bool rapid, bool tracked)
 {
-    bool blind = rapid && !tracked;
-    if (blind && c->home.z && !rises(c, to)) {
-        if (c->motion->piece.n > 0)
-            remark_stray(c);
-        else
-            add_blind(c, true, to->at[2]);
-    } else if (blind && c->home.xy && !c->home.high && c->motion->piece.n > 0) {
+    bool blind = rapid && !tracked, cut = c->motion->piece.n > 0, up = rises(c, to);
+    bool astray = c->home.z ? cut && !up : cut && c->home.xy && !c->home.high;
+    if (blind && astray)
         remark_stray(c);
-    } else if (rapid && !c->home.z && names_beside(c) && (!tracked || !c->here.known[2])) {
+    else if (blind && c->home.z)
+        add_blind(c, true, to->at[2]);
+    else if (rapid && !c->home.z && names_beside(c) && (!tracked || !c->here.known[2]))
         leave(c, false);
+    if (c->home.z) {
+        c->home.high = false;
+        c->home.raised = blind && up;
     }
-    if (c->home.z)
-        c->home.high = blind && rises(c, to);
 }

@@ -15,7 +15,8 @@ struct ncread;
 struct ncread_place;
 
 struct ncread_home {
-    bool high;           /* Z is at a place of the machine, or was raised from where it was known */
+    bool high;           /* Z is at a place of the machine */
+    bool raised;         /* or was raised from where it was known */
     bool z, xy, turn;    /* this block names Z; X or Y; a rotary axis */
     bool called;         /* a tool was called, of Klartext */
     bool strayed, early; /* remarked: a place of the work, a move before Z is known */

@@ -102,8 +102,8 @@ static double below_highest(const struct verdict *v, size_t piece)
     return low < top - v->options.tolerance ? top - low : 0;
 }
 
-/* Moves that nothing follows, from below the part's top or to there.  Before the tool's length is
- * on Z is the spindle's: a program of ncpost does not go there. */
+/* Moves that nothing follows, from below the part's top or to there.  Where the tool's length is off
+ * Z is the spindle's: no program of ncpost goes so low. */
 static void judge_blind(struct verdict *v)
 {
     const struct nc_motion *motion = v->program.motion;
@@ -115,8 +115,8 @@ static void judge_blind(struct verdict *v)
         ncread_place(&at, place, sizeof place);
         if (blind->z_said && blind->z < top + more) {
             finding_remark(v, true,
-                           "%s: Z goes at rapid to %.3f before the rotary axes are known, the "
-                           "part's top is at %.3f",
+                           "%s: Z goes at rapid to %.3f without tool centre point control, the "
+                           "rotary axes not known to be at zero, the part's top is at %.3f",
                            place, blind->z, top);
             return;
         }
