@@ -88,8 +88,9 @@ struct nc_remark {
     unsigned unless; /* of enum nc_asked: nothing is wrong where the path asks for it */
 };
 
-/* A move at rapid that is no piece, for nothing tells where the tip goes: X, Y or a rotary axis from
- * where the last piece ended, its Z not home yet; or Z, a rotary axis not known to be at zero. */
+/* A move at rapid that is no piece, for nothing tells where the tip goes: X, Y or a rotary axis
+ * from where the last piece ended, its Z not home yet; or Z, a rotary axis not known to be at
+ * zero. */
 struct nc_blind {
     size_t line;
     int block;     /* -1: none */

@@ -1,6 +1,6 @@
 /*
- * ncread_home - how high the tool is where nothing follows it: on the way to a place of the machine,
- * and at rapid without tool-centre-point control while rotary axes are turned.
+ * ncread_home - how high the tool is where nothing follows it: on the way to a place of the
+ * machine, and at rapid without tool-centre-point control while rotary axes are turned.
  *
  * Z goes home, or by a word to where it is known, before X, Y and the rotary axes go.  What is
  * wrong whatever the part is a remark; what depends on how high the part is a blind move of the

@@ -81,8 +81,8 @@ int ncread_m(struct ncread *c, const struct ncread_word *w, struct error *error)
     return 0;
 }
 
-/* ncpost numbers blocks evenly, the first one with the step itself: where a number is missing, so is
- * a block. */
+/* ncpost numbers blocks evenly, the first one with the step itself: where a number is missing, so
+ * is a block. */
 static void watch_step(struct ncread *c)
 {
     char text[120];

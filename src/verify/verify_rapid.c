@@ -102,8 +102,8 @@ static double below_highest(const struct verdict *v, size_t piece)
     return low < top - v->options.tolerance ? top - low : 0;
 }
 
-/* Moves that nothing follows, from below the part's top or to there.  Where the tool's length is off
- * Z is the spindle's: no program of ncpost goes so low. */
+/* Moves that nothing follows, from below the part's top or to there.  Where the tool's length is
+ * off Z is the spindle's: no program of ncpost goes so low. */
 static void judge_blind(struct verdict *v)
 {
     const struct nc_motion *motion = v->program.motion;

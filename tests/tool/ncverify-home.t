@@ -13,12 +13,20 @@ meshnorm -q -r 3 --scallop 0.1 --fixed 0,0,1 -o three.cl s.ply
 
 write() { # CONTROL: own.nc, its options in $how
 	path=five.cl machine=table-ac
-	case $1 in grbl | mach3 | tormach) path=three.cl machine=three-axis ;; linuxcnc) machine=linuxcnc-xyzac ;; esac
+	case $1 in
+	grbl | mach3 | tormach) path=three.cl machine=three-axis ;;
+	linuxcnc) machine=linuxcnc-xyzac ;;
+	esac
 	ncpost -q -c "$1" -m $machine -o own.nc $path
 	how="-c $1 -m $machine -g s.xyz -r 3 -e 0.02"
 }
 renumber() { # of Klartext
-	case $1 in heiden*) awk '/^[0-9]+ /{ sub(/^[0-9]+/, NR - 1) } 1' changed.nc >new.nc && mv new.nc changed.nc ;; esac
+	case $1 in
+	heiden*)
+		awk '/^[0-9]+ /{ sub(/^[0-9]+/, NR - 1) } 1' changed.nc >new.nc
+		mv new.nc changed.nc
+		;;
+	esac
 }
 headless() { grep -vE '^([0-9]+ )?[(;]' "$1" >headless.nc && mv headless.nc "$1"; }
 judged() { # STATUS DESC REGEX: changed.nc; REGEX: what is told, "": nothing
@@ -29,7 +37,8 @@ judged() { # STATUS DESC REGEX: changed.nc; REGEX: what is told, "": nothing
 stray="a rapid move to a place of the work without tool centre point control"
 low="Z goes at rapid to [-0-9.]+ without tool centre point control, .* the part's top is at"
 early='X, Y or a rotary axis goes at rapid before Z is home or known'
-first="X, Y or a rotary axis goes at rapid while the ball is 14.000 mm below the part's top: Z goes first"
+first="X, Y or a rotary axis goes at rapid while the ball is 14.000 mm below the part's top"
+first="$first: Z goes first"
 
 # ---- as written: no word of it, with the head and without; another one in place of the way home
 
@@ -83,15 +92,22 @@ dive heidenhain '/^10/s/^([0-9]+ )L Z\+0 R0 FMAX M91/0 L X+12 Y+8 Z+40 R0 FMAX\n
 dive okuma '/^N98/s/^(N[0-9]+ )G30 P1/\1G0 X12. Y8. Z40.\nG0 Z-5./'
 amid() { # CONTROL LINES: in place of a straight block far from the ends
 	write "$1"
-	awk -v text="$2" 'NR == 500 { print; n = split(text, line, "|"); for (i = 1; i <= n; i++) print line[i]; next } 1' own.nc >changed.nc
+	awk -v text="$2" '{ print }
+		NR == 500 { n = split(text, line, "|"); for (i = 1; i <= n; i++) print line[i] }' \
+		own.nc >changed.nc
 	renumber "$1"
 	judged 3 "$1: amid a cut" "$stray"
 }
-amid fanuc 'G49|G0 X20. Y2. Z-20.|Z60.|G43.4 H1|G0 X6. Y6. Z60. A-15. C-15.|Z30.|G1 Z23. F400.|F800.'
-amid siemens 'TRAFOOF|G0 X20 Y2 Z-20|Z60|TRAORI|ORIWKS ORIVECT|G0 X6 Y6 Z60 A3=0 B3=0 C3=1|Z30|G1 Z23 F400|F800'
-amid heidenhain '0 FUNCTION RESET TCPM|0 L X+20 Y+2 Z-20 R0 FMAX|0 L Z+60 FMAX|0 FUNCTION TCPM F TCP AXIS POS PATHCTRL AXIS|0 L X+6 Y+6 Z+60 A-15 C-15 R0 FMAX|0 L Z+30 FMAX|0 L Z+23 F400|0 L F800'
+back='X6. Y6. Z60. A-15. C-15.|Z30.|G1 Z23. F400.|F800.'
+amid fanuc "G49|G0 X20. Y2. Z-20.|Z60.|G43.4 H1|G0 $back"
+back='X6 Y6 Z60 A3=0 B3=0 C3=1|Z30|G1 Z23 F400|F800'
+amid siemens "TRAFOOF|G0 X20 Y2 Z-20|Z60|TRAORI|ORIWKS ORIVECT|G0 $back"
+off='0 FUNCTION RESET TCPM|0 L X+20 Y+2 Z-20 R0 FMAX|0 L Z+60 FMAX'
+back='0 L X+6 Y+6 Z+60 A-15 C-15 R0 FMAX|0 L Z+30 FMAX|0 L Z+23 F400|0 L F800'
+amid heidenhain "$off|0 FUNCTION TCPM F TCP AXIS POS PATHCTRL AXIS|$back"
 
-# ---- the spindle may go up by Z alone as G49 ends the length: by a program of ncpost well above the part
+# ---- the spindle may go up by Z alone as G49 ends the length: by a program of ncpost well above
+# the part
 
 ncpost -q -c fanuc --set length.off=z --set length.off.z=300 -o own.nc five.cl
 how='-c fanuc -m table-ac --set length.off=z --set length.off.z=300 -g s.xyz -r 3 -e 0.02'
@@ -104,7 +120,8 @@ sed 's/ G49 Z300\./ G49 Z300.\nG0 X5. Y5./' own.nc >changed.nc
 judged 3 "and X and Y then" "$stray"
 sed 's/ G49 Z300\./ G49 Z300. X5./' own.nc >changed.nc
 judged 3 "or with X" "$stray"
-sed '/ G49 Z300\./,/G28 Z0/{s/ G49 Z300\./ G49\nG91 G0 Z60./;s/\(G91 \)*G28 Z0\.$/G90/}' own.nc >changed.nc
+sed '/ G49 Z300\./,/G28 Z0/{s/ G49 Z300\./ G49\nG91 G0 Z60./;s/\(G91 \)*G28 Z0\.$/G90/}' \
+	own.nc >changed.nc
 headless changed.nc
 judged 0 "up from where it is, by a program of another"
 
@@ -173,8 +190,10 @@ valley 0 fanuc "up in the work first" "G0 Z25.|G49|G91 G28 X0. Y0.|G28 Z0.|$end"
 valley 0 fanuc "up in the work, all home at once" "G0 Z25.|G49|G91 G28 X0. Y0. Z0.|$end"
 valley 3 siemens "X Y home from the valley" 'G0 Z6|TRAFOOF|SUPA G0 X0 Y0 D0|SUPA G0 Z0 D0|M9|M5|M30'
 valley 0 siemens "Z home first" 'G0 Z6|TRAFOOF|SUPA G0 Z0 D0|SUPA G0 X0 Y0 D0|M9|M5|M30'
-valley 3 heidenhain "X Y home from the valley" '0 L Z+6 FMAX|0 FUNCTION RESET TCPM|0 L X+0 Y+0 R0 FMAX M91|0 L Z+0 R0 FMAX M91|0 M9|0 M5|0 M30|0 END PGM V_XYZ MM'
-valley 0 heidenhain "Z home first" '0 L Z+6 FMAX|0 FUNCTION RESET TCPM|0 L Z+0 R0 FMAX M91|0 L X+0 Y+0 R0 FMAX M91|0 M9|0 M5|0 M30|0 END PGM V_XYZ MM'
+low='0 L Z+6 FMAX|0 FUNCTION RESET TCPM' over='0 L X+0 Y+0 R0 FMAX M91'
+up='0 L Z+0 R0 FMAX M91' ended='0 M9|0 M5|0 M30|0 END PGM V_XYZ MM'
+valley 3 heidenhain "X Y home from the valley" "$low|$over|$up|$ended"
+valley 0 heidenhain "Z home first" "$low|$up|$over|$ended"
 valley 3 haas "X Y home from the valley" "G0 Z6.|G49|G53 G0 X0. Y0.|G53 G0 Z0.|$end"
 valley 0 haas "Z home first" "G0 Z6.|G49|G53 G0 Z0.|G53 G0 X0. Y0.|$end"
 
