@@ -150,6 +150,7 @@ $(BUILD)/tests/readback/readback: $(back_obj) $(help_obj) $(lib)
 
 $(BUILD)/tests/readback/%.o: FLAGS += -iquote src -iquote tests/lib
 $(BUILD)/tests/unit/%.o: FLAGS += -iquote src -iquote tests/lib
+$(BUILD)/tests/unit/%.o: CFLAGS := $(CFLAGS:-O3=-O1)
 $(units): $(BUILD)/tests/unit/%: $(BUILD)/tests/unit/%.o $(help_obj) $(lib)
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $< $(help_obj) $(lib) $$(pkg-config --libs check) $(LIBS)
 

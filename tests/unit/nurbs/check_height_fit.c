@@ -51,7 +51,7 @@ static struct vec3s points_of(double (*z)(double, double), size_t n, double hole
 
 static struct height_fit fit_with(const struct vec3s *points, size_t knots, double smooth)
 {
-    double inner[100];
+    double inner[100] = {0};
 
     for (size_t k = 0; k < knots; k++)
         inner[k] = 10.0 * (double)(k + 1) / (double)(knots + 1);
