@@ -47,6 +47,8 @@ static int read_g(struct ncread *c, const struct ncread_word *w, struct gcode_bl
             return -1;
         b->to = c->here;
         b->machine = b->machine || meaning == MEANS_HOME;
+        if (meaning == MEANS_TCP) /* Haas: G234 is of the group of G43, too */
+            c->tcp_by_length = true;
         return 0;
     }
     int taken = ncread_hole_code(c, code) ? 1 : ncread_gcode_g(c, code, error);

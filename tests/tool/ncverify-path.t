@@ -116,9 +116,11 @@ for m in M92 M143; do
 	edit before 45 $m
 	found "$m" "N[0-9]+: found $m, "
 done
-control=fanuc
-edit before 45 'G43 H1'
-found "G43 ends G43.4" 'cuts without tool centre point control'
+ncpost -q -c haas -m table-ac -o line.haas line.cl
+for control in fanuc haas; do
+	edit before 45 'G43 H1'
+	found "G43 ends G43.4 and G234" 'cuts without tool centre point control'
+done
 control=siemens
 
 # The first way over X and Y is gone, and the numbers do not tell it: from where the tool is at home it
