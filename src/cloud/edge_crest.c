@@ -206,24 +206,30 @@ static bool is_near(const struct crest_about *about, double reach, struct vec3 p
     return false;
 }
 
+/* A place of the crest or its sides, of which the point knows. */
+static bool place_at(const struct crest_about *about, double reach, double s, double d,
+                     struct vec3 *place)
+{
+    return crest_fit_at(about->fit, s, d, place) && is_here(about, *place) &&
+           is_near(about, reach, *place);
+}
+
 static void add_across(const struct edge_work *work, const struct crest_about *about, double s,
                        struct vec3s *edge, struct vec3s *between)
 {
     const double dense = 0.65;
     const struct crest_fit *fit = about->fit;
     double pitch = dense * work->options->along;
-    double spacing = point_grid_spacing(work->options->point_grid);
+    double spacing = point_grid_spacing(work->options->point_grid), reach = ABOUT * spacing;
     struct vec3 place;
 
-    if (crest_fit_at(fit, s, 0, &place) && is_here(about, place) &&
-        is_near(about, ABOUT * spacing, place))
+    if (place_at(about, reach, s, 0, &place))
         *array_push(edge) = place;
     for (int side = 0; side < 2; side++) {
         double down = pitch / hypot(1, fit->c[side ? 5 : 3]);
         double far = fit->far[side] + BEYOND * spacing;
         for (double d = down; d < far; d += down)
-            if (crest_fit_at(fit, s, side ? d : -d, &place) && is_here(about, place) &&
-                is_near(about, ABOUT * spacing, place))
+            if (place_at(about, reach, s, side ? d : -d, &place))
                 *array_push(between) = place;
     }
 }

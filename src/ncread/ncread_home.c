@@ -5,11 +5,6 @@
 
 #include "ncread_state.h"
 
-static bool ours(const struct ncread *c)
-{
-    return c->options->head && c->options->head->numbered;
-}
-
 /* A move that nothing follows: where the ball was last is where it begins, or Z is said. */
 static void add_blind(struct ncread *c, bool z_said, double z)
 {
@@ -44,7 +39,7 @@ static void leave(struct ncread *c, bool with_z)
 {
     if (c->home.high || c->home.raised)
         return;
-    if (c->motion->piece.n > 0 && (with_z || !ours(c)))
+    if (c->motion->piece.n > 0 && (with_z || !ncread_ours(c)))
         add_blind(c, false, 0);
     else if (!with_z)
         remark_early(c);
@@ -67,7 +62,7 @@ static void name_axis(struct ncread *c, char letter)
 static void change_tool(struct ncread *c)
 {
     c->home.called = true;
-    c->home.high = c->home.high || !ours(c);
+    c->home.high = c->home.high || !ncread_ours(c);
 }
 
 /* To a place of the machine: G28 and G30 take all axes there, where none is named. */

@@ -176,11 +176,10 @@ static int read_block(struct ncread *c, const char *line, struct error *error)
 
 static int read_end(struct ncread *c, struct error *error)
 {
-    bool ours = c->options->head && c->options->head->numbered;
     bool never = ncread_meaning_of(c, "G43") == MEANS_NEVER;
     if (!c->ended || (c->framed && !c->closed))
         return ncread_error(c, error, "the program ends without M2 and %");
-    if ((c->length && !never && ours) || c->spindle)
+    if ((c->length && !never && ncread_ours(c)) || c->spindle)
         return ncread_error(c, error, "ends with the spindle turning or with the tool's length on");
     return 0;
 }

@@ -77,29 +77,19 @@ static double of_siemens(const char *text)
     return most_behind(text, word, sizeof word / sizeof *word);
 }
 
-/* How far the tool's axis may be off, degrees: on Siemens, of its direction or a rotary axis. */
-static double turn_of(const struct ncread *c)
+/* How far the tool's axis may be off on Siemens: its direction, or a rotary axis. */
+static void watch_turn(struct ncread *c, const char *text)
 {
     static const char *const word[] = {"OTOL=", "ATOL="};
-    char text[ROOM];
-
-    if (strcmp(c->options->dialect->name, "siemens") != 0)
-        return 0;
-    plain_text(c->text, false, text);
-    return most_behind(text, word, sizeof word / sizeof *word);
-}
-
-static void watch_turn(struct ncread *c)
-{
     const double most = 2; /* degrees; paths are followed within one */
-    double turn = turn_of(c);
-    char text[100];
+    double turn = most_behind(text, word, sizeof word / sizeof *word);
+    char remark[100];
 
     if (!(turn > most))
         return;
-    snprintf(text, sizeof text,
+    snprintf(remark, sizeof remark,
              "the axis may turn %.4g degrees off the path's, expected %g at most", turn, most);
-    ncread_watch_remark(c, c->line, c->block, text);
+    ncread_watch_remark(c, c->line, c->block, remark);
 }
 
 static double of_heidenhain(const char *text)
@@ -109,18 +99,14 @@ static double of_heidenhain(const char *text)
     return at ? strtod(at + strlen("CYCLDEF32.1T"), NULL) : 0;
 }
 
-/* In the program's unit. */
-static double rounding_of(const struct ncread *c)
+/* Of a block on that control, in the program's unit. */
+static double rounding_of(const char *control, const char *text)
 {
-    char text[ROOM];
-    const char *name = c->options->dialect->name;
-
-    plain_text(c->text, strcmp(name, "siemens") != 0, text);
-    if (strcmp(name, "siemens") == 0)
+    if (strcmp(control, "siemens") == 0)
         return of_siemens(text);
-    if (strcmp(name, "heidenhain") == 0)
+    if (strcmp(control, "heidenhain") == 0)
         return of_heidenhain(text);
-    return of_gcode(text, strcmp(name, "linuxcnc") == 0);
+    return of_gcode(text, strcmp(control, "linuxcnc") == 0);
 }
 
 /* Mach3's G64, with which it smooths as it likes: its maker has been told so. */
@@ -129,15 +115,13 @@ static bool takes_no_tolerance(const struct ncread_head *head)
     return strcmp(head->control_file, "MACH3") == 0 || strcmp(head->control_file, "mach3") == 0;
 }
 
-void ncread_rounding_watch(struct ncread *c)
+/* In the head of a program of ncpost stands how far corners may be rounded. */
+static void watch_corners(struct ncread *c, double rounds)
 {
     const struct ncread_head *head = c->options->head;
+    double may = head->smoothing > 0 ? head->smoothing : head->tolerance;
     char text[100];
 
-    if (!head || !head->numbered)
-        return;
-    watch_turn(c);
-    double may = head->smoothing > 0 ? head->smoothing : head->tolerance, rounds = rounding_of(c);
     if (rounds == 0 || (rounds == HUGE_VAL && head->smoothing > 0 && takes_no_tolerance(head)))
         return;
     rounds *= c->unit > 0 ? c->unit : 1;
@@ -152,4 +136,18 @@ void ncread_rounding_watch(struct ncread *c)
                  "mm",
                  may);
     ncread_watch_remark(c, c->line, c->block, text);
+}
+
+void ncread_rounding_watch(struct ncread *c)
+{
+    const char *control = c->options->dialect->name;
+    bool siemens = strcmp(control, "siemens") == 0;
+    char text[ROOM];
+
+    if (!ncread_ours(c))
+        return;
+    plain_text(c->text, !siemens, text);
+    if (siemens)
+        watch_turn(c, text);
+    watch_corners(c, rounding_of(control, text));
 }

@@ -81,6 +81,11 @@ int ncread_m(struct ncread *c, const struct ncread_word *w, struct error *error)
     return 0;
 }
 
+bool ncread_ours(const struct ncread *c)
+{
+    return c->options->head && c->options->head->numbered;
+}
+
 /* ncpost numbers blocks evenly, the first one with the step itself: where a number is missing, so
  * is a block. */
 static void watch_step(struct ncread *c)
@@ -88,7 +93,7 @@ static void watch_step(struct ncread *c)
     char text[120];
     bool first = c->last_block < 0, second = c->last_block == c->step;
     long step = first ? c->block : c->block - c->last_block;
-    if (!c->options->head || !c->options->head->numbered)
+    if (!ncread_ours(c))
         return;
     if (c->step == 0 || (second && step < c->step)) {
         c->step = step;
@@ -240,10 +245,9 @@ static bool length_counts(const struct ncread *c)
 
 int ncread_length(struct ncread *c, struct error *error)
 {
-    bool ours = c->options->head && c->options->head->numbered;
     if (c->length)
         return 0;
-    if (ours || c->lengthened || c->tilted.on || length_counts(c))
+    if (ncread_ours(c) || c->lengthened || c->tilted.on || length_counts(c))
         return ncread_error(c, error, "cuts without the tool's length, G43");
     if (!c->length_assumed)
         c->length_assumed = c->line;

@@ -124,6 +124,9 @@ int ncread_unread(struct ncread *c, const struct ncread_word *w, struct error *e
 /* An M word: the spindle, the end, and those that move nothing. */
 int ncread_m(struct ncread *c, const struct ncread_word *w, struct error *error);
 
+/* The program is one of ncpost, by its head. */
+bool ncread_ours(const struct ncread *c);
+
 /* The N number of a block must rise; after 9900 and more it may begin anew. */
 int ncread_block(struct ncread *c, double number, struct error *error);
 

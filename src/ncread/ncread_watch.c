@@ -254,10 +254,9 @@ void ncread_watch_remark(struct ncread *c, size_t line, long block, const char *
 void ncread_watch_unasked(struct ncread *c, size_t line, long block, const char *text,
                           unsigned unless)
 {
-    bool ours = c->options->head && c->options->head->numbered;
     ncread_watch_remark(c, line, block, text);
     struct nc_remark *remark = &c->motion->remark.item[c->motion->remark.n - 1];
-    remark->notice = !ours;
+    remark->notice = !ncread_ours(c);
     remark->unless = unless;
 }
 
@@ -352,8 +351,7 @@ void ncread_watch_cut(struct ncread *c)
     }
     if (!w->cuts && !w->known[WORK_OFFSET] && c->options->dialect->offsets)
         ncread_watch_remark(c, c->line, c->block, "cuts without a work offset, G54 or another");
-    if (!w->cuts && !c->home.called && c->options->dialect == &ncread_heidenhain &&
-        c->options->head && c->options->head->numbered)
+    if (!w->cuts && !c->home.called && c->options->dialect == &ncread_heidenhain && ncread_ours(c))
         ncread_watch_remark(c, c->line, c->block, "cuts before a tool is called");
     if (!w->cuts)
         tell_first(c);

@@ -40,12 +40,13 @@ static double scan_tolerance(const struct path *path, double tolerance)
 {
     const double closest = 0.01, wide = 4, widest = 100; /* of the fitter's */
     size_t n = path->head.ledger.n;
-    double made = gouge_made_within(path);
+    double made = gouge_made_within(path), most = widest;
 
-    if (made > 0)
-        return fmin(fmax(made, closest * tolerance), widest * tolerance);
-    made = n > 0 ? path->head.ledger.item[n - 1].spent : tolerance;
-    return fmin(fmax(made, closest * tolerance), wide * tolerance);
+    if (!(made > 0)) {
+        made = n > 0 ? path->head.ledger.item[n - 1].spent : tolerance;
+        most = wide;
+    }
+    return fmin(fmax(made, closest * tolerance), most * tolerance);
 }
 
 /* The scan that guards; with --paper only that of -g. */

@@ -36,19 +36,21 @@ static double off_part(const struct verdict *v, const struct kdtree *part, size_
     return sqrt(distance2) - v->options.radius;
 }
 
-/* The height of the part's highest point, mm. */
-static double part_top(const struct verdict *v)
+static const struct vec3 UP = {0, 0, 1};
+
+/* The height of the part's highest point along `up`, mm. */
+static double part_top(const struct verdict *v, struct vec3 up)
 {
     double top = -HUGE_VAL;
     for (size_t i = 0; i < v->program.part->n; i++)
-        top = fmax(top, v->program.part->item[i].z);
+        top = fmax(top, vec_dot(v->program.part->item[i], up));
     return top;
 }
 
-/* How far the lowest point of the ball is below the part's top at a piece's end; 0: above. */
-static double below_top(const struct verdict *v, double top, size_t piece)
+/* How far the lowest point of the ball is below that at a piece's end; 0: above. */
+static double below_top(const struct verdict *v, double top, struct vec3 up, size_t piece)
 {
-    double low = ball_at(v, piece, 1).z - v->options.radius;
+    double low = vec_dot(ball_at(v, piece, 1), up) - v->options.radius;
     return low < top - v->options.tolerance ? top - low : 0;
 }
 
@@ -57,12 +59,12 @@ static double below_top(const struct verdict *v, double top, size_t piece)
 static void judge_dark(struct verdict *v)
 {
     const struct nc_motion *motion = v->program.motion;
-    double top = part_top(v);
+    double top = part_top(v, UP);
     for (size_t i = 0; i < motion->piece.n; i++) {
         const struct nc_piece *piece = &motion->piece.item[i];
         if (!piece->dark || !piece->rapid)
             continue;
-        double below = below_top(v, top, i);
+        double below = below_top(v, top, UP, i);
         if (below == 0)
             continue;
         finding_add(v, v->program.post >= 0, i,
@@ -80,26 +82,21 @@ static void judge_end(struct verdict *v)
     size_t n = v->program.motion->piece.n;
     if (!v->program.guarded || n == 0 || v->cut.n == 0)
         return;
-    double below = below_top(v, part_top(v), n - 1);
+    double below = below_top(v, part_top(v, UP), UP, n - 1);
     if (below > 0)
         finding_add(v, true, n - 1,
                     "the program ends %.3f mm below the part's top: a retract is missing", below);
 }
 
-/* How far the lowest point of the ball is below the part's highest at a piece's end, along Z of the
- * machine: the tool, where all that turns are tables. */
-static double below_highest(const struct verdict *v, size_t piece)
+/* Z of the machine at a piece's end, where the part is: the tool, where all that turns are
+ * tables. */
+static struct vec3 machine_up(const struct verdict *v, size_t piece)
 {
     const struct nc_motion *motion = v->program.motion;
-    struct nc_motion_pose ball = nc_motion_ball(motion, piece, 1, v->options.radius);
-    double top = -HUGE_VAL;
     for (int i = 0; i < motion->kinematics.n; i++)
         if (!motion->kinematics.axis[i].table)
-            ball.a = vec(0, 0, 1);
-    for (size_t i = 0; i < v->program.part->n; i++)
-        top = fmax(top, vec_dot(v->program.part->item[i], ball.a));
-    double low = vec_dot(ball.p, ball.a) - v->options.radius;
-    return low < top - v->options.tolerance ? top - low : 0;
+            return UP;
+    return nc_motion_ball(motion, piece, 1, v->options.radius).a;
 }
 
 /* Moves that nothing follows, from below the part's top or to there.  Where the tool's length is
@@ -107,7 +104,11 @@ static double below_highest(const struct verdict *v, size_t piece)
 static void judge_blind(struct verdict *v)
 {
     const struct nc_motion *motion = v->program.motion;
-    double top = part_top(v), more = v->program.post >= 0 ? NOSE : -v->options.tolerance;
+    if (motion->blind.n == 0)
+        return;
+    struct vec3 up = UP; /* of the highest of the part that was asked for last */
+    double top = part_top(v, UP), highest = top;
+    double more = v->program.post >= 0 ? NOSE : -v->options.tolerance;
     for (size_t i = 0; i < motion->blind.n; i++) {
         const struct nc_blind *blind = &motion->blind.item[i];
         struct nc_piece at = {.line = blind->line, .block = blind->block};
@@ -120,8 +121,12 @@ static void judge_blind(struct verdict *v)
                            place, blind->z, top);
             return;
         }
-        double below =
-            blind->z_said || blind->pieces == 0 ? 0 : below_highest(v, blind->pieces - 1);
+        if (blind->z_said || blind->pieces == 0)
+            continue;
+        struct vec3 before = up;
+        up = machine_up(v, blind->pieces - 1);
+        highest = vec_distance(up, before) > 0 ? part_top(v, up) : highest;
+        double below = below_top(v, highest, up, blind->pieces - 1);
         if (below > 0) {
             finding_remark(v, true,
                            "%s: X, Y or a rotary axis goes at rapid while the ball is %.3f mm "
