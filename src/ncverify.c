@@ -330,6 +330,8 @@ static struct verify_program read_program(const struct settings *s, const struct
         die_error(&error);
     options.cutcom = machine->cutcom;
     options.words = machine->text.words;
+    options.home = machine->blocks.home;
+    options.z_top = machine->max[MACHINE_Z];
     options.tool = machine->tool;
     options.tools = machine->tools;
     add_coolant(machine, &options);
@@ -360,6 +362,7 @@ static struct verify_program read_program(const struct settings *s, const struct
                                    .contact_feed = head->contact_feed,
                                    .of_whole = head->of_whole && !s->left_given && !s->accept,
                                    .post = head->post,
+                                   .ours = head->numbered,
                                    .axis = head->axis,
                                    .rapid = s->accept || head->of_whole ? 0 : head->rapid};
 }
@@ -580,6 +583,7 @@ int main(int argc, char **argv)
         read_path(s.path, &path, &head, &region);
         program.path = &path;
     }
+    program.rounding = s.tolerance_given || s.path ? s.tolerance : 0;
     if (read_part(&s, &head, &points)) {
         check_scan(&s, &head, points.n);
         program.guarded = head.scans > 0 && is_of_scan(&head, (double)points.n);

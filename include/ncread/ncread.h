@@ -89,6 +89,8 @@ struct ncread_options {
     const char *words;                    /* what the control's file says of words, "": nothing */
     const char *coolant[NCREAD_COOLANTS]; /* blocks of the machine's own that switch it on, */
     const char *coolant_off;              /* and off; NULL, "": M7, M8, M9 alone */
+    const char *home;                     /* the machine's own way home; NULL: Z0 alone */
+    double z_top;                         /* Z of the machine at the top of its travel, mm */
     const struct machine_tool *tool;      /* the machine's, with their lengths */
     size_t tools;
     struct ncread_head *head; /* is filled; NULL: not wanted */

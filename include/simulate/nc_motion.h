@@ -95,6 +95,8 @@ struct nc_blind {
     size_t line;
     int block;     /* -1: none */
     size_t pieces; /* that were before it */
+    bool nose;     /* without the tool's length: Z is the spindle's */
+    bool turned;   /* without tool centre point control, the rotary axes not known to be at zero */
     bool z_said;   /* Z goes to: */
     double z;      /* mm */
 };
@@ -127,6 +129,11 @@ struct nc_motion {
         size_t n, cap;
         struct nc_blind *item;
     } blind;
+    struct {
+        double most; /* by so much a block lets the control round corners, in the program's unit */
+        size_t line;
+        int block;                     /* -1: none */
+    } rounding;                        /* 0: none does; HUGE_VAL: as far as it likes */
     double unit;                       /* of the lengths in the program, mm; 0: 1 */
     bool coolant;                      /* is on at the first cut */
     char work[60];                     /* the work offset there, as its words say it; "": none */

@@ -85,6 +85,8 @@ struct verify_program {
     bool guarded;         /* by this scan: it ends above all of it */
     double post, axis;    /* off the path by, mm and degrees; below zero: not said */
     double rapid;         /* way of its rapid moves, mm; 0: not said */
+    bool ours;            /* of ncpost */
+    double rounding;      /* that is asked for of corners at most, mm; 0: it is told alone */
     const char *made_for; /* the machine; "": not said */
     bool wet;             /* its first cut has coolant, unless the path says otherwise */
     const char *work;     /* its work offset, "": the active preset; NULL: not known */

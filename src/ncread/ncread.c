@@ -171,9 +171,9 @@ static int read_lines(struct ncread *c, struct reader *r, struct error *error)
             continue; /* editors leave such lines behind the end */
         if (c->options->head && c->motion->piece.n == 0)
             ncread_head_line(c->options->head, line);
-        ncread_rounding_watch(c);
         if (c->options->dialect->block(c, line, error) < 0 || ncread_length_watch(c, error) < 0)
             return -1;
+        ncread_rounding_watch(c);
     }
     return more;
 }

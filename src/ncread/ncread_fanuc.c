@@ -9,6 +9,28 @@
 
 #include "ncread_gcode.h"
 
+/*
+ * Tenths of those that change not where the tool goes, besides those of ncread_gcode (B-64484EN,
+ * lists of G codes): look-ahead, exact stop, polar coordinates off, stroke check off, watching the
+ * spindle, normal direction off, mirroring off, other work offsets, feed at corners, tapping,
+ * macros off; of Haas look-ahead, its work offsets and smoothness.
+ */
+static const int no_effect[] = {80,  90,  150, 230, 250,  260,  401, 501,
+                                541, 620, 630, 670, 1030, 1540, 1870};
+
+/* Of them those whose other words are numbers of their own: G54.1 P3, G187 P3 E0.01. */
+static const int with_settings[] = {80, 250, 260, 541, 1030, 1540, 1870};
+
+static bool is_among(int tenths, const int *list, size_t n)
+{
+    for (size_t i = 0; i < n; i++)
+        if (tenths == list[i])
+            return true;
+    return false;
+}
+
+#define IS_ONE_OF(tenths, list) is_among(tenths, list, sizeof(list) / sizeof *(list))
+
 static int start_tcp(struct ncread *c, const struct ncread_word *w, struct gcode_block *b,
                      struct error *error)
 {
@@ -58,7 +80,9 @@ static int read_g(struct ncread *c, const struct ncread_word *w, struct gcode_bl
     case 50: /* smoothing, look-ahead */
     case 51:
         return smoothing(c, error);
-    case 690: /* no tilted plane: ncread_plane */
+    case 531: /* tilted planes on, off: ncread_plane */
+    case 682:
+    case 690:
         return 0;
     case 24:
     case 34:
@@ -85,12 +109,18 @@ static int read_g(struct ncread *c, const struct ncread_word *w, struct gcode_bl
         return start_tcp(c, w, b, error);
     case 490:
         c->tcp = c->vectors = c->length = false;
+        c->here.known[2] = c->here.known[2] && !c->lengthened;
+        b->to.known[2] = b->to.known[2] && !c->lengthened;
         return 0;
     case 530:
         b->machine = true;
         return 0;
     default:
-        return ncread_unknown(c, w, error);
+        if (!IS_ONE_OF(code, no_effect))
+            return ncread_unknown(c, w, error);
+        c->setting = c->setting || IS_ONE_OF(code, with_settings);
+        b->bare = b->bare || code == 501;
+        return 0;
     }
 }
 
@@ -100,7 +130,7 @@ static int read_address(struct ncread *c, const struct ncread_word *w, struct gc
 {
     char letter = w->name[0];
     if (letter == 'O')
-        return 0;
+        return c->titled ? ncread_error(c, error, "another program begins (O) amid this one") : 0;
     bool own = c->setting && strchr("IJKRQ", letter);
     if (strchr("XYZABCIJKRQ", letter) && !w->pointed && !own && w->value[0] != 0)
         return ncread_error(c, error, "a length, angle or feed without a decimal point");
@@ -116,15 +146,38 @@ static int read_address(struct ncread *c, const struct ncread_word *w, struct gc
     return 0;
 }
 
+/* The G and M words beside one whose other words are its own: G4, G68.2, G53.1. */
+static int read_beside(struct ncread *c, struct gcode_block *b, const char *own,
+                       struct error *error)
+{
+    for (size_t i = 0; i < c->words.n; i++) {
+        const struct ncread_word *w = &c->words.item[i];
+        char letter = w->name[0];
+        bool dwell = letter == 'G' && w->value[0] == 4;
+        if (!strchr(own, letter) && !strchr("NGMSTDH", letter))
+            return ncread_unread(c, w, error);
+        if (letter == 'G'   ? !dwell && read_g(c, w, b, error) < 0
+            : letter == 'M' ? ncread_m(c, w, error) < 0
+                            : false)
+            return -1;
+    }
+    if (b->machine || b->home || b->tool || b->spline_begins)
+        return ncread_error(c, error, "G4, G68.2 or G53.1 with a move");
+    return 0;
+}
+
 /* The words of a block into the state and *b. */
 static int read_words(struct ncread *c, struct gcode_block *b, struct error *error)
 {
     unsigned seen = 0;
+    if (ncread_gcode_check(c, error) < 0)
+        return -1;
     if (ncread_hole_dwell(c, 0.001))
-        return 0;
+        return read_beside(c, b, "XPFU", error);
     int plane = ncread_plane_g(c, error);
     if (plane != 0)
-        return plane < 0 ? -1 : 0;
+        return plane < 0 ? -1 : read_beside(c, b, plane > 1 ? "XYZIJK" : "P", error);
+    b->to = c->has_middle ? c->middle : c->here; /* G69 forgets it */
     for (size_t i = 0; i < c->words.n; i++) {
         const struct ncread_word *w = &c->words.item[i];
         unsigned bit = 1u << (w->name[0] - 'A');
@@ -144,6 +197,8 @@ static int read_words(struct ncread *c, struct gcode_block *b, struct error *err
         if (!strchr("GMN", c->words.item[i].name[0]) &&
             read_address(c, &c->words.item[i], b, error) < 0)
             return -1;
+    if (b->bare && b->named)
+        return ncread_error(c, error, "G50.1 with a place, which this reader does not read");
     return 0;
 }
 
@@ -264,6 +319,10 @@ static int run_block(struct ncread *c, struct gcode_block *b, struct error *erro
         return ncread_error(c, error, "a spline that is not complete");
     if (block_axis(c, b, error) < 0)
         return -1;
+    bool straight = c->move <= MOVE_LINE && !c->vectors && !c->hole.on && !c->setting;
+    if (straight && (ncread_gcode_centred(b) || b->radius_named))
+        return ncread_error(c, error,
+                            "I, J, K or R without an arc, which this reader does not read");
     if (!ncread_gcode_goes(c, b))
         return 0;
     bool turned = c->options->tcp && !c->tilted.on && !ncread_upright(c); /* which wants G43.4 */
@@ -322,6 +381,7 @@ static int read_block(struct ncread *c, const char *line, struct error *error)
     struct gcode_block b = {.to = c->has_middle ? c->middle : c->here};
     if (read_words(c, &b, error) < 0)
         return -1;
+    c->titled = c->titled || c->words.n > 0;
     ncread_watch_words(c);
     ncread_tool_words(c);
     return run_block(c, &b, error);

@@ -5,13 +5,10 @@
 #include <string.h>
 
 /* Tenths of those that do not change where the tool goes: cutter compensation off, work frames,
- * path control, cycles off; polar coordinates, scaling, macros and turned frames off, speeds of the
- * spindle, look-ahead. */
-static const int no_effect[] = {90,  150, 400, 501, 540, 541, 550, 560, 570, 580,  590,  591, 592,
-                                593, 610, 611, 630, 640, 670, 690, 800, 970, 1030, 1540, 1870};
-
-/* Of them those whose other words are numbers of their own: G54.1 P3, G187 P3 E0.01. */
-static const int with_settings[] = {541, 1030, 1540, 1870};
+ * path control, cycles off, speeds of the spindle.  Any other G is refused, but for those that a
+ * dialect or the control's file knows. */
+static const int no_effect[] = {400, 540, 550, 560, 570, 580, 590, 591,
+                                592, 593, 610, 611, 640, 800, 970};
 
 int ncread_gcode_g(struct ncread *c, int tenths, struct error *error)
 {
@@ -48,13 +45,20 @@ int ncread_gcode_g(struct ncread *c, int tenths, struct error *error)
         return 1;
     default:
         for (size_t i = 0; i < sizeof no_effect / sizeof *no_effect; i++)
-            if (tenths == no_effect[i]) {
-                for (size_t k = 0; k < sizeof with_settings / sizeof *with_settings; k++)
-                    c->setting = c->setting || tenths == with_settings[k];
+            if (tenths == no_effect[i])
                 return 1;
-            }
         return 0;
     }
+}
+
+int ncread_gcode_check(struct ncread *c, struct error *error)
+{
+    for (size_t i = 0; i < c->words.n; i++) {
+        enum ncread_meaning meaning = ncread_meaning_of_word(c, &c->words.item[i]);
+        if (meaning == MEANS_UNREAD || meaning == MEANS_NEVER)
+            return ncread_unread(c, &c->words.item[i], error);
+    }
+    return 0;
 }
 
 bool ncread_gcode_address(struct ncread *c, const struct ncread_word *w, struct gcode_block *b)

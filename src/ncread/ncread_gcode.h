@@ -26,6 +26,7 @@ struct gcode_block {
     bool centre_named[3], radius_named;
     double centre[3], radius; /* centre[2] is K: a knot under G06.2 */
     bool machine, home;       /* G53, G28 */
+    bool bare;                /* axis words beside its G are no place */
     bool spline_begins;       /* G06.2 stands in this block */
     bool tool;                /* G43.4 or G43.5 stands in this block */
 };
@@ -36,6 +37,9 @@ struct gcode_block {
  * not stand here.
  */
 int ncread_gcode_g(struct ncread *c, int tenths, struct error *error);
+
+/* An error where the block has a word that is not read as the control's file says (`unread`). */
+int ncread_gcode_check(struct ncread *c, struct error *error);
 
 /* X Y Z A B C, I J K, R and F of a block: true when the word is one of them. */
 bool ncread_gcode_address(struct ncread *c, const struct ncread_word *w, struct gcode_block *b);

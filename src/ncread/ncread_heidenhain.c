@@ -49,6 +49,28 @@ static int read_number(struct ncread *c, const char *text, bool sign, double *va
     return *text ? ncread_error(c, error, "found letters after a number") : 0;
 }
 
+/* Those that change not where the tool goes: M94 (angles shown), M107 and M108 (tools too large are
+ * told), M109 to M111 (feed at arcs), M116 and M117 (feed of rotary axes), M126 and M127 (their way
+ * over 360 degrees), M134 and M135 (exact stop), M137 (feed a minute), M148 and M149 (up at a
+ * stop); TNC 640, Programming: miscellaneous functions. */
+static bool is_idle_m(double m)
+{
+    static const double idle[] = {94,  107, 108, 109, 110, 111, 116, 117,
+                                  126, 127, 134, 135, 137, 148, 149};
+    for (size_t i = 0; i < sizeof idle / sizeof *idle; i++)
+        if (m == idle[i])
+            return true;
+    return false;
+}
+
+/* From 89 on they are the control's, not the maker's: M89 calls a cycle at each block, M97 changes
+ * small steps, M118 adds a handwheel, M130 leaves the tilted plane, M144 counts axes of the
+ * kinematics, and so on.  Those that ncread_meaning tells are left to it. */
+static bool is_own_m(double m)
+{
+    return m >= 89 && m < 200 && !ncread_meaning_moves('M', (int)(10 * m));
+}
+
 static int read_m(struct ncread *c, const char *text, struct klartext *k, struct error *error)
 {
     struct ncread_word w = {.kind = WORD_ADDRESS, .name = "M", .values = 1};
@@ -59,8 +81,6 @@ static int read_m(struct ncread *c, const char *text, struct klartext *k, struct
         return ncread_meaning_apply(c, meaning, error);
     if (w.value[0] == 128 || w.value[0] == 129)
         c->tcp = w.value[0] == 128;
-    else if (w.value[0] == 126 || w.value[0] == 127)
-        return 0; /* the way of rotary axes over 360 degrees */
     else if (w.value[0] == 92)
         return ncread_error(c, error, "found M92, places from a point of the machine's maker");
     else if (w.value[0] == 143)
@@ -68,12 +88,14 @@ static int read_m(struct ncread *c, const char *text, struct klartext *k, struct
     else if (w.value[0] == 136)
         return ncread_error(c, error,
                             "found M136, a feed per revolution, which this reader does not read");
-    else if (w.value[0] == 137)
-        return 0; /* a feed per minute again */
+    else if (is_idle_m(w.value[0]))
+        return 0;
     else if (w.value[0] == 91)
         k->machine = true;
     else if (w.value[0] == 99)
         k->call = true;
+    else if (is_own_m(w.value[0]))
+        return ncread_unread(c, &w, error);
     else
         return ncread_m(c, &w, error);
     return 0;
@@ -175,10 +197,10 @@ static int run_straight(struct ncread *c, struct klartext *k, bool vectors, stru
     }
     if (k->vector_n != (vectors ? 3 : 0))
         return ncread_error(c, error, "LN wants TX TY TZ, L none of them");
-    if (!k->named)
-        return 0;
     if (k->call)
         return ncread_hole_m99(c, &k->to, error);
+    if (!k->named)
+        return 0;
     return ncread_go(c, &k->to, ncread_piece(c, &k->to), k->fast, error);
 }
 
@@ -243,25 +265,39 @@ static void read_dwell(struct ncread *c, const char *word)
         c->motion->dwell += seconds / 60;
 }
 
-/* A definition that is no drilling cycle: those that change where the tool goes are refused. */
+/* Dwell, tolerance, work offset and drilling cycles are read; those that change where the tool goes,
+ * wait for a call, or stop the spindle (13) are refused. */
 static int check_cycle(struct ncread *c, const struct klartext *k, struct error *error)
 {
     static const long moving[] = {7, 8, 10, 11, 12, 14, 19, 26, 27, 28, 39};
     long number = k->n > 2 ? strtol(k->word[2], NULL, 10) : 0;
+    if (k->n < 2 || strcmp(k->word[1], "DEF") != 0)
+        return ncread_error(c, error, "CYCL CALL, which this reader does not read");
     for (size_t i = 0; i < sizeof moving / sizeof *moving; i++)
         if (number == moving[i])
             return ncread_error(
                 c, error, "a cycle that moves or turns the frame, which this reader does not read");
-    if (number >= 208 && number != 247)
+    bool hole = number >= 200 && number <= 207 && number != 204; /* which bores from below */
+    if (!hole && number != 9 && number != 32 && number != 247)
         return ncread_error(c, error, "a cycle which this reader does not read");
     return 0;
 }
 
-/* A block that moves nothing: the blank, a heading, a stop, the tool that comes next. */
+/* M words without a move, behind a STOP or alone. */
+static int read_alone(struct ncread *c, struct klartext *k, int first, struct error *error)
+{
+    for (int i = first; i < k->n; i++)
+        if (k->word[i][0] != 'M')
+            return ncread_error(c, error, "a block that this reader does not know");
+        else if (read_m(c, k->word[i] + 1, k, error) < 0)
+            return -1;
+    return k->call ? ncread_hole_m99(c, &k->to, error) : 0;
+}
+
+/* A block that moves nothing: the blank, a heading. */
 static bool is_idle(struct ncread *c, const char *first)
 {
-    return strcmp(first, "BLK") == 0 || strcmp(first, "STOP") == 0 || *first == '*' ||
-           ncread_meaning_of(c, first) == MEANS_IDLE;
+    return strcmp(first, "BLK") == 0 || *first == '*' || ncread_meaning_of(c, first) == MEANS_IDLE;
 }
 
 static void watch_block(struct ncread *c, const struct klartext *k)
@@ -277,6 +313,8 @@ static void watch_block(struct ncread *c, const struct klartext *k)
 static int read_tool(struct ncread *c, const struct klartext *k, struct error *error)
 {
     bool quoted = false;
+    if (k->n < 3)
+        return ncread_error(c, error, "TOOL CALL or TOOL DEF without a tool or a speed");
     for (int i = 2; i < k->n; i++) {
         const char *w = k->word[i], *value = w + (*w == 'S' ? 1 : 2 + (strncmp(w, "DR2", 3) == 0));
         bool name = quoted || *w == '"';
@@ -322,7 +360,9 @@ static int run_block(struct ncread *c, struct klartext *k, struct error *error)
     if (strcmp(first, "FUNCTION") == 0)
         return run_function(c, k, error);
     if (*first == 'M' && k->n == 1)
-        return read_m(c, first + 1, k, error);
+        return read_alone(c, k, 0, error);
+    if (strcmp(first, "STOP") == 0)
+        return read_alone(c, k, 1, error);
     int plane = ncread_plane_spatial(c, error);
     if (plane != 0)
         return plane < 0 ? -1 : 0;

@@ -1,9 +1,19 @@
 /* ncread_home - see ncread_home.h. */
 #include "ncread_home.h"
 
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
+#include "math/elementary.h"
+#include "base/num.h"
 #include "ncread_state.h"
+
+/* Without tool centre point control X Y Z of the control are not the tip's. */
+static bool is_turned(const struct ncread *c)
+{
+    return c->options->tcp && !ncread_upright(c);
+}
 
 /* A move that nothing follows: where the ball was last is where it begins, or Z is said. */
 static void add_blind(struct ncread *c, bool z_said, double z)
@@ -13,6 +23,8 @@ static void add_blind(struct ncread *c, bool z_said, double z)
                                                        .block = (int)c->block,
                                                        .pieces = c->motion->piece.n,
                                                        .z_said = z_said,
+                                                       .nose = z_said && ncread_nose(c),
+                                                       .turned = is_turned(c),
                                                        .z = z_said ? unit * z : 0};
 }
 
@@ -25,9 +37,13 @@ static void remark_early(struct ncread *c)
     c->home.early = true;
 }
 
-static void remark_stray(struct ncread *c)
+static void remark_stray(struct ncread *c, bool aligned)
 {
-    if (!c->home.strayed)
+    if (!c->home.strayed && aligned)
+        ncread_watch_remark(c, c->line, c->block,
+                            "a rapid move to a place of the work without the tool's length, which "
+                            "was on before");
+    else if (!c->home.strayed)
         ncread_watch_remark(c, c->line, c->block,
                             "a rapid move to a place of the work without tool centre point "
                             "control, the rotary axes not at zero");
@@ -65,6 +81,35 @@ static void change_tool(struct ncread *c)
     c->home.high = c->home.high || !ncread_ours(c);
 }
 
+/* Z of the machine is its zero, the top of its travel, or as in the machine file's own way home. */
+static bool is_high(const struct ncread *c, double z)
+{
+    const char *own = c->options->home;
+    double mm = z * (c->unit > 0 ? c->unit : 1);
+    if (z == 0 || fabs(mm - c->options->z_top) < 0.001)
+        return true;
+    for (const char *s = own ? strchr(own, 'Z') : NULL; s; s = strchr(s + 1, 'Z')) {
+        const char *number = s + 1 + (s[1] == '=');
+        double said = 0;
+        if (num_read(&number, &said) && said == z)
+            return true;
+    }
+    return false;
+}
+
+/* A place of the machine that may be below the part: nothing is known of Z after it. */
+static void remark_low(struct ncread *c, double z)
+{
+    char text[120];
+    c->home.high = c->home.raised = false;
+    if (!c->home.low)
+        snprintf(text, sizeof text,
+                 "Z goes to %.4g of the machine, which is not known to be above the part", z);
+    if (!c->home.low)
+        ncread_watch_unasked(c, c->line, c->block, text, 0);
+    c->home.low = true;
+}
+
 /* To a place of the machine: G28 and G30 take all axes there, where none is named. */
 static void go_home(struct ncread *c, bool all, bool top)
 {
@@ -74,9 +119,19 @@ static void go_home(struct ncread *c, bool all, bool top)
     c->home.high = c->home.high || z;
 }
 
+/* The same by coordinates of the machine, Z to this one. */
+static void go_in_machine(struct ncread *c, double z)
+{
+    bool low = c->home.z && !is_high(c, z);
+    go_home(c, false, false);
+    if (low)
+        remark_low(c, z);
+}
+
 void ncread_home_words(struct ncread *c)
 {
     bool machine = c->machine_frame, back = false, top = false;
+    double z = 0;
     c->home.z = c->home.xy = c->home.turn = false;
     for (size_t i = 0; i < c->words.n; i++) {
         const struct ncread_word *w = &c->words.item[i];
@@ -93,14 +148,19 @@ void ncread_home_words(struct ncread *c)
         machine = machine || (w->kind == WORD_NAME && strcmp(w->name, "SUPA") == 0);
         if (!w->name[1] && !c->setting)
             name_axis(c, *w->name);
+        if (strcmp(w->name, "Z") == 0)
+            z = w->value[0];
     }
-    if (machine || back || top)
+    if (machine && !back && !top)
+        go_in_machine(c, z);
+    else if (machine || back || top)
         go_home(c, back && !c->home.z && !names_beside(c), top);
 }
 
 void ncread_home_text(struct ncread *c, int n, const char *const word[])
 {
     bool machine = false;
+    double z = 0;
     c->home.z = c->home.xy = c->home.turn = false;
     if (n > 1 && strcmp(word[0], "TOOL") == 0 && strcmp(word[1], "CALL") == 0)
         change_tool(c);
@@ -110,9 +170,13 @@ void ncread_home_text(struct ncread *c, int n, const char *const word[])
         const char *w = word[i];
         machine = machine || strcmp(w, "M91") == 0;
         name_axis(c, *w == 'I' ? w[1] : *w);
+        if (*w == 'Z')
+            z = strtod(w + 1, NULL);
+        else if (*w == 'I' && w[1] == 'Z') /* by so much, from wherever it is */
+            z = HUGE_VAL;
     }
     if (machine)
-        go_home(c, false, false);
+        go_in_machine(c, z);
 }
 
 /* Z alone, to above where the tip was seen last: without the tool's length it is no less. */
@@ -124,9 +188,10 @@ static bool rises(const struct ncread *c, const struct ncread_place *to)
 void ncread_home_go(struct ncread *c, const struct ncread_place *to, bool rapid, bool tracked)
 {
     bool blind = rapid && !tracked, cut = c->motion->piece.n > 0, up = rises(c, to);
-    bool astray = c->home.z ? cut && !up : cut && c->home.xy && !c->home.high;
+    bool aligned = ncread_nose(c) && !is_turned(c); /* X and Y go where the tip goes */
+    bool astray = c->home.z ? cut && !up : cut && c->home.xy && !c->home.high && !aligned;
     if (blind && astray)
-        remark_stray(c);
+        remark_stray(c, aligned);
     else if (blind && c->home.z)
         add_blind(c, true, to->at[2]);
     else if (rapid && !c->home.z && names_beside(c) && (!tracked || !c->here.known[2]))

@@ -19,7 +19,8 @@ struct ncread_home {
     bool raised;         /* or was raised from where it was known */
     bool z, xy, turn;    /* this block names Z; X or Y; a rotary axis */
     bool called;         /* a tool was called, of Klartext */
-    bool strayed, early; /* remarked: a place of the work, a move before Z is known */
+    bool strayed, early; /* remarked: a place of the work, a move before Z is known, ... */
+    bool low;            /* ... a Z of the machine that may be low */
 };
 
 /* The words of the block just read, before it moves; for Klartext its words as text. */

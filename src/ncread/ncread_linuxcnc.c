@@ -23,6 +23,8 @@ static int read_g(struct ncread *c, const struct ncread_word *w, struct gcode_bl
     int taken = ncread_hole_code(c, code) ? 1 : ncread_gcode_g(c, code, error);
     if (code == 930)
         c->feed = 0;
+    if (code == 800) /* no motion is on after it */
+        c->move = MOVE_NONE;
     if (taken != 0)
         return taken < 0 ? -1 : 0;
     switch (code) {
@@ -50,14 +52,25 @@ static int read_g(struct ncread *c, const struct ncread_word *w, struct gcode_bl
 static int read_address(struct ncread *c, const struct ncread_word *w, struct gcode_block *b,
                         struct error *error)
 {
+    if (*w->name == 'O') /* of a subprogram, behind other words */
+        return ncread_unread(c, w, error);
     if (!ncread_gcode_address(c, w, b) && !strchr("STHDPQN", w->name[0]))
         return ncread_unknown(c, w, error);
     return 0;
 }
 
+/* M70 to M73: G words that are kept and come back, as G91, G20 and planes; M61: a tool that is in
+ * the spindle already, without its length; M66 to M68 wait or set an output. */
+static bool keeps_modes(double m)
+{
+    return (m >= 70 && m <= 73) || m == 61;
+}
+
 static int read_words(struct ncread *c, struct gcode_block *b, struct error *error)
 {
     unsigned seen = 0;
+    if (ncread_gcode_check(c, error) < 0)
+        return -1;
     for (size_t i = 0; i < c->words.n; i++) {
         const struct ncread_word *w = &c->words.item[i];
         char letter = w->name[0];
@@ -65,6 +78,8 @@ static int read_words(struct ncread *c, struct gcode_block *b, struct error *err
         int result = 0;
         if (letter == 'G')
             result = read_g(c, w, b, error);
+        else if (letter == 'M' && keeps_modes(w->value[0]))
+            result = ncread_unread(c, w, error);
         else if (letter == 'M' && w->value[0] == 2)
             c->ended = true;
         else if (letter == 'M')
@@ -99,7 +114,9 @@ static int run_block(struct ncread *c, struct gcode_block *b, struct error *erro
     if (b->machine)
         return machine_move(c, b, error);
     if (!ncread_gcode_goes(c, b))
-        return 0;
+        return c->setting || !(ncread_gcode_centred(b) || b->radius_named)
+                   ? 0
+                   : ncread_error(c, error, "I, J, K or R without an arc");
     ncread_turned(c, &b->to);
     if ((c->hole.on || c->move > MOVE_RAPID) && ncread_length(c, error) < 0)
         return -1;

@@ -7,8 +7,8 @@
 #include <string.h>
 #include <strings.h>
 
-static const char *const kept[] = {"offset",       "offset.1",    "coolant.on", "coolant.mist",
-                                   "coolant.thru", "coolant.air", "coolant.off"};
+static const char *const kept[] = {"offset",       "offset.1",    "coolant.on",  "coolant.mist",
+                                   "coolant.thru", "coolant.air", "coolant.off", "home"};
 
 /* The value behind `key =` at this place, NULL: another key stands there. */
 static const char *value_at(const char *s, const char *key)

@@ -23,7 +23,9 @@ static const char *const meanings[MEANS_NOTHING_KNOWN] = {[MEANS_IDLE] = "idle",
                                                           [MEANS_MACHINE_OFF] = "machine.off",
                                                           [MEANS_MM] = "mm",
                                                           [MEANS_INCH] = "inch",
-                                                          [MEANS_END] = "end"};
+                                                          [MEANS_END] = "end",
+                                                          [MEANS_READ] = "read",
+                                                          [MEANS_UNREAD] = "unread"};
 
 /* One entry `WORD: meaning` of the list; the rest of it, NULL: there is no more. */
 static const char *next_entry(const char *words, char word[WORD_TEXT], char meaning[WORD_TEXT])
@@ -67,31 +69,55 @@ int ncread_meaning_check(const char *words, struct error *error)
                 error,
                 "words: found `%s: %s`, expected WORD: idle, offset, tcp, tcp.vectors, "
                 "tcp.off, length, length.off, never, home, machine, machine.off, "
-                "mm, inch or end",
+                "mm, inch, end, read or unread",
                 word, meaning);
     return 0;
 }
 
-/* The same letter and number, or the same text. */
-static bool same_word(const char *a, const char *b)
+/* The number is a whole one of a range: entry is G17-G19 from its `-` on. */
+static bool within(double from, const char *entry, char letter, double number)
 {
-    char *end_a, *end_b;
-    if (strcmp(a, b) == 0)
-        return true;
-    if (*a != *b || !isupper((unsigned char)*a))
+    char *end;
+    if (entry[0] != '-' || entry[1] != letter)
         return false;
-    double x = strtod(a + 1, &end_a), y = strtod(b + 1, &end_b);
-    return end_a > a + 1 && end_b > b + 1 && !*end_a && !*end_b && fabs(x - y) < 1e-6;
+    double to = strtod(entry + 2, &end);
+    return end > entry + 2 && !*end && number >= from && number <= to && number == floor(number);
+}
+
+/* The same letter and number as an entry, or one of its range, or the same text. */
+static bool same_word(const char *entry, const char *b)
+{
+    char *end, *end_b;
+    if (strcmp(entry, b) == 0)
+        return true;
+    if (*entry != *b || !isupper((unsigned char)*entry))
+        return false;
+    double x = strtod(entry + 1, &end), y = strtod(b + 1, &end_b);
+    if (end == entry + 1 || end_b == b + 1 || *end_b)
+        return false;
+    return (!*end && fabs(x - y) < 1e-6) || within(x, end, *entry, y);
+}
+
+/* The entry is the letter alone of a word with a number. */
+static bool same_letter(const char *entry, const char *word)
+{
+    return entry[0] == word[0] && !entry[1] && strspn(word + 1, "0123456789.") > 0;
 }
 
 enum ncread_meaning ncread_meaning_of(const struct ncread *c, const char *text)
 {
     char word[WORD_TEXT], meaning[WORD_TEXT];
     const char *s = c->options->words ? c->options->words : "";
-    while ((s = next_entry(s, word, meaning)) != NULL)
-        if (same_word(word, text))
-            return find_meaning(meaning);
-    return MEANS_NOTHING_KNOWN;
+    enum ncread_meaning found = MEANS_NOTHING_KNOWN;
+    while ((s = next_entry(s, word, meaning)) != NULL) {
+        if (same_word(word, text)) {
+            found = find_meaning(meaning);
+            break;
+        }
+        if (same_letter(word, text))
+            found = find_meaning(meaning);
+    }
+    return found == MEANS_READ ? MEANS_NOTHING_KNOWN : found;
 }
 
 enum ncread_meaning ncread_meaning_of_word(const struct ncread *c, const struct ncread_word *w)
@@ -137,6 +163,8 @@ int ncread_meaning_apply(struct ncread *c, enum ncread_meaning meaning, struct e
     case MEANS_END:
         c->ended = true;
         break;
+    case MEANS_UNREAD:
+        return ncread_error(c, error, "found a word of the control that this reader does not read");
     default:
         break;
     }

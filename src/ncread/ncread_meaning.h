@@ -3,9 +3,11 @@
  * file says of them, and how they are told.
  *
  *     words = G234: tcp | G49: length.off | G43: never | {hash}RTCP ON: tcp
+ *     words = G: unread | G0-G4: read | G17-G19: read
  *
- * A word without a meaning is named once, at the end, and taken to have no effect where its kind
- * cannot move the tool; else it is refused.
+ * A letter alone stands for all of its words that have no entry of their own.  A word without a
+ * meaning is named once, at the end, and taken to have no effect where its kind cannot move the
+ * tool (M of a machine's maker); else, and every G, it is refused.
  */
 #ifndef CLOUDMILL_NCREAD_MEANING_H
 #define CLOUDMILL_NCREAD_MEANING_H
@@ -29,7 +31,9 @@ enum ncread_meaning {
     MEANS_MACHINE_OFF,
     MEANS_MM, /* lengths are millimetres, inches */
     MEANS_INCH,
-    MEANS_END, /* of the program */
+    MEANS_END,    /* of the program */
+    MEANS_READ,   /* as the dialect reads it: nothing of its own is known */
+    MEANS_UNREAD, /* something else than in the dialect, or nothing: refused */
     MEANS_NOTHING_KNOWN
 };
 

@@ -7,7 +7,13 @@
 #include "math/elementary.h"
 #include "base/num.h"
 
-enum { CYCLE800_ANGLES = 7, CYCLE800_MODE = 3, AXIS_BY_AXIS = 57, ARGUMENTS = 12 };
+enum {
+    CYCLE800_ANGLES = 7,
+    CYCLE800_MODE = 3,
+    AXIS_BY_AXIS = 57,
+    CYCLE800_SHIFT = 10,
+    ARGUMENTS = 13
+};
 
 static void forget_place(struct ncread *c)
 {
@@ -55,17 +61,20 @@ int ncread_plane_g(struct ncread *c, struct error *error)
     static const char *const name[] = {"X", "Y", "Z", "I", "J", "K"};
     static const int euler[] = {2, 0, 2};
     double v[6];
-    bool begins = false, others = false;
+    bool begins = false, others = false, leaves = false;
     for (size_t i = 0; i < c->words.n; i++) {
         int code =
             c->words.item[i].name[0] == 'G' ? (int)lround(c->words.item[i].value[0] * 10) : -1;
         begins = begins || code == 682;
         others = others || code == 531;
-        if (code == 690)
-            return c->tilted.on ? leave_plane(c) : 1;
+        leaves = leaves || code == 690;
     }
+    if (begins + others + leaves > 1)
+        return ncread_error(c, error, "G68.2, G53.1 and G69 in one block");
     if (others)
         return c->tilted.on ? 1 : ncread_error(c, error, "G53.1 without G68.2");
+    if (leaves && c->tilted.on)
+        leave_plane(c);
     if (!begins)
         return 0;
     for (int i = 0; i < 6; i++) {
@@ -74,7 +83,7 @@ int ncread_plane_g(struct ncread *c, struct error *error)
             return ncread_error(c, error, "G68.2 wants X Y Z I J K with decimal points");
         v[i] = w->value[0];
     }
-    return enter_plane(c, vec(v[0], v[1], v[2]), euler, v + 3, error);
+    return enter_plane(c, vec(v[0], v[1], v[2]), euler, v + 3, error) < 0 ? -1 : 2;
 }
 
 int ncread_plane_cycle800(struct ncread *c, struct error *error)
@@ -94,6 +103,9 @@ int ncread_plane_cycle800(struct ncread *c, struct error *error)
     }
     if (v[CYCLE800_MODE] != AXIS_BY_AXIS)
         return ncread_error(c, error, "CYCLE800 in another mode than 57, axis by axis");
+    for (int i = 0; i < 3; i++)
+        if (v[CYCLE800_SHIFT + i] != 0)
+            return ncread_error(c, error, "CYCLE800 with a shift in the plane");
     return enter_plane(c, vec(v[4], v[5], v[6]), axes, v + CYCLE800_ANGLES, error);
 }
 

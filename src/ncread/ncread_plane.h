@@ -20,7 +20,8 @@ struct ncread_plane {
     struct vec3 origin, x, y, z;
 };
 
-/* Each: 1 it was such a block, 0 it was none, -1 it is wrong. */
+/* Each: 1 it was such a block, 0 it was none, -1 it is wrong.  Of G68.2 2, of G69 0, for it leaves
+ * other words to be read. */
 int ncread_plane_g(struct ncread *c, struct error *error);
 int ncread_plane_cycle800(struct ncread *c, struct error *error);
 int ncread_plane_spatial(struct ncread *c, struct error *error);

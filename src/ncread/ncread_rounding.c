@@ -47,14 +47,16 @@ static double number_of(const char *text, char letter, double other)
     return at ? strtod(at + 1, NULL) : other;
 }
 
-/* G64 is a tolerance on LinuxCNC alone: on Fanuc it ends another mode. */
+/* G64 without P is as far as it likes on LinuxCNC alone: on Fanuc it ends another mode. */
 static double of_gcode(const char *text, bool linuxcnc)
 {
     const char *at = behind(text, "G187");
 
     if (at)
         return number_of(at, 'E', 0);
-    at = linuxcnc ? behind(text, "G64") : NULL;
+    at = behind(text, "G64");
+    if (!linuxcnc)
+        return at && *at == 'P' ? strtod(at + 1, NULL) : 0;
     return at ? number_of(at, 'P', HUGE_VAL) : 0;
 }
 
@@ -77,19 +79,63 @@ static double of_siemens(const char *text)
     return most_behind(text, word, sizeof word / sizeof *word);
 }
 
-/* How far the tool's axis may be off on Siemens: its direction, or a rotary axis. */
+/* CYCLE832's third number. */
+static double orientation_of(const char *text)
+{
+    const char *at = strstr(text, "CYCLE832(");
+
+    for (int i = 0; at && i < 2; i++)
+        at = strpbrk(at + 1, ",)");
+    return at && *at == ',' ? strtod(at + 1, NULL) : 0;
+}
+
+/* How far the tool's axis may be off: its direction, or a rotary axis. */
 static void watch_turn(struct ncread *c, const char *text)
 {
-    static const char *const word[] = {"OTOL=", "ATOL="};
+    static const char *const siemens[] = {"OTOL=", "ATOL="};
     const double most = 2; /* degrees; paths are followed within one */
-    double turn = most_behind(text, word, sizeof word / sizeof *word);
+    const char *cycle = strstr(text, "CYCLDEF32.2"), *ta = cycle ? strstr(cycle, "TA") : NULL;
+    double turn = ta ? strtod(ta + 2, NULL) : 0;
     char remark[100];
 
+    if (c->options->dialect == &ncread_siemens)
+        turn = fmax(orientation_of(text), most_behind(text, siemens, 2));
     if (!(turn > most))
         return;
     snprintf(remark, sizeof remark,
              "the axis may turn %.4g degrees off the path's, expected %g at most", turn, most);
-    ncread_watch_remark(c, c->line, c->block, remark);
+    ncread_watch_unasked(c, c->line, c->block, remark, 0);
+}
+
+/* Corners by the machine's data alone; of its own programs who made them has been told so. */
+static void watch_data(struct ncread *c, const char *text)
+{
+    static const char *const word[] = {"G642",    "G643",     "G644",   "G645",
+                                       "COMPCAD", "COMPCURV", "COMPON", "COMPSURF"};
+    bool told = ncread_ours(c) && c->options->head->smoothing > 0;
+    char remark[110];
+
+    for (size_t i = 0; i < sizeof word / sizeof *word && !c->rounds_by_data && !told; i++) {
+        if (!behind(text, word[i]) || strstr(text, "CTOL="))
+            continue;
+        snprintf(remark, sizeof remark,
+                 "corners may be rounded as the machine's data say (%s), which are not known here",
+                 word[i]);
+        ncread_watch_unasked(c, c->line, c->block, remark, 0);
+        c->rounds_by_data = true;
+    }
+}
+
+/* The largest of the program, in its unit, is judged in the end. */
+static void keep_most(struct ncread *c, double rounds)
+{
+    struct nc_motion *motion = c->motion;
+
+    if (!(rounds > motion->rounding.most))
+        return;
+    motion->rounding.most = rounds;
+    motion->rounding.line = c->line;
+    motion->rounding.block = (int)c->block;
 }
 
 static double of_heidenhain(const char *text)
@@ -144,10 +190,12 @@ void ncread_rounding_watch(struct ncread *c)
     bool siemens = strcmp(control, "siemens") == 0;
     char text[ROOM];
 
-    if (!ncread_ours(c))
-        return;
     plain_text(c->text, !siemens, text);
+    double rounds = rounding_of(control, text);
+    keep_most(c, rounds);
+    watch_turn(c, text);
     if (siemens)
-        watch_turn(c, text);
-    watch_corners(c, rounding_of(control, text));
+        watch_data(c, text);
+    if (ncread_ours(c))
+        watch_corners(c, rounds);
 }

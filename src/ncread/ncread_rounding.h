@@ -3,8 +3,9 @@
  * it: a program of ncpost says in its head how far that is.
  *
  * LinuxCNC: G64 P (User Manual, G-code: path blending), without P as far as it likes; Siemens:
- * CYCLE832's first argument, ADIS= of G641, CTOL=; Haas: E of G187; Heidenhain: T of CYCL DEF
- * 32.1.  OTOL= and ATOL= of Siemens are how far the axis may be off, degrees.
+ * CYCLE832's first argument, ADIS= of G641, CTOL=; Haas: E of G187; Hurco: G64 P; Heidenhain:
+ * T of CYCL DEF 32.1.  OTOL=, ATOL= and CYCLE832's third argument of Siemens and TA of CYCL DEF 32.2
+ * are how far the axis may be off, degrees.
  */
 #ifndef CLOUDMILL_NCREAD_ROUNDING_H
 #define CLOUDMILL_NCREAD_ROUNDING_H
@@ -12,7 +13,7 @@
 struct ncread;
 
 /* Remarks the block just read where it allows more than the program's head says: what was smoothed,
- * else its tolerance.  Programs of others are not asked. */
+ * else its tolerance.  The largest of any program is kept in the motion. */
 void ncread_rounding_watch(struct ncread *c);
 
 #endif

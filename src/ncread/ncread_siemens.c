@@ -56,14 +56,14 @@ static bool is_among(const char *name, size_t n, const char *const list[], size_
 
 /* Names that do not change where the tool goes. */
 static const char *const known_names[] = {
-    "ORIWKS",   "SOFT",     "BRISK",  "FFWON", "FFWOF",  "COMPOF",   "STOPRE",    "BNAT",
-    "ENAT",     "BTAN",     "ETAN",   "G642",  "CFC",    "CFTCP",    "CFIN",      "COMPON",
-    "COMPCURV", "COMPCAD",  "DRIVE",  "SOFTA", "BRISKA", "FIFOCTRL", "STARTFIFO", "STOPFIFO",
-    "ORIRESET", "CYCLE832", "DIAMOF", "KONT",  "NORM",   "ADISPOS",  "WALIMOF",   "WALIMON"};
+    "ORIWKS",   "SOFT",    "BRISK", "FFWON", "FFWOF",   "COMPOF",   "STOPRE",    "BNAT",
+    "ENAT",     "BTAN",    "ETAN",  "G642",  "CFC",     "CFTCP",    "CFIN",      "COMPON",
+    "COMPCURV", "COMPCAD", "DRIVE", "SOFTA", "BRISKA",  "FIFOCTRL", "STARTFIFO", "STOPFIFO",
+    "CYCLE832", "DIAMOF",  "KONT",  "NORM",  "ADISPOS", "WALIMOF",  "WALIMON"};
 
 static bool is_idle_call(const char *name)
 {
-    static const char *const idle[] = {"CYCLE832", "FGROUP", "MSG", "TRAORI"};
+    static const char *const idle[] = {"CYCLE832", "FGROUP", "MSG"};
     return IS_ONE_OF(name, idle);
 }
 
@@ -217,19 +217,25 @@ static bool read_centre(const struct ncread *c, const struct ncread_word *w,
     return true;
 }
 
-/* NAME=value that moves nothing: auxiliary functions, other spindles, limits of the axes, how far
- * path control may round, and overrides that make nothing faster. */
+/* NAME=value that moves nothing: auxiliary functions, other spindles, limits of the axes, and
+ * overrides that make nothing faster. */
 static bool is_idle_setting(const struct ncread_word *w)
 {
     static const char *const idle[] = {"H",        "M",       "S",        "ACC",
                                        "ACCLIMA",  "JERKLIM", "JERKLIMA", "VELOLIM",
-                                       "VELOLIMA", "LIMS",    "ADIS",     "ADISPOS",
-                                       "ATOL",     "CTOL",    "OTOL",     "FAD"},
+                                       "VELOLIMA", "LIMS",    "FAD"},
                              *const slow[] = {"OVR", "OVRA", "OVRRAP"};
     size_t n = strcspn(w->name, "0123456789[");
     bool slower = w->values == 1 && w->value[0] > 0 && w->value[0] <= 100;
     return is_among(w->name, n, idle, sizeof idle / sizeof *idle) ||
            (slower && is_among(w->name, n, slow, sizeof slow / sizeof *slow));
+}
+
+/* How far path control may round: ncread_rounding judges it. */
+static bool is_rounding(const char *name)
+{
+    static const char *const rounding[] = {"ADIS", "ADISPOS", "ATOL", "CTOL", "OTOL"};
+    return is_among(name, strcspn(name, "["), rounding, sizeof rounding / sizeof *rounding);
 }
 
 /* SPOS=0, SPOSA[1]=90: the spindle that cuts turns to an angle and stands there. */
@@ -243,9 +249,11 @@ static bool is_turned(const char *name)
  * feed of the block (FB) have no mark that tells them from others. */
 static int unknown_setting(struct ncread *c, const struct ncread_word *w, struct error *error)
 {
-    if (ncread_meaning_of(c, w->name) == MEANS_IDLE)
+    if (ncread_meaning_of(c, w->name) == MEANS_IDLE || is_rounding(w->name))
         return 0;
-    return is_idle_setting(w) ? ncread_unknown(c, w, error) : ncread_unread(c, w, error);
+    if (!is_idle_setting(w))
+        return ncread_unread(c, w, error);
+    return strchr("HMS", *w->name) ? ncread_unknown(c, w, error) : 0; /* the maker's: it is told */
 }
 
 /* NAME=value */
@@ -350,12 +358,24 @@ static void plain_words(struct ncread_words *words)
     }
 }
 
+/* G4 stands alone with its time, F or S. */
+static int check_dwell(struct ncread *c, struct error *error)
+{
+    for (size_t i = 0; i < c->words.n; i++) {
+        const struct ncread_word *w = &c->words.item[i];
+        bool own = w->kind == WORD_ADDRESS && !w->name[1] && strchr("NFSH", *w->name);
+        if (!own && !(w->kind == WORD_ADDRESS && *w->name == 'G' && w->value[0] == 4))
+            return ncread_error(c, error, "G4 with other words than its time");
+    }
+    return 0;
+}
+
 /* The words of a block into the state and *b. */
 static int read_words(struct ncread *c, struct ncread_siemens_block *b, struct error *error)
 {
     plain_words(&c->words);
     if (ncread_hole_dwell(c, 0))
-        return 0;
+        return check_dwell(c, error);
     for (size_t i = 0; i < c->words.n; i++) { /* they hold for words before them too */
         const struct ncread_word *w = &c->words.item[i];
         if (w->kind == WORD_ADDRESS && *w->name == 'G' && !w->name[1] &&
@@ -379,6 +399,8 @@ static int read_words(struct ncread *c, struct ncread_siemens_block *b, struct e
             result = ncread_hole_call(c, w->name, error);
         else if (strcmp(w->name, "CYCLE800") == 0)
             result = ncread_plane_cycle800(c, error) < 0 ? -1 : 0;
+        else if (strcmp(w->name, "TRAORI") == 0 && strstr(c->text, "TRAORI(1)"))
+            result = read_name(c, w, b, error);
         else if (!is_idle_call(w->name))
             result = ncread_unknown(c, w, error);
         if (result < 0)
@@ -506,8 +528,11 @@ static int run_block(struct ncread *c, struct ncread_siemens_block *b, struct er
     if (block_axis(c, b, error) < 0)
         return -1;
     bool round = b->centre_named && (c->move == MOVE_CW || c->move == MOVE_CCW); /* G2 I5 */
-    if (!b->named && !round)
+    if (!b->named && !round && !b->centre_named && !b->radius_named)
         return c->move == MOVE_BSPLINE ? 0 : bspline_ends(c, error);
+    if ((b->centre_named || b->radius_named) && c->move != MOVE_CW && c->move != MOVE_CCW)
+        return ncread_error(c, error,
+                            "I, J, K or CR without an arc, which this reader does not read");
     if (c->move == MOVE_NONE)
         return ncread_error(c, error, "a place before G0 or G1");
     if (!c->said)

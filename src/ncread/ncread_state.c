@@ -51,9 +51,7 @@ int ncread_unknown(struct ncread *c, const struct ncread_word *w, struct error *
         snprintf(text, sizeof text, "found %s, %s, which this reader does not read", word, what);
     else if (places && *w->name == 'G')
         snprintf(text, sizeof text, "found %s with a place, which this reader does not know", word);
-    else if (address ? number || !letter_moves(*w->name) : w->kind == WORD_SET) {
-        if (number && *w->name == 'G')
-            c->setting = true;
+    else if (address ? *w->name != 'G' && !letter_moves(*w->name) : w->kind == WORD_SET) {
         ncread_meaning_note(c, number ? word : w->name);
         return 0;
     } else
@@ -72,6 +70,8 @@ int ncread_m(struct ncread *c, const struct ncread_word *w, struct error *error)
         c->spindle = code == 3 || code == 4;
     else if (code == 30 || code == 2)
         c->ended = true;
+    else if (code == 6 && c->watch.cuts) /* to where tools are changed */
+        memset(c->here.known, 0, sizeof c->here.known);
     else {
         for (size_t i = 0; i < sizeof idle / sizeof *idle; i++)
             if (code == idle[i])
@@ -177,6 +177,8 @@ void ncread_turned(const struct ncread *c, struct ncread_place *to)
     if (all_turned(c, to)) {
         to->axis = verify_kinematics_axis_at(&c->options->kinematics, to->turn);
         to->has_axis = true;
+    } else if (to->turned[0] || to->turned[1]) { /* one alone, after a vector */
+        to->has_axis = false;
     }
 }
 
@@ -243,6 +245,11 @@ static bool length_counts(const struct ncread *c)
     return false;
 }
 
+bool ncread_nose(const struct ncread *c)
+{
+    return c->lengthened && !c->length && !c->tcp;
+}
+
 int ncread_length(struct ncread *c, struct error *error)
 {
     if (c->length)
@@ -292,7 +299,9 @@ int ncread_go(struct ncread *c, const struct ncread_place *to, struct nc_piece p
     if (!rapid && ncread_ready(c, error) < 0)
         return -1;
     piece.rapid = rapid;
-    bool tracked = c->tcp || !c->options->tcp || c->tilted.on || ncread_upright(c);
+    bool nose = ncread_nose(c); /* X and Y are the tip's where the axes allow that, Z is not */
+    bool aligned = c->tcp || !c->options->tcp || c->tilted.on || ncread_upright(c);
+    bool tracked = aligned && !nose;
     if (piece.interpolation == AXIS_ROTARY_LINEAR && !rapid &&
         !(all_turned(c, &c->here) && all_turned(c, to)))
         return ncread_error(c, error, "cuts with rotary axes whose place is not known");
@@ -314,8 +323,10 @@ int ncread_go(struct ncread *c, const struct ncread_place *to, struct nc_piece p
     }
     ncread_home_go(c, to, rapid, tracked);
     c->here = *to;
-    if (!tracked) /* words of another frame: nothing is known of the tip */
+    if (!aligned) /* words of another frame: nothing is known of the tip */
         memset(c->here.known, 0, sizeof c->here.known);
+    else if (nose)
+        c->here.known[2] = false;
     return 0;
 }
 

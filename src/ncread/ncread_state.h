@@ -85,13 +85,15 @@ struct ncread {
     size_t length_assumed; /* line of the first cut without it, whose Z was taken for the tip's */
     double speed;          /* of the spindle, 1/min; 0: not set yet */
     double feed;
-    bool feed_here;     /* F stands in this block */
-    bool ended;         /* M30 was read */
-    bool closed;        /* and the mark after it */
-    bool framed;        /* the program began with %, and so ends with it */
-    bool machine_frame; /* X Y Z are those of the machine (#MCS ON) */
-    bool setting;       /* a G of this block has numbers of its own: P3 E0.01 */
-    bool selecting;     /* and its axis words only name axes */
+    bool feed_here;      /* F stands in this block */
+    bool ended;          /* M30 was read */
+    bool closed;         /* and the mark after it */
+    bool framed;         /* the program began with %, and so ends with it */
+    bool titled;         /* a block stood before, or the number O of the program */
+    bool machine_frame;  /* X Y Z are those of the machine (#MCS ON) */
+    bool setting;        /* a G of this block has numbers of its own: P3 E0.01 */
+    bool selecting;      /* and its axis words only name axes */
+    bool rounds_by_data; /* corners are rounded by the machine's data: was told */
     struct ncread_unknown_word unknown[NCREAD_UNKNOWN];
     size_t unknown_n;
     struct ncread_place middle; /* of G02.4 */
@@ -115,7 +117,8 @@ struct ncread {
 /* Error with the place of the block. */
 int ncread_error(const struct ncread *c, struct error *error, const char *what);
 
-/* A word that is not known here: an error where it may move the tool, else it is noted. */
+/* A word that is not known here: an error where it may move the tool or change where it goes, as
+ * every G, else it is noted. */
 int ncread_unknown(struct ncread *c, const struct ncread_word *w, struct error *error);
 
 /* The same where nothing may be passed over: an error. */
@@ -149,6 +152,9 @@ struct nc_piece ncread_piece(const struct ncread *c, const struct ncread_place *
 
 /* The rotary axes stand at zero: the linear axes go where the tip goes. */
 bool ncread_upright(const struct ncread *c);
+
+/* The tool's length was on and is off: Z is that of the spindle's nose. */
+bool ncread_nose(const struct ncread *c);
 
 /*
  * Cuts in this block want the tool's length: where a program of others never switches it on, Z is

@@ -47,8 +47,10 @@ static void switch_on(struct ncread *c, int tool)
 static void take_tool(struct ncread *c, int tool)
 {
     c->tool.held = tool;
-    if (c->options->dialect == &ncread_siemens) /* D1 is on with a tool */
+    if (c->options->dialect == &ncread_siemens) { /* D1 is on with a tool */
         switch_on(c, tool);
+        c->length = true;
+    }
 }
 
 static void read_word(struct ncread *c, const struct ncread_word *w)
@@ -65,6 +67,7 @@ static void read_word(struct ncread *c, const struct ncread_word *w)
     } else if (strcmp(w->name, "D") == 0 && c->options->dialect == &ncread_siemens) {
         on = code > 0;
         off = code == 0;
+        c->length = on;
     }
     if (on && h)
         switch_on(c, (int)h->value[0]);
@@ -112,6 +115,7 @@ void ncread_tool_text(struct ncread *c, int n, const char *const word[])
         return;
     c->tool.held = *word[2] == '"' ? tool_quoted(c, c->text) : (int)strtol(word[2], NULL, 10);
     switch_on(c, c->tool.held);
+    c->length = *word[2] == '"' || c->tool.held != 0; /* TOOL CALL 0: none is in the spindle */
 }
 
 /* A tool of a head without tool-centre-point control, without whose length its tip is not known. */

@@ -7,7 +7,7 @@
 
 #include "ncread_state.h"
 
-enum watched { WORK_OFFSET, TOOL, EDGE, LENGTH, COOLANT, SPEED, SENSE };
+enum watched { WORK_OFFSET, TOOL, EDGE, LENGTH, COOLANT, SPEED, SENSE, PALLET };
 
 static void set_value(struct ncread *c, enum watched what, double value)
 {
@@ -141,6 +141,8 @@ static void watch_m(struct ncread *c, double code)
         set_value(c, COOLANT, 1);
     else if (code == 9)
         set_value(c, COOLANT, 0);
+    else if (code == 60 && c->watch.cuts)
+        set_value(c, PALLET, (double)c->line);
 }
 
 /* The block has that block of the machine file in it, and not in a comment. */
@@ -292,6 +294,11 @@ static void tell_change(struct ncread *c, enum watched what)
     }
     if (what == COOLANT && w->now[what] != 0)
         return;
+    if (what == PALLET) {
+        ncread_watch_unasked(c, w->line[what], w->block[what],
+                             "the pallet changes amid the program (M60), and cuts follow", 0);
+        return;
+    }
     if (what == COOLANT)
         snprintf(text, sizeof text, "the coolant goes off, and cuts follow");
     else if (what == WORK_OFFSET && w->now[what] > 1000)

@@ -10,7 +10,7 @@
 
 struct ncread;
 
-enum { NCREAD_WATCHED = 7 };
+enum { NCREAD_WATCHED = 8 };
 
 struct ncread_watch {
     bool skips;                   /* a block that may be skipped was seen */

@@ -29,16 +29,17 @@ enum { TURN_STEPS = 4, CURVE_PARTS = 4, AWAY_PLACES = 4 };
 #define SHARE_ROUNDED 0.00005 /* ... of points, as who makes a path prints it in percent */
 #define PATH_CONTACT 10       /* times slower or faster than the contact point the tip may go */
 #define JUMP 5.0              /* degrees: less is no jump of the tool axis */
-#define STILL 0.5    /* degrees of rotary axes, or mm of a second point, that need no look */
-#define ROLLS 1.5    /* times as fast as the ball rolls over an edge */
-#define THICKER 0.01 /* of the ball's radius: so much thicker than it, a tool is a holder */
-#define RIM 0.25     /* times the root of the points of a region: one in 16 at its border */
-#define UNSEEN 3     /* times what points are apart: so far an edge may be beyond them */
-#define LOW_RADII 10 /* below all of the part rows may run out so many radii, ... */
-#define LOW_MORE 20  /* ... and mm more, but no farther */
-#define FAR_RADII 20 /* so many radii, ... */
-#define FAR_MORE 50  /* ... and mm, and as far as the part is long, a link may go beside it */
-#define BORDER 1.5   /* times what may be left: so much at few points of a region that is cut */
+#define STILL 0.5          /* degrees of rotary axes, or mm of a second point, that need no look */
+#define ROLLS 1.5          /* times as fast as the ball rolls over an edge */
+#define THICKER 0.01       /* of the ball's radius: so much thicker than it, a tool is a holder */
+#define RIM 0.25           /* times the root of the points of a region: one in 16 at its border */
+#define UNSEEN 3           /* times what points are apart: so far an edge may be beyond them */
+#define LOW_RADII 10       /* below all of the part rows may run out so many radii, ... */
+#define LOW_MORE 20        /* ... and mm more, but no farther */
+#define FAR_RADII 20       /* so many radii, ... */
+#define FAR_MORE 50        /* ... and mm, and as far as the part is long, a link may go beside it */
+#define ROUNDING_EVEN 0.02 /* of a tolerance: numbers in a program are rounded */
+#define BORDER 1.5 /* times what may be left: so much at few points of a region that is cut */
 
 static void sum_pieces(struct verdict *v)
 {
@@ -432,6 +433,30 @@ static void judge_remarks(struct verdict *v)
     }
 }
 
+/* How far the control may leave the path at corners: what -e or -p asks for, or else only told.  A
+ * program of ncpost is held against its head by its reader. */
+static void judge_rounding(struct verdict *v)
+{
+    const struct nc_motion *motion = v->program.motion;
+    double most = motion->rounding.most * (motion->unit > 0 ? motion->unit : 1);
+    double may = v->program.rounding;
+    struct nc_piece at = {.line = motion->rounding.line, .block = motion->rounding.block};
+    char place[60], length[40] = "any length";
+    bool more = most > may * (1 + ROUNDING_EVEN) + ROUNDED;
+    if (most == 0 || (v->program.ours && (may == 0 || most == HUGE_VAL || !more)))
+        return;
+    if (may > 0 && !more)
+        return;
+    ncread_place(&at, place, sizeof place);
+    if (most < HUGE_VAL)
+        snprintf(length, sizeof length, "%.4g mm", most);
+    if (may > 0)
+        finding_remark(v, true, "%s: corners may be rounded by %s, expected %.4g mm at most", place,
+                       length, may);
+    else
+        finding_remark(v, false, "%s: corners may be rounded by %s", place, length);
+}
+
 /* A program against its path. */
 static void judge_path(struct verdict *v)
 {
@@ -487,6 +512,7 @@ void verify_judge(struct verdict *v)
     sum_pieces(v);
     judge_unmet(v);
     judge_remarks(v);
+    judge_rounding(v);
     if (v->program.path)
         judge_path(v);
     verify_made(v);

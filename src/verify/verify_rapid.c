@@ -108,12 +108,20 @@ static void judge_blind(struct verdict *v)
         return;
     struct vec3 up = UP; /* of the highest of the part that was asked for last */
     double top = part_top(v, UP), highest = top;
-    double more = v->program.post >= 0 ? NOSE : -v->options.tolerance;
+    double usual = v->program.post >= 0 ? NOSE : -v->options.tolerance;
     for (size_t i = 0; i < motion->blind.n; i++) {
         const struct nc_blind *blind = &motion->blind.item[i];
         struct nc_piece at = {.line = blind->line, .block = blind->block};
         char place[60];
         ncread_place(&at, place, sizeof place);
+        double more = blind->nose ? NOSE : usual;
+        if (blind->z_said && !blind->turned && blind->z < top + more) {
+            finding_remark(v, true,
+                           "%s: Z goes at rapid to %.3f without the tool's length, which was on "
+                           "before, the part's top is at %.3f",
+                           place, blind->z, top);
+            return;
+        }
         if (blind->z_said && blind->z < top + more) {
             finding_remark(v, true,
                            "%s: Z goes at rapid to %.3f without tool centre point control, the "

@@ -217,7 +217,7 @@ holes 'G98 G81 X1. Y1. Z-3. R2. F200.' 'X5. Y1.' 'X9. Y4.' >abs.nc
 holes 'G91 G98 G81 X1. Y1. Z-5. R-8. F200.' 'X4.' 'X4. Y3.' >by.nc
 for control in fanuc linuxcnc; do
 	for kind in abs by; do
-		sed "$([ $control = linuxcnc ] && echo '/^O/d;s/^G80$/G80 G49/')" $kind.nc >hole.nc
+		sed "$([ $control = linuxcnc ] && echo '/^O/d;s/^M5$/M5 G49/')" $kind.nc >hole.nc
 		ncverify -c $control -m three-axis -g plane.xyz -r 1 hole.nc 2>err | grep -E '^(way|time|travel|gouge)' >$kind.says
 	done
 	ok "$control: holes are read" grep -q '^travel Z *-3.000 to 30.000' abs.says

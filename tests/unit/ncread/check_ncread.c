@@ -232,7 +232,7 @@ static const struct {
      "G02.4 within G02.4"},
     {FANUC, "G91 G2.4 X5. Y5. Z0.\n", "G02.4 under G91"},
     {FANUC, "G2.4 X5. Y5. Z50.\nG1 X9.\n", "G02.4 without its end"},
-    {FANUC, "G49\nG6.2 P4 K0. X0. Y0. Z50.\n", "a spline that is not complete"},
+    {FANUC, "G49\nG6.2 P4 K0. X0. Y0. Z50.\n", "a place or with an axis"},
     {FANUC, "G91 G6.2 P4 K0. X0. Y0. Z50.\n", "G06.2 under G91"},
     {FANUC, "G6.2 K0. X0. Y0. Z50.\n", "G06.2 without its order P"},
     {FANUC, "G6.2 P5 K0. X0. Y0. Z50. A0. C0.\n", "order is not 2 to 4"},

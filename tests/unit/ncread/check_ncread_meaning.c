@@ -46,6 +46,28 @@ START_TEST(spellings)
 }
 END_TEST
 
+/* A letter alone is for all words of it that have no entry, before it or behind it. */
+START_TEST(letters_and_ranges)
+{
+    static const struct {
+        const char *word;
+        enum ncread_meaning meaning;
+    } k[] = {
+        {"G11", MEANS_UNREAD},        {"G0", MEANS_NOTHING_KNOWN},  {"G4", MEANS_NOTHING_KNOWN},
+        {"G3.1", MEANS_UNREAD},       {"G5", MEANS_UNREAD},         {"G15", MEANS_OFFSET},
+        {"G7", MEANS_IDLE},           {"G91.1", MEANS_UNREAD},      {"G17", MEANS_NOTHING_KNOWN},
+        {"M11", MEANS_UNREAD},        {"M12", MEANS_NOTHING_KNOWN}, {"G-1", MEANS_NOTHING_KNOWN},
+        {"GOTO", MEANS_NOTHING_KNOWN}};
+    options.words =
+        "G15: offset | G0-G4: read | G: unread | G17-G19: read | G7: idle | M10-M11: unread";
+    ck_assert_int_eq(ncread_meaning_check(options.words, &error), 0);
+    for (size_t i = 0; i < sizeof k / sizeof *k; i++)
+        ck_assert_msg(ncread_meaning_of(&c, k[i].word) == k[i].meaning, "%s", k[i].word);
+    ck_assert_int_lt(ncread_meaning_apply(&c, MEANS_UNREAD, &error), 0);
+    options.words = "";
+}
+END_TEST
+
 START_TEST(bad_keys)
 {
     static const char *const k[] = {"G234",  "G234:",        "G234: tpc",
@@ -165,6 +187,7 @@ int main(void)
     TCase *tests = tcase_create("ncread_meaning");
     tcase_add_checked_fixture(tests, reading_begin, reading_end);
     tcase_add_test(tests, spellings);
+    tcase_add_test(tests, letters_and_ranges);
     tcase_add_test(tests, bad_keys);
     tcase_add_test(tests, what_they_do);
     tcase_add_test(tests, unknown_words);
