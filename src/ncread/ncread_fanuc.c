@@ -173,7 +173,7 @@ static int read_words(struct ncread *c, struct gcode_block *b, struct error *err
     if (ncread_gcode_check(c, error) < 0)
         return -1;
     if (ncread_hole_dwell(c, 0.001))
-        return read_beside(c, b, "XPFU", error);
+        return read_beside(c, b, "XPFUK", error);
     int plane = ncread_plane_g(c, error);
     if (plane != 0)
         return plane < 0 ? -1 : read_beside(c, b, plane > 1 ? "XYZIJK" : "P", error);

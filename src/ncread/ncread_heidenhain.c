@@ -265,8 +265,8 @@ static void read_dwell(struct ncread *c, const char *word)
         c->motion->dwell += seconds / 60;
 }
 
-/* Dwell, tolerance, work offset and drilling cycles are read; those that change where the tool goes,
- * wait for a call, or stop the spindle (13) are refused. */
+/* Dwell, tolerance, work offset and drilling cycles are read; those that change where the tool
+ * goes, wait for a call, or stop the spindle (13) are refused. */
 static int check_cycle(struct ncread *c, const struct klartext *k, struct error *error)
 {
     static const long moving[] = {7, 8, 10, 11, 12, 14, 19, 26, 27, 28, 39};

@@ -69,7 +69,7 @@ bool ncread_hole_dwell(struct ncread *c, double unit)
         if (w->kind != WORD_ADDRESS)
             continue;
         dwell = dwell || (w->name[0] == 'G' && w->value[0] == 4);
-        if (strchr("XFP", w->name[0]))
+        if (strchr("XFPK", w->name[0]))
             seconds = w->value[0] * (w->name[0] == 'P' ? unit : 1);
     }
     if (dwell)

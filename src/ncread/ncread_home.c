@@ -81,20 +81,35 @@ static void change_tool(struct ncread *c)
     c->home.high = c->home.high || !ncread_ours(c);
 }
 
-/* Z of the machine is its zero, the top of its travel, or as in the machine file's own way home. */
-static bool is_high(const struct ncread *c, double z)
+/* The machine file's own way home has this letter with this number. */
+static bool in_own(const struct ncread *c, char letter, double value)
 {
     const char *own = c->options->home;
-    double mm = z * (c->unit > 0 ? c->unit : 1);
-    if (z == 0 || fabs(mm - c->options->z_top) < 0.001)
-        return true;
-    for (const char *s = own ? strchr(own, 'Z') : NULL; s; s = strchr(s + 1, 'Z')) {
+    for (const char *s = own ? strchr(own, letter) : NULL; s; s = strchr(s + 1, letter)) {
         const char *number = s + 1 + (s[1] == '=');
         double said = 0;
-        if (num_read(&number, &said) && said == z)
+        if (num_read(&number, &said) && said == value)
             return true;
     }
     return false;
+}
+
+/* Z of the machine is its zero, the top of its travel, or as in the machine file's own way home. */
+static bool is_high(const struct ncread *c, double z)
+{
+    double mm = z * (c->unit > 0 ? c->unit : 1);
+    return z == 0 || fabs(mm - c->options->z_top) < 0.001 || in_own(c, 'Z', z);
+}
+
+/* A reference point by its number: ncpost goes to that of the machine file alone. */
+static void check_number(struct ncread *c)
+{
+    const struct ncread_word *p = ncread_word_find(&c->words, "P");
+    char text[80];
+    if (!p || !ncread_ours(c) || in_own(c, 'P', p->value[0]))
+        return;
+    snprintf(text, sizeof text, "goes to reference point P%.6g, which is not home", p->value[0]);
+    ncread_watch_remark(c, c->line, c->block, text);
 }
 
 /* A place of the machine that may be below the part: nothing is known of Z after it. */
@@ -151,6 +166,8 @@ void ncread_home_words(struct ncread *c)
         if (strcmp(w->name, "Z") == 0)
             z = w->value[0];
     }
+    if (back || top)
+        check_number(c);
     if (machine && !back && !top)
         go_in_machine(c, z);
     else if (machine || back || top)

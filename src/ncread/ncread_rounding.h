@@ -4,8 +4,8 @@
  *
  * LinuxCNC: G64 P (User Manual, G-code: path blending), without P as far as it likes; Siemens:
  * CYCLE832's first argument, ADIS= of G641, CTOL=; Haas: E of G187; Hurco: G64 P; Heidenhain:
- * T of CYCL DEF 32.1.  OTOL=, ATOL= and CYCLE832's third argument of Siemens and TA of CYCL DEF 32.2
- * are how far the axis may be off, degrees.
+ * T of CYCL DEF 32.1.  OTOL=, ATOL= and CYCLE832's third argument of Siemens and TA of CYCL DEF
+ * 32.2 are how far the axis may be off, degrees.
  */
 #ifndef CLOUDMILL_NCREAD_ROUNDING_H
 #define CLOUDMILL_NCREAD_ROUNDING_H

@@ -84,11 +84,16 @@ control okuma
 for g in G11 'G28 Z0.' G54 G55 G59 G62 'G43 H1' G49 G103 G154 G187 G5 'G81 Z1. R9.' G98; do
 	refused "$g" "found ${g%% *}, which"
 done
+taken 'G4 F0.5'
+sed 's/G30 P1/G30 P3/' own.nc >bad.own
+judge 3 own "G30 P3"
+has "... is told" 'goes to reference point P3, which is not home' err
 control fagor
 for g in G5 G9 G11 G12 G20 G151 G152 G53 'G28 Z0.' G93 G154 G61; do
 	refused "$g" "found ${g%% *}, which"
 done
 taken G7
+taken 'G4 K0.5'
 control mazak
 for g in G122.1 G10.9 G61.2 G110; do
 	refused $g "found $g, "
