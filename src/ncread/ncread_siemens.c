@@ -84,6 +84,17 @@ static int unknown_g(struct ncread *c, const struct ncread_word *w, struct error
     return ncread_unread(c, w, error);
 }
 
+/* G18 and G19 turn the tool's length along with the plane, but for a setting of the machine
+ * (SD42940 TOOL_LENGTH_CONST); ncpost writes neither. */
+static void set_plane(struct ncread *c, int plane)
+{
+    const char *text = plane == 18 ? "G18 may put the tool's length along Y"
+                                   : "G19 may put the tool's length along X";
+    if (plane != 17 && c->plane != plane)
+        ncread_watch_unasked(c, c->line, c->block, text, 0);
+    c->plane = plane;
+}
+
 static int read_g(struct ncread *c, const struct ncread_word *w, struct error *error)
 {
     if (w->value[0] != floor(w->value[0]))
@@ -99,7 +110,7 @@ static int read_g(struct ncread *c, const struct ncread_word *w, struct error *e
     case 17:
     case 18:
     case 19:
-        c->plane = code;
+        set_plane(c, code);
         return 0;
     case 41: /* a path of the centre, whatever the side */
     case 42:

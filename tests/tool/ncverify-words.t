@@ -132,6 +132,10 @@ refused G47 'found G47, '
 
 control siemens
 refused 'TRAORI(2)' 'found TRAORI, which'
+amid G18
+judge 3 own G18
+has "... is told" "G18 may put the tool's length along Y" err
+others 0 G18 "notice: .*G18 may put the tool's length along Y"
 refused ORIRESET 'found ORIRESET, which'
 refused 'G4 F1 G91' 'G4 with other words'
 refused 'G4 F1 TRAFOOF' 'G4 with other words'
