@@ -63,7 +63,7 @@ static const char *const known_names[] = {
 
 static bool is_idle_call(const char *name)
 {
-    static const char *const idle[] = {"CYCLE832", "FGROUP", "MSG"};
+    static const char *const idle[] = {"CYCLE832", "MSG"};
     return IS_ONE_OF(name, idle);
 }
 
@@ -369,6 +369,15 @@ static void plain_words(struct ncread_words *words)
     }
 }
 
+/* FGROUP() is as usual, FGROUP(X,Y,Z,A,C) has the axes of the tip. */
+static bool has_feed(const char *text)
+{
+    const char *at = strstr(text, "FGROUP(") + strlen("FGROUP("), *end = strchr(at, ')');
+    bool all = at == end;
+    size_t n = (size_t)(end - at);
+    return all || (memchr(at, 'X', n) && memchr(at, 'Y', n) && memchr(at, 'Z', n));
+}
+
 /* G4 stands alone with its time, F or S. */
 static int check_dwell(struct ncread *c, struct error *error)
 {
@@ -412,7 +421,9 @@ static int read_words(struct ncread *c, struct ncread_siemens_block *b, struct e
             result = ncread_plane_cycle800(c, error) < 0 ? -1 : 0;
         else if (strcmp(w->name, "TRAORI") == 0 && strstr(c->text, "TRAORI(1)"))
             result = read_name(c, w, b, error);
-        else if (!is_idle_call(w->name))
+        else if (strcmp(w->name, "FGROUP") == 0 && !has_feed(c->text))
+            result = ncread_error(c, error, "FGROUP without X, Y and Z: F would not be the tip's");
+        else if (strcmp(w->name, "FGROUP") != 0 && !is_idle_call(w->name))
             result = ncread_unknown(c, w, error);
         if (result < 0)
             return -1;

@@ -136,6 +136,9 @@ amid G18
 judge 3 own G18
 has "... is told" "G18 may put the tool's length along Y" err
 others 0 G18 "notice: .*G18 may put the tool's length along Y"
+refused 'FGROUP(A,C)' 'FGROUP without X, Y and Z'
+taken 'FGROUP(X,Y,Z,A,C)'
+taken 'FGROUP()'
 refused ORIRESET 'found ORIRESET, which'
 refused 'G4 F1 G91' 'G4 with other words'
 refused 'G4 F1 TRAFOOF' 'G4 with other words'
