@@ -28,7 +28,8 @@ amid() { # BLOCKS, with | between them, in the middle of own.nc and other.nc: ba
 			klartext == "heidenhain" { klartext = 1 } { print }
 			NR == n { k = split(text, line, "|")
 				for (i = 1; i <= k; i++) print (klartext == 1 ? "0 " : "") line[i] }' $from.nc |
-			awk -v klartext="${control%%-*}" 'klartext == "heidenhain" { sub(/^[0-9]+ /, NR - 1 " ") }
+			awk -v klartext="${control%%-*}" '
+				klartext == "heidenhain" { sub(/^[0-9]+ /, NR - 1 " ") }
 				{ print }' >bad.$from
 	done
 }
@@ -237,7 +238,8 @@ plane() { # CONTROL END: rows over a plane, and how it ends
 			for (y = 0.5; y < 20; y++) { x = x ? 0 : 40
 				put(go "Y" s y " F900"); put(go "X" s x (go ? "" : ".")) }
 			k = split(end, line, "|"); for (i = 1; i <= k; i++) put(line[i])
-			put("M5"); put(control == "linuxcnc" ? "M2\n%" : "M30" (control == "fanuc" ? "\n%" : ""))
+			put("M5")
+			put(control == "linuxcnc" ? "M2\n%" : "M30" (control == "fanuc" ? "\n%" : ""))
 			if (go) put("END PGM P MM") }' >>plane.nc
 }
 ends() { # STATUS CONTROL END REGEX
