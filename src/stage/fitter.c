@@ -68,6 +68,7 @@ static struct path assemble(const struct fitter *fitter, const struct path *in,
     path_head_copy(&out.head, &in->head);
     out.head.chord = NAN;
     out.head.runs = (struct path_runs){0};
+    out.head.passes = path_passes_of(in);
     if (fitter->options->gouge.noise >= 0) {
         out.head.noise_given = true;
         out.head.noise = fitter->options->gouge.noise;

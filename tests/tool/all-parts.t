@@ -34,6 +34,50 @@ for fitter in biarcfit bsplfit; do
 	done
 done
 status 1 "a part that is not the last is no path" ncpost -c fanuc part.1
+
+# Parts in another order, one missing, one twice: told with both numbers, in the program too.
+biarcfit -q -e 0.01 -o whole.cl "$passes"
+parts 4 biarcfit -q -e 0.01 "$passes"
+same "four parts" joined whole.cl
+has "the head lists the passes" '^\$\$-> PASSES/1,THRU,[0-9]+$' part.1
+number='pass [0-9]+'
+# wrong WHAT FOUND PARTS: what ncpost and a fitter say of these parts
+wrong() {
+	what=$1 found=$2
+	shift 2
+	cat "$@" >joined
+	status 3 "$what" ncpost -q -c siemens --no-spindle -o wrong.mpf joined
+	has "ncpost tells it" "^ncpost: unmet, path: $found" err
+	has "and the program" '^; UNMET: path: found ' wrong.mpf
+	ok "which is whole" grep -q '^N[0-9]* M30' wrong.mpf
+	status 3 "a fitter" bsplfit -q -o wrong.cl joined
+	has "tells it" "^bsplfit: unmet before, path: $found" err
+	has "and hands it on" '^\$\$-> UNMET/path,found ' wrong.cl
+	status 0 "accepted" ncpost -q -c siemens --no-spindle --accept -o wrong.mpf joined
+}
+wrong "two in the wrong order" "found $number after $number, expected $number, as PASSES of" \
+	part.1 part.3 part.2 part.4
+wrong "one missing" "found $number after $number, expected $number, as" part.1 part.2 part.4
+wrong "one twice" "found $number after $number, expected $number, as" \
+	part.1 part.2 part.2 part.3 part.4
+wrong "the last too early" "found $number after $number, expected $number, as" \
+	part.1 part.2 part.4 part.3
+wrong "the first later" "found $number, expected pass 1, as" part.2 part.1 part.3 part.4
+wrong "the first missing" "found passes of biarcfit without the head" part.2 part.3 part.4
+awk '/PASS\// { n++ } n < 2 || /^FINI/' part.4 >short
+wrong "its end missing" "found the end after $number, expected $number, as" \
+	part.1 part.2 part.3 short
+grep -v PASSES joined >by-hand.cl
+status 0 "passes taken out on purpose, and the list of them" \
+	ncpost -q -c siemens --no-spindle -o wrong.mpf by-hand.cl
+awk '/PASS\// { n++ } n < 2 { print > "one" } n > 1 && !/^FINI/ { exit } END { print "FINI" > "one" }' \
+	"$passes"
+biarcfit -q -o one.cl one
+has "a path of one pass" 'PASSES/1$' one.cl
+status 0 "is sound" ncpost -q -c siemens --no-spindle -o one.mpf one.cl
+grep -v 'PASS/' "$passes" >bare.cl
+biarcfit -q -o bare-fitted.cl bare.cl
+hasnt "a path of no passes has no list" PASSES bare-fitted.cl
 spent() { sed -n 's/^.*LEDGER\/biarcfit,//p' "$1"; }
 ok "what was spent is said for each pass" [ "$(spent whole.biarcfit | wc -l)" -eq \
 	"$(grep -c 'PASS/' whole.biarcfit)" ]

@@ -107,6 +107,17 @@ struct path_spent {
     struct ledger_entry entry;
 };
 
+/* The largest number of a pass. */
+enum { PATH_PASS_MOST = 1000000000 };
+
+/* Numbers of passes in their order: each entry goes by ones from `from` up or down to `to`. */
+struct path_passes {
+    size_t n, cap;
+    struct path_pass_range {
+        unsigned from, to;
+    } * item;
+};
+
 enum path_track { TRACK_TIP, TRACK_CENTRE, TRACK_CONTACT };
 
 enum path_coolant {
@@ -142,6 +153,8 @@ struct path_head {
         size_t points; /* $$-> RUNS/: how many its cutting runs have, 0: not said ... */
         double feed;   /* ... and the largest feed, mm/min: a fitter can begin before the end */
     } runs;
+    struct path_passes passes; /* $$-> PASSES/: all that the path has, in their order; none: it is
+                                  not said */
     struct {
         size_t n, cap;
         struct ledger_entry *item;
@@ -246,7 +259,8 @@ static inline bool path_is_rapid(const struct path_item *item)
     return item->kind == PATH_POINT && item->rapid;
 }
 
-/* Takes over the head of another path (copies its strings), for a stage that writes a new one. */
+/* Takes over the head of another path (copies its strings), for a stage that writes a new one; not
+ * its list of passes. */
 void path_head_copy(struct path_head *to, const struct path_head *from);
 
 /* The coolant that a COOLNT statement's argument names: ON, FLOOD, TAPKUL, MIST, THRU, AIR, OFF, or
@@ -285,6 +299,10 @@ size_t path_statements(const struct path *path, const char *word);
 
 /* Sets the contact at the end of an item. */
 void path_set_contact(struct path *path, struct path_item *item, struct contact contact);
+
+/* The passes of a path; the caller frees it.  A stage whose parts are joined has them in its head,
+ * and path_read holds what it finds against them: what differs is in head.unmet, as of `path`. */
+struct path_passes path_passes_of(const struct path *path);
 
 /* Appends items [from, to) of another path, unchanged (deep copies of what they point at). */
 void path_add_items(struct path *path, const struct path *other, size_t from, size_t to);

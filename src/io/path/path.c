@@ -25,6 +25,7 @@ void path_free(struct path *path)
     for (size_t i = 0; i < path->unknown.n; i++)
         free(path->unknown.item[i].word);
     array_free(&path->head.ledger);
+    array_free(&path->head.passes);
     for (size_t i = 0; i < path->spent.n; i++)
         free(path->spent.item[i].entry.stage);
     array_free(&path->spent);
@@ -48,6 +49,7 @@ void path_head_copy(struct path_head *to, const struct path_head *from)
     *to = *from;
     to->partno = copy_text(from->partno);
     memset(&to->ledger, 0, sizeof to->ledger);
+    memset(&to->passes, 0, sizeof to->passes);
     to->region.polygons = region_polygons_copy(&from->region.polygons);
     to->scan = scan_sources_copy(&from->scan);
     memset(&to->unmet, 0, sizeof to->unmet);

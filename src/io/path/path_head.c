@@ -74,7 +74,7 @@ static int read_pass(struct path_parse *p)
     double n;
     if (path_numbers(p, 0, 1, &n, "number of the pass") < 0)
         return -1;
-    if (n < 0 || n > 1e9 || n != floor(n))
+    if (n < 0 || n > PATH_PASS_MOST || n != floor(n))
         return error_at(AT(p), "found PASS/%g, expected a whole number", n);
     if (p->listener)
         p->listener->pass(p->listener->context, p->path);
@@ -314,7 +314,7 @@ int path_ignore(struct path_parse *p)
 /* A stream of this suite has no words of other systems. */
 static int read_own(struct path_parse *p)
 {
-    p->sniffed = true;
+    p->sniffed = p->own = true;
     return 0;
 }
 
@@ -385,7 +385,7 @@ static const struct path_row comments[] = {
     {"CLOUDMILL", read_own},       {"CUTTER", path_read_cutter}, {"SCALLOP", read_scallop},
     {"TOOL", read_body},           {"SCAN", read_scan},          {"PLACE", read_place},
     {"UNMET", read_unmet},         {"UNFITTED", read_unfitted},  {"RUNS", read_runs},
-    {"NOISE", read_noise},         {"REGION", read_region},
+    {"NOISE", read_noise},         {"REGION", read_region},      {"PASSES", path_read_passes},
 };
 
 const struct path_row *path_row_of_word(const struct path_row *rows, size_t n, const char *word)

@@ -67,6 +67,7 @@ struct path_parse {
     const struct path_listener *listener; /* NULL: none */
     const struct cl_dialect *dialect;     /* NULL: none recognized */
     bool sniffed;                         /* it will not change any more */
+    bool own;                             /* the head of this suite was read */
 
     double unit;                /* millimetres */
     bool unit_said, unit_asked; /* by UNITS, by the caller */
@@ -229,6 +230,16 @@ int path_add_cycle_hole(struct path_parse *p, struct pose mouth);
 /* The statement of a cycle, in `text` of CYCLE_TEXT bytes. */
 enum { CYCLE_TEXT = 8 * 360 + 80 };
 void path_cycle_text(const struct path_cycle *cycle, char *text);
+
+/* ---- path_passes.c */
+
+/* Row of PASSES, in as many lines as it takes; and how path_write writes them. */
+int path_read_passes(struct path_parse *p);
+void path_write_passes(struct out *out, const struct path_passes *passes);
+
+/* At the end of the input: passes that are others than PASSES says, and those of a fitter without
+ * its head, are what the stage `path` could not keep. */
+void path_check_passes(struct path_parse *p);
 
 /* ---- path_tool.c */
 

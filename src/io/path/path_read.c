@@ -291,6 +291,8 @@ static int read_stream(const char *file, enum path_unit unit, const struct path_
     path->name = p.reader.name;
     int result = p.unit_asked ? 0 : path_guess_unit(&p);
     result = result < 0 ? -1 : read_all(&p);
+    if (result == 0)
+        path_check_passes(&p);
     path->system = p.dialect ? p.dialect->name : NULL;
     spline_parse_free(&p.spline);
     array_free(&p.nurbs.knot);

@@ -158,6 +158,7 @@ void path_write_head(struct out *out, const struct path_head *head)
         out_num(out, head->runs.feed, COORDINATE);
         out_text(out, "\n");
     }
+    path_write_passes(out, &head->passes);
     if (region_given(&head->region))
         write_region(out, &head->region);
     write_scan(out, &head->scan);
