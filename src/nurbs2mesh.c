@@ -438,7 +438,7 @@ int main(int argc, char **argv)
         struct concave_radius *concave =
             concave_radius_find_all(&patches, patch_mesh.flipped, cli.threads);
         if (settings.report)
-            nurbs_report_radii(cli.output, &patches, concave);
+            nurbs_report_radii(cli.output, &patches, concave, &patch_mesh);
         else
             write_mesh(&cli, &patches, concave, &patch_mesh, error, !settings.unit_given, &unmet);
         free(concave);

@@ -81,8 +81,8 @@ static void check_options(struct tool_axis_options *axis)
     path_options.scallop = scallop;
 }
 
-/* The ball must not be larger than the smallest hollow (paper 2, 2.1), unless it is lifted there.
- */
+/* The ball must not be larger than the smallest hollow (paper 2, 2.1), unless it is lifted there;
+ * of sharp edges, where none fits, what is left is told when it is known. */
 static void check_radius(const char *file, const struct mesh *mesh)
 {
     struct tightest_hollow h = mesh_tightest_hollow(mesh, path_options.radius);
@@ -92,10 +92,11 @@ static void check_radius(const char *file, const struct mesh *mesh)
             "fits everywhere: it is lifted where it does not",
             file);
     if (h.known && isfinite(h.radius))
-        note("the largest ball that fits all hollows: radius %.4f (%.3f %.3f %.3f%s%s)", h.radius,
-             h.at.x, h.at.y, h.at.z, h.surface ? ", " : "", h.surface ? h.surface : "");
+        note("the largest ball that fits all hollows but sharp edges: radius %.4f (%.3f %.3f "
+             "%.3f%s%s)",
+             h.radius, h.at.x, h.at.y, h.at.z, h.surface ? ", " : "", h.surface ? h.surface : "");
     else if (h.known)
-        note("nothing is hollow: a ball of any radius fits every surface");
+        note("nothing but sharp edges may be hollow: a ball of any radius fits every surface");
     if (!h.known || h.tighter == 0 || path_options.avoid || path_options.guarded)
         return;
     die("%s: found a hollow of radius %.3f at %.3f %.3f %.3f%s%s, expected none "

@@ -13,11 +13,11 @@
  * and untrimmed; normals along dS/du x dS/dv, at a knot those of the span after it.  15 digits. */
 void nurbs_report_grid(const char *file, const struct patches *patches, int n);
 
-/* A table `surface,radius,u,v,x,y,z`: the smallest concave radius of each
- * surface and its place (concave_radius_find_all), and last the largest ball that fits all of them.
- */
+/* A table `surface,radius,u,v,x,y,z`: the smallest concave radius of each surface and its place
+ * (concave_radius_find_all), 0 at a hollow edge of its own; then the sharpest hollow edge of all,
+ * and last the largest ball that fits. */
 void nurbs_report_radii(const char *file, const struct patches *patches,
-                        const struct concave_radius *concave);
+                        const struct concave_radius *concave, const struct patch_mesh *mesh);
 
 /*
  * Surfaces are refused whose curves in space lie further than `limit` mm off them, or whose

@@ -1,9 +1,16 @@
 /* nurbs_report - see nurbs_report.h. */
 #include "stage/nurbs_report.h"
 
+#include <stdlib.h>
+
 #include "base/cli.h"
 #include "base/out.h"
+#include "math/elementary.h"
+#include "nurbs/hollow_edge.h"
 #include "nurbs/skin.h"
+
+/* 1/mm: what is less curved is not hollow. */
+static const double FLAT = 1e-9;
 
 /* 15 digits, never -0. */
 static void write_number(struct out *out, double x)
@@ -47,34 +54,58 @@ void nurbs_report_grid(const char *file, const struct patches *patches, int n)
     out_close(out);
 }
 
-void nurbs_report_radii(const char *file, const struct patches *patches,
-                        const struct concave_radius *concave)
+/* One surface: where it is most hollow, which is its hollow edge, if it has one. */
+static void write_radius(struct out *out, const struct patch *p,
+                         const struct concave_radius *concave, const struct hollow_edge *edge)
 {
-    const struct patch *tightest = NULL;
-    double most = 0;
+    double radius = edge->angle > 0 ? 0 : 1 / concave->curvature;
+    struct uv at = edge->angle > 0 ? edge->uv[0] : concave->at;
+    struct vec3 point = edge->angle > 0 ? edge->at : concave->point;
+
+    out_printf(out, "%s:%d", p->file, p->entity);
+    if (edge->angle > 0 || concave->curvature > FLAT)
+        out_printf(out, ",%.6f,%.9g,%.9g,%.6f,%.6f,%.6f\n", radius, at.u + 0.0, at.v + 0.0,
+                   point.x + 0.0, point.y + 0.0, point.z + 0.0);
+    else
+        out_text(out, ",none,,,,,\n");
+}
+
+static void write_edge(struct out *out, const struct patches *patches,
+                       const struct hollow_edge *edge)
+{
+    const struct patch *a = &patches->item[edge->sheet[0]], *b = &patches->item[edge->sheet[1]];
+
+    out_printf(out, "# hollow edge: %.3f degrees at %.6f %.6f %.6f (%s:%d", DEGREES(edge->angle),
+               edge->at.x + 0.0, edge->at.y + 0.0, edge->at.z + 0.0, a->file, a->entity);
+    if (a != b)
+        out_printf(out, " and %s:%d", b->file, b->entity);
+    out_text(out, "): no ball fits there\n");
+}
+
+void nurbs_report_radii(const char *file, const struct patches *patches,
+                        const struct concave_radius *concave, const struct patch_mesh *mesh)
+{
+    struct hollow_edge sharpest, *within = hollow_edges_find(mesh, &sharpest);
     struct out *out = out_open(file);
+    size_t tightest = 0;
+
     out_text(out, "surface,radius,u,v,x,y,z\n");
     for (size_t i = 0; i < patches->n; i++) {
-        const struct patch *p = &patches->item[i];
-        out_printf(out, "%s:%d", p->file, p->entity);
-        if (concave[i].curvature > 1e-9) {
-            out_printf(out, ",%.6f,%.9g,%.9g,%.6f,%.6f,%.6f\n", 1 / concave[i].curvature,
-                       concave[i].at.u + 0.0, concave[i].at.v + 0.0, concave[i].point.x + 0.0,
-                       concave[i].point.y + 0.0, concave[i].point.z + 0.0);
-        } else {
-            out_text(out, ",none,,,,,\n");
-        }
-        if (concave[i].curvature > most) {
-            most = concave[i].curvature;
-            tightest = p;
-        }
+        write_radius(out, &patches->item[i], &concave[i], &within[i]);
+        if (concave[i].curvature > concave[tightest].curvature)
+            tightest = i;
     }
-    if (most > 1e-9)
-        out_printf(out, "# largest ball: radius %.6f (%s:%d)\n", 1 / most, tightest->file,
-                   tightest->entity);
+    const char *but = sharpest.angle > 0 ? "none; but for hollow edges " : "";
+    const struct patch *p = &patches->item[tightest];
+    if (sharpest.angle > 0)
+        write_edge(out, patches, &sharpest);
+    if (concave[tightest].curvature > FLAT)
+        out_printf(out, "# largest ball: %sradius %.6f (%s:%d)\n", but,
+                   1 / concave[tightest].curvature, p->file, p->entity);
     else
-        out_text(out, "# largest ball: any, nothing is hollow\n");
+        out_printf(out, "# largest ball: %sany, nothing is hollow\n", but);
     out_close(out);
+    free(within);
 }
 
 /* Why a surface is refused; false: it is not. */

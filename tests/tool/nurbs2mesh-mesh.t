@@ -87,6 +87,46 @@ has "the largest ball" '^# largest ball: radius 4\.634000 ' "$TMP/k"
 nurbs2mesh -k --up 0,0,-1 "$s1" >"$TMP/k" 2>"$TMP/err"
 hasnt "from below other places are hollow" ',4\.634000,' "$TMP/k"
 
+# ---- a groove: a kink of one surface, which its knots allow, or two that meet
+
+head='nurbs 1 unit mm surface degree 1 1 poles'
+echo "$head 3 2 knots_u 0 0 0.5 1 1 knots_v 0 0 1 1 points
+	0 0 5 10 0 0 20 0 5 0 20 5 10 20 0 20 20 5 end" >"$TMP/kink.nurbs"
+echo "$head 2 2 knots_u 0 0 1 1 knots_v 0 0 1 1 points 0 0 5 10 0 0 0 20 5 10 20 0
+	surface degree 1 1 poles 2 2 knots_u 0 0 1 1 knots_v 0 0 1 1
+	points 10 0 0 20 0 5 10 20 0 20 20 5 end" >"$TMP/two.nurbs"
+awk '{ gsub(/10 0 0/, "10 0 9"); gsub(/10 20 0/, "10 20 9") } 1' "$TMP/two.nurbs" >"$TMP/ridge.nurbs"
+edge='^# hollow edge: 53\.130 degrees at 10\.0+ [0-9.]+ 0\.0+'
+nurbs2mesh -k "$TMP/kink.nurbs" >"$TMP/k" 2>"$TMP/err"
+has "the radius of a kink is 0" 'kink\.nurbs:[0-9]+,0\.000000,0\.5,[0-9.]+,10\.000000,[0-9.]+,0\.000000$' "$TMP/k"
+has "its angle" "$edge \\([^ ]*kink.nurbs:[0-9]+\\): no ball fits there\$" "$TMP/k"
+has "no ball fits it" '^# largest ball: none; but for hollow edges any, nothing is hollow$' "$TMP/k"
+nurbs2mesh -k "$TMP/two.nurbs" >"$TMP/k" 2>"$TMP/err"
+has "between two surfaces: neither is hollow" 'two\.nurbs:2,none,' "$TMP/k"
+has "the edge is" "$edge \\([^ ]*two.nurbs:1 and [^ ]*two.nurbs:2\\): no ball fits there\$" "$TMP/k"
+has "no ball fits it" '^# largest ball: none; but' "$TMP/k"
+nurbs2mesh -k --up 0,0,-1 "$TMP/kink.nurbs" >"$TMP/k" 2>"$TMP/err"
+hasnt "from below it is a ridge" '# hollow edge|,0\.000000,' "$TMP/k"
+nurbs2mesh -k "$TMP/ridge.nurbs" >"$TMP/k" 2>"$TMP/err"
+has "nor is a ridge hollow" '^# largest ball: any, nothing is hollow$' "$TMP/k"
+for part in kink two ridge; do
+	nurbs2mesh -q -n 20 -o "$TMP/$part.ply" "$TMP/$part.nurbs"
+	want=3
+	[ $part = ridge ] && want=0
+	status $want "planecut of $part: what is left is no success" \
+		planecut -r 3 --scallop 0.05 -o "$TMP/$part.cl" "$TMP/$part.ply"
+	[ $part = ridge ] && continue
+	has "... it is told" 'planecut: the ball does not fit at [0-9]+ points .* at (9\.9|10\.0)' "$TMP/err"
+	has "... in the path, too" 'UNMET/planecut,the ball does not fit at' "$TMP/$part.cl"
+	status 0 "... unless it is accepted" \
+		planecut -q -r 3 --scallop 0.05 --avoid -o "$TMP/$part.cl" "$TMP/$part.ply"
+	hasnt "... then it is not in the path" 'UNMET' "$TMP/$part.cl"
+	status 0 "... or the published way is asked for" \
+		planecut -q -r 3 --scallop 0.05 --paper -o "$TMP/$part.cl" "$TMP/$part.ply"
+	status 3 "... meshnorm does the same" meshnorm -r 3 --scallop 0.05 -o "$TMP/$part.cl" "$TMP/$part.ply"
+	has "... and tells it" 'meshnorm: the ball does not fit at' "$TMP/err"
+done
+
 # ---- surfaces as text: a bowl, a sphere, a box of six faces
 
 flat() { # POINTS...: a bilinear patch
