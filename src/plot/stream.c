@@ -62,11 +62,13 @@ static bool is_remark(const char *line, size_t n)
 
 enum stream_kind stream_tell(const char *head, size_t n)
 {
-    static const char *const meshes[] = {"solid", "OFF", "COFF", "NOFF"};
+    static const char *const meshes[] = {"OFF", "COFF", "NOFF"};
     if (line_begins(head, n, "ply"))
         return head_holds(head, n, "element face ") && !head_holds(head, n, "element face 0\n")
                    ? STREAM_MESH
                    : STREAM_CLOUD;
+    if (stl_begins(head, n, "solid"))
+        return STREAM_MESH;
     for (size_t i = 0; i < sizeof meshes / sizeof *meshes; i++)
         if (line_begins(head, n, meshes[i]))
             return STREAM_MESH;

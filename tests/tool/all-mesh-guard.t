@@ -31,7 +31,9 @@ awk 'NR > 2 && NR < 8 { v[NR - 3] = $0 }
 		print "endloop\nendfacet" }
 	NR == 1 { print "solid pyramid" } END { print "endsolid pyramid" }' pyramid.off >pyramid.stl
 
-for part in pyramid.ply pyramid.stl; do
+tr a-z A-Z <pyramid.stl >capitals.stl
+
+for part in pyramid.ply pyramid.stl capitals.stl; do
 	status 0 "planecut guards by $part" planecut -r 3 --scallop 0.03 --avoid -g $part -o path.cl \
 		pyramid.off
 	has "and says how" "$part: a mesh: guarded by [0-9]+ points on its facets, too" "$TMP/err"
@@ -47,6 +49,12 @@ for part in pyramid.ply pyramid.stl; do
 	has "which is a mesh by what is in it" 'named: points 0\.[0-9]+ mm apart on its faces' "$TMP/err"
 done
 same "guarded by either it is the same program" pyramid.ply.blocks pyramid.stl.blocks
+same "and by one in capitals" pyramid.ply.blocks capitals.stl.blocks
+status 0 "planecut of one in capitals" \
+	planecut -q -r 3 --scallop 0.03 --avoid --partno PYRAMID -o capitals.cl capitals.stl
+planecut -q -r 3 --scallop 0.03 --avoid --partno PYRAMID -o small.cl pyramid.stl
+same "is the same path" small.cl capitals.cl
+status 0 "ncplot of it" ncplot -o capitals.svg capitals.stl
 
 # A path 0.3 mm too deep in the middle of a facet, far from its corners.
 awk 'BEGIN { print "PARTNO/deep\nUNITS/MM\nMULTAX/ON\nCUTTER/6,3,0,3,0,0,60\nFEDRAT/MMPM,500"

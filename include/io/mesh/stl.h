@@ -17,6 +17,9 @@
  * gives a binary STL.  False when the size is not known. */
 bool stl_is_binary(const struct reader *r, const char *head, size_t n);
 
+/* True where a text of n bytes begins with this word of an STL file, in any case. */
+bool stl_begins(const char *text, size_t n, const char *word);
+
 /*
  * From a reader that stands at the start of the file.  A file that ends early, has no facets, or a
  * number that is not finite is an error; no storage is reserved on the word of a count.  In a text

@@ -204,8 +204,8 @@ static enum format find_format(const struct reader *r, const char *head, size_t 
         return FORMAT_TEXT;
     if (line_begins(line, length, "ply"))
         return FORMAT_PLY;
-    if (line_begins(line, length, "solid") && next_line(&s, end, &line, &length) &&
-        (line_begins(line, length, "facet") || line_begins(line, length, "endsolid")))
+    if (stl_begins(line, length, "solid") && next_line(&s, end, &line, &length) &&
+        (stl_begins(line, length, "facet") || stl_begins(line, length, "endsolid")))
         return FORMAT_STL;
     if (line_begins(line, length, "VERSION") || line_begins(line, length, "FIELDS"))
         return FORMAT_PCD;

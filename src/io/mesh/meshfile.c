@@ -27,7 +27,7 @@ static bool is_text(const char *head, size_t n)
 /* In UTF-16, by its mark or by the noughts between the letters that a mesh of text begins with. */
 static bool is_utf16(const char *head, size_t n)
 {
-    static const char *const words[] = {"ply", "solid", "OFF", "COFF", "NOFF"};
+    static const char *const words[] = {"ply", "solid", "SOLID", "OFF", "COFF", "NOFF"};
     if (n >= 2 && (memcmp(head, "\xFF\xFE", 2) == 0 || memcmp(head, "\xFE\xFF", 2) == 0))
         return true;
     for (size_t i = 0; i < sizeof words / sizeof *words; i++)
@@ -66,7 +66,7 @@ static int read_from(struct reader *r, struct mesh *mesh, struct error *error)
         return error_at(error, r->name, 0, "text in UTF-16 encoding, expected UTF-8 or ASCII");
     if (n > 0 && (!text || stl_is_binary(r, head, n)))
         return stl_read_binary(r, mesh, error);
-    if (head_begins(head, n, "solid"))
+    if (stl_begins(head, n, "solid"))
         return stl_read_text(r, mesh, error);
     return ply_read_mesh(r, mesh, error);
 }
@@ -74,10 +74,10 @@ static int read_from(struct reader *r, struct mesh *mesh, struct error *error)
 /* A text STL: the line after its name begins a facet. */
 static bool says_facets(const char *head, size_t n)
 {
-    const char *line = head_begins(head, n, "solid") ? memchr(head, '\n', n) : NULL;
+    const char *line = stl_begins(head, n, "solid") ? memchr(head, '\n', n) : NULL;
     while (line && line < head + n && memchr("\n\r\t ", *line, 4))
         line++;
-    return line && head_begins(line, (size_t)(head + n - line), "facet");
+    return line && stl_begins(line, (size_t)(head + n - line), "facet");
 }
 
 bool mesh_is_there(const char *file)

@@ -19,6 +19,11 @@ bool stl_is_binary(const struct reader *r, const char *head, size_t n)
            (r->size - HEAD) % FACET == 0;
 }
 
+bool stl_begins(const char *text, size_t n, const char *word)
+{
+    return n >= strlen(word) && strncasecmp(text, word, strlen(word)) == 0;
+}
+
 /* A facet with three vertices of its own, in order. */
 static int add_facet(const struct reader *r, size_t line, const struct vec3 corner[3],
                      struct mesh *mesh, struct error *error)

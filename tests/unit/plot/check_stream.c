@@ -20,6 +20,7 @@ static const struct {
     {"ply\nformat ascii 1.0\nelement vertex 3\nelement face 0\nend_header\n", STREAM_CLOUD},
     {"ply\nformat ascii 1.0\nelement vertex 3\nelement face 1\nend_header\n", STREAM_MESH},
     {"solid part\nfacet normal 0 0 1\n", STREAM_MESH},
+    {"SOLID PART\r\nFACET NORMAL 0 0 1\r\n", STREAM_MESH},
     {"OFF\n3 1 0\n", STREAM_MESH},
     {"PARTNO/PANEL\nUNITS/MM\n", STREAM_PATH},
     {"$$* Pro/CLfile\n", STREAM_PATH},

@@ -250,6 +250,9 @@ START_TEST(stl)
     clouds_three("solid part\nfacet normal 0 0 1\nouter loop\nvertex 1.5 -2.25 3000\n"
                  "vertex 0.5 0.25 -4\nvertex 7 8 9\nendloop\nendfacet\nendsolid part\n");
     ck_assert_uint_eq(clouds.count.facets, 1);
+    clouds_three("SOLID PART\nFACET NORMAL 0 0 1\nOUTER LOOP\nVERTEX 1.5 -2.25 3.0E+3\n"
+                 "VERTEX 0.5 0.25 -4\nVERTEX 7 8 9\nENDLOOP\nENDFACET\nENDSOLID PART\n");
+    ck_assert_uint_eq(clouds.count.facets, 1);
     char file[84 + 50] = "binary";
     put(file + 80, 1, 4);
     for (size_t i = 0; i < 9; i++)

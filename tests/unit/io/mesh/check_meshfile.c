@@ -1,5 +1,6 @@
 /* meshfile, stl, off: one pyramid in every format, and each way of being damaged. */
 #include <check.h>
+#include <ctype.h>
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -93,6 +94,11 @@ START_TEST(stl_text)
     is_pyramid(scratch_text(text));
     make_text(text, sizeof text, "\n\n");
     is_pyramid(scratch_text(text));
+    ck_assert(mesh_is_there(scratch_name()));
+    for (char *p = text; *p; p++) /* as older systems write it */
+        *p = (char)toupper((unsigned char)*p);
+    is_pyramid(scratch_text(text));
+    ck_assert(mesh_is_there(scratch_name()));
 }
 END_TEST
 
