@@ -50,6 +50,8 @@ struct mesh_parts {
 
 /* What the mesh stream says of itself in its comments; zero or NAN where it says nothing. */
 struct mesh_origin {
+    bool own;                     /* a stream of this suite, in mm */
+    char *unit;                   /* what a mesh of another program calls its unit; NULL: nothing */
     char *source;                 /* the files it was made from */
     double spacing;               /* t of the triangular grid, mm */
     double direction;             /* of the rows, degrees about z from x */

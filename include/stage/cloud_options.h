@@ -37,8 +37,11 @@ enum outliers { OUTLIERS_DROP, OUTLIERS_KEEP };
             value, 0, 0, 0, given                                                            \
     }
 
-/* Says so if a part of that length, mm, is likely to have another unit: of less than 1 mm, or of
- * more than 3 m.  `name`: its file. */
+/* False of a part of a length, mm, that is likely to be in another unit: of less than 1 mm, or of
+ * more than 3 m. */
+bool size_is_likely(double longest);
+
+/* Says so of such a part.  `name`: its file. */
 void say_unlikely_size(const char *name, double longest);
 
 /* Says so if a scan lies farther from the zero of its x and y than machines travel, 3 m, as one in

@@ -16,9 +16,10 @@ void mesh_free(struct mesh *mesh)
     array_free(&mesh->kmax);
     array_free(&mesh->face);
     array_free(&mesh->surface);
+    free(mesh->origin.unit);
     free(mesh->origin.source);
     free(mesh->origin.maker);
-    mesh->origin.source = mesh->origin.maker = NULL;
+    mesh->origin.unit = mesh->origin.source = mesh->origin.maker = NULL;
     for (size_t i = 0; i < mesh->origin.surface.n; i++)
         free(mesh->origin.surface.item[i].name);
     array_free(&mesh->origin.surface);

@@ -8,9 +8,14 @@ const char *const unit_name[] = {"mm", "cm", "m", "um", "inch", "in"};
 static const double SMALL = 1, LARGE = 3000; /* mm */
 static const double FAR = 3000;              /* mm, of the zero: beyond what usual axes travel */
 
+bool size_is_likely(double longest)
+{
+    return longest >= SMALL && longest <= LARGE;
+}
+
 void say_unlikely_size(const char *name, double longest)
 {
-    if (longest < SMALL || longest > LARGE)
+    if (!size_is_likely(longest))
         say("%s: the part is %.3g mm long, expected %g to %g: is the unit right? (-u)", name,
             longest, SMALL, LARGE);
 }

@@ -1,10 +1,14 @@
 /* mesh_for_path - see mesh_for_path.h. */
 #include "stage/mesh_for_path.h"
 
+#include <string.h>
+#include <strings.h>
+
 #include "base/cli.h"
 #include "io/mesh/meshfile.h"
 #include "io/mesh/ply.h"
 #include "mesh/mesh_repair.h"
+#include "stage/cloud_options.h"
 
 static const double FITS = 1 + 1e-6;
 
@@ -51,6 +55,25 @@ static void say_repairs(const char *file, const struct mesh_repair_report *r)
         say("%s: the mesh has no normals: taking the mean of the facets', sharp edges kept", file);
 }
 
+/* Of a mesh of another program, whose unit nobody can tell: how large it is in mm, and what a
+ * comment calls its unit. */
+static void say_unit(const char *file, const struct mesh *mesh)
+{
+    const char *unit = mesh->origin.unit;
+    struct box box = box_around(mesh->vertex.item, mesh->vertex.n);
+    struct vec3 size = vec_sub(box.high, box.low);
+    bool likely = size_is_likely(fmax(size.x, fmax(size.y, size.z)));
+    bool mm = unit && (strncasecmp(unit, "mm", 2) == 0 || strncasecmp(unit, "milli", 5) == 0);
+
+    if (mesh->origin.own || (mm && likely))
+        return;
+    if (unit && !mm)
+        say("%s: a comment calls the unit `%.20s`, which is not worked in: make the mesh anew in mm",
+            file, unit);
+    say("%s: %.4g x %.4g x %.4g mm, its unit taken as mm%s", file, size.x, size.y, size.z,
+        likely ? "" : ": is that right?");
+}
+
 int mesh_for_planes_read(const char *file, struct vec3 up, int threads, struct mesh *mesh,
                          bool *closed, struct error *error)
 {
@@ -59,6 +82,7 @@ int mesh_for_planes_read(const char *file, struct vec3 up, int threads, struct m
     struct mesh_repair_report report = mesh_repair(mesh, up, threads);
     if (mesh->face.n == 0)
         return error_set(error, "%s: found no facet that has an area", file);
+    say_unit(file, mesh);
     for (size_t i = 0; i < 3 * mesh->face.n; i++) {
         int v = mesh->face.item[i / 3].v[i % 3];
         if (vec_length(mesh->normal.item[v]) < 0.5)

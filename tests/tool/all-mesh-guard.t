@@ -52,8 +52,13 @@ same "guarded by either it is the same program" pyramid.ply.blocks pyramid.stl.b
 same "and by one in capitals" pyramid.ply.blocks capitals.stl.blocks
 status 0 "planecut of one in capitals" \
 	planecut -q -r 3 --scallop 0.03 --avoid --partno PYRAMID -o capitals.cl capitals.stl
-planecut -q -r 3 --scallop 0.03 --avoid --partno PYRAMID -o small.cl pyramid.stl
+planecut -r 3 --scallop 0.03 --avoid --partno PYRAMID -o small.cl pyramid.stl 2>said
 same "is the same path" small.cl capitals.cl
+has "the size of a mesh without units is said" \
+	'^planecut: pyramid.stl: 40 x 40 x 12 mm, its unit taken as mm$' said
+sed '2s/$/\ncomment Units: inches/' inch.ply >units.ply
+run planecut -r 0.1 -s 0.1 --avoid -o units.cl units.ply
+has "and that a comment says another" 'units.ply: a comment calls the unit .inches., which is not' err
 status 0 "ncplot of it" ncplot -o capitals.svg capitals.stl
 
 # A path 0.3 mm too deep in the middle of a facet, far from its corners.

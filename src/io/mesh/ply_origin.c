@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include "math/elementary.h"
 #include "base/num.h"
@@ -121,12 +122,25 @@ static int read_part(const char *text, struct mesh_origin *origin, struct error 
     return 0;
 }
 
+/* What a comment of another program calls the unit: `units: inch`, `unit=in`; NULL: it does not. */
+static const char *unit_of(const char *comment)
+{
+    static const char word[] = "unit", between[] = " \t:=";
+    const char *p = comment + strlen(word);
+
+    if (strncasecmp(comment, word, strlen(word)) != 0)
+        return NULL;
+    p += *p == 's' || *p == 'S';
+    return *p && strchr(between, *p) && p[strspn(p, between)] ? p + strspn(p, between) : NULL;
+}
+
 int ply_origin_read(struct mesh_origin *origin, const char *comment, struct error *error)
 {
     const char *text;
     if ((text = text_after(comment, "cloudmill mesh"))) {
         if (strcmp(text, "1") != 0)
             return error_set(error, "mesh stream of version '%.40s', expected 1", text);
+        origin->own = true;
     } else if ((text = text_after(comment, "spacing"))) {
         return read_number("spacing", text, &origin->spacing, error);
     } else if ((text = text_after(comment, "direction"))) {
@@ -150,6 +164,9 @@ int ply_origin_read(struct mesh_origin *origin, const char *comment, struct erro
     } else if ((text = text_after(comment, "source"))) {
         free(origin->source);
         origin->source = mem_string(text, strlen(text));
+    } else if (!origin->own && (text = unit_of(comment))) {
+        free(origin->unit);
+        origin->unit = mem_string(text, strlen(text));
     }
     return 0;
 }

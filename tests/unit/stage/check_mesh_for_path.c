@@ -1,10 +1,12 @@
 /* mesh_for_path: which hollow is the tightest, by surfaces or by vertices; meshes that can't be
  * cut. */
 #include <check.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "stage/mesh_for_path.h"
+#include "said.h"
 #include "scratch.h"
 
 static struct error error;
@@ -68,6 +70,33 @@ START_TEST(a_bare_mesh_knows_nothing)
 }
 END_TEST
 
+/* What it is cut as is said of a mesh of another program; this suite's are in mm. */
+START_TEST(its_unit)
+{
+    static const struct {
+        const char *head, *side, *said, *not_said;
+    } cases[] = {
+        {HEAD("", ""), "4", "4 x 1 x 0 mm, its unit taken as mm\n", "calls the unit"},
+        {HEAD("comment units: inch\n", ""), "4", "a comment calls the unit `inch`", "right?"},
+        {HEAD("comment units: mm\n", ""), "4", NULL, "taken as mm"},
+        {HEAD("comment unit millimetre\n", ""), "4", NULL, "taken as mm"},
+        {HEAD("comment unit mm\n", ""), "4000", "taken as mm: is that right?", "calls"},
+        {HEAD("", ""), "0.1", "taken as mm\n", "right?"},
+        {HEAD("comment cloudmill mesh 1\n", ""), "9000", NULL, "taken as mm"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char text[600];
+        snprintf(text, sizeof text, "%s0 0 0\n%s 0 0\n0 1 0\n3 0 1 2\n", cases[i].head,
+                 cases[i].side);
+        said_begin();
+        ck_assert_int_eq(read_text(text), 0);
+        const char *said = said_end();
+        ck_assert_msg(!cases[i].said || strstr(said, cases[i].said), "%zu: %s", i, said);
+        ck_assert_msg(!strstr(said, cases[i].not_said), "%zu: %s", i, said);
+    }
+}
+END_TEST
+
 START_TEST(what_cannot_be_cut)
 {
     ck_assert_int_eq(read_text(HEAD("", "") "0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n"), -1);
@@ -90,6 +119,7 @@ int main(void)
     tcase_add_test(all, surfaces_count_where_they_are_named);
     tcase_add_test(all, else_vertices_do);
     tcase_add_test(all, a_bare_mesh_knows_nothing);
+    tcase_add_test(all, its_unit);
     tcase_add_test(all, what_cannot_be_cut);
     suite_add_tcase(suite, all);
     SRunner *runner = srunner_create(suite);

@@ -100,6 +100,36 @@ START_TEST(values)
 }
 END_TEST
 
+/* What a mesh of another program calls its unit, if it does. */
+START_TEST(units)
+{
+    static const char *const k[][2] = {{"unit inch", "inch"},
+                                       {"Units: Inches", "Inches"},
+                                       {"UNIT=mm", "mm"},
+                                       {"units\t: in", "in"},
+                                       {"unit", NULL},
+                                       {"units:", NULL},
+                                       {"united by nobody", NULL},
+                                       {"made in units mm", NULL}};
+    for (size_t i = 0; i < sizeof k / sizeof *k; i++) {
+        taken("noise 1");
+        mesh_free(&mesh);
+        taken(k[i][0]);
+        ck_assert(!mesh.origin.own);
+        if (k[i][1])
+            ck_assert_str_eq(mesh.origin.unit, k[i][1]);
+        else
+            ck_assert_ptr_null(mesh.origin.unit);
+    }
+    mesh_free(&mesh);
+    taken("cloudmill mesh 1");
+    taken("units inch");
+    ck_assert(mesh.origin.own);
+    ck_assert_ptr_null(mesh.origin.unit);
+    mesh_free(&mesh);
+}
+END_TEST
+
 /* What may be off is rounded up, and what is a round number already stays. */
 START_TEST(ledger_rounds_up)
 {
@@ -193,6 +223,7 @@ int main(void)
     tcase_add_checked_fixture(tests, setup, teardown);
     tcase_add_test(tests, there_and_back);
     tcase_add_test(tests, values);
+    tcase_add_test(tests, units);
     tcase_add_test(tests, ledger_rounds_up);
     tcase_add_test(tests, names);
     tcase_add_test(tests, tabs);
