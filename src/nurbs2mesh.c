@@ -12,6 +12,7 @@
 #include "io/cloud/cloud.h"
 #include "io/mesh/ply.h"
 #include "io/nurbs/surfaces.h"
+#include "nurbs/coincident.h"
 #include "nurbs/orient.h"
 #include "nurbs/patch_weld.h"
 #include "nurbs/sew.h"
@@ -25,6 +26,9 @@ enum { CELLS_MAX = 5000, USUAL = 200 };
 
 /* By the size of the part: edges so near are joined, and surfaces so narrow are left out. */
 static const double GAP = 2.5e-4, NARROW = 1e-5;
+
+/* By the size of the part: surfaces so near everywhere are one twice. */
+static const double SAME = 1e-6;
 
 /* In widths of a slit that is closed without a word: wider ones between surfaces are closed too,
  * unless --gap says how far apart neighbours are. */
@@ -123,7 +127,10 @@ static void tessellate_some(void *context, size_t from, size_t to)
 {
     struct tessellate_all *all = context;
     for (size_t i = from; i < to; i++)
-        tessellate(&all->patches->item[i], all->how, &all->sheet[i]);
+        if (all->patches->item[i].doubled)
+            all->sheet[i].refused = true;
+        else
+            tessellate(&all->patches->item[i], all->how, &all->sheet[i]);
 }
 
 /* How far triangles are off their surfaces at most; ends where it would take too many. */
@@ -180,6 +187,24 @@ static double tessellate_surfaces(const struct cli *cli, const struct settings *
     double error = check_error(s, patches, sheet);
     nurbs_report_trimming(patches, sheet, fine);
     return error;
+}
+
+/* Of surfaces that coincide one is used, and the mesh of the others is empty. */
+static void leave_doubled(const struct settings *s, struct patches *patches, struct sheet *sheet)
+{
+    double size = patches_size(patches);
+    int *twin = coincident_find(patches, sheet, SAME * size, gap_of(s, size));
+    for (size_t i = 0; i < patches->n; i++) {
+        if (twin[i] < 0)
+            continue;
+        const struct patch *p = &patches->item[i], *q = &patches->item[twin[i]];
+        say("%s: surface %d coincides with %s:%d, which is used", p->file, p->entity, q->file,
+            q->entity);
+        patches->item[i].doubled = true;
+        sheet_free(&sheet[i]);
+        sheet[i].refused = true;
+    }
+    free(twin);
 }
 
 static struct sew_count sew_surfaces(const struct settings *s, const struct patches *patches,
@@ -404,7 +429,9 @@ static void write_mesh(const struct cli *cli, const struct patches *patches,
     mesh.origin.maker = mem_string("nurbs2mesh", strlen("nurbs2mesh"));
     patch_mesh_mesh(patch_mesh, &mesh);
     if (!(mesh_area(&mesh) > 0))
-        die("%s: surfaces without area, expected some", mesh.origin.source);
+        die("%s: surfaces without area, or nothing but two within --gap of each other, expected "
+            "others",
+            mesh.origin.source);
     note("%zu surfaces in; %zu vertices, %zu facets", patch_mesh->sheets, mesh.vertex.n,
          mesh.face.n);
     struct out *out = out_open(cli->output);
@@ -433,6 +460,7 @@ int main(int argc, char **argv)
     } else {
         double error = tessellate_surfaces(&cli, &settings, &patches,
                                            fine_of(&settings, patches_size(&patches)), sheet);
+        leave_doubled(&settings, &patches, sheet);
         settle_groups(&settings, &patches, sheet, &patch_mesh);
         error = make_patch_mesh(&cli, &settings, &patches, error, sheet, &patch_mesh, &unmet);
         struct concave_radius *concave =

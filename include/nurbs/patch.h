@@ -44,6 +44,7 @@ struct patch {
     int group;               /* of loose faces that the file keeps together, from 1; 0: none */
     bool cavity;             /* that shell bounds a void of its solid: its outside is within */
     double rough;            /* as in a loop, of the surface */
+    bool doubled;            /* it coincides with one before it, which is used (coincident.h) */
     int ignored;             /* loops of curves that are not read ... */
     int ignored_entity;      /* ... the first of them ... */
     int ignored_type;        /* ... and the type of the curve */

@@ -62,6 +62,43 @@ has "it is told" '[0-9]+ edges have more than two facets, expected none' "$TMP/r
 has "two cubes that touch along an edge are closed" \
 	"closed, touches itself along [0-9]+ edges, area 1200.* volume 2000" "$TMP/report"
 
+# A surface that the model has twice, of one or of other parameters: one is used, and it is told;
+# its facets were taken for folds, and both were gone.
+surface() {
+	echo "surface degree 1 1 poles 2 2 knots_u 0 0 1 1 knots_v 0 0 1 1 points $*"
+}
+box_of() { # X: a box of 10 from there on
+	a=$1 b=$(($1 + 10))
+	surface $a 0 0 $a 10 0 $b 0 0 $b 10 0
+	surface $a 0 10 $b 0 10 $a 10 10 $b 10 10
+	surface $a 0 0 $b 0 0 $a 0 10 $b 0 10
+	surface $a 10 0 $a 10 10 $b 10 0 $b 10 10
+	surface $a 0 0 $a 0 10 $a 10 0 $a 10 10
+	surface $b 0 0 $b 10 0 $b 0 10 $b 10 10
+}
+cd "$TMP" || exit 1
+{ echo nurbs 1 && surface 0 0 10 10 0 10 0 10 10 10 10 12 && echo end; } >one.nurbs
+sed '/^surface/p' one.nurbs >both.nurbs
+nurbs2mesh -q -e 0.01 -o one.ply one.nurbs
+status 0 "a surface twice" nurbs2mesh -e 0.01 -o both.ply both.nurbs
+has "is told" 'both.nurbs: surface 2 coincides with both.nurbs:1, which is used' err
+for name in one both; do # without the number of the surface
+	awk 'on { print (NF > 5 ? $0 : $2 " " $3 " " $4) } /end_header/ { on = 1 }' $name.ply >$name.facets
+done
+same "and is the surface" one.facets both.facets
+for again in '0 0 10 10 0 10 0 10 10 10 10 10' '0 0 10 0 10 10 10 0 10 10 10 10'; do
+	{ echo nurbs 1 && box_of 0 && surface "$again" && echo end; } >box.nurbs
+	closed "a box with a side twice, $again" 0 -e 0.01 box.nurbs
+	has "... is told" 'surface 7 coincides with box.nurbs:2, which is used' report
+	has "... and has all sides" 'area 600 mm2, volume 1000 mm3' report
+done
+nurbs2mesh -v -e 0.01 -o both.ply box.nurbs box.nurbs 2>report
+has "a whole box twice is one" 'body 1: closed, genus 0, area 600 mm2, volume 1000 mm3' report
+{ echo nurbs 1 && box_of 0 && box_of 10 && echo end; } >boxes.nurbs
+closed "two boxes that touch" 0 -e 0.01 boxes.nurbs
+has "... have no wall between them" 'area 1000 mm2, volume 2000 mm3' report
+hasnt "... and nothing is told" coincides report
+
 # A shell that its file calls closed, without its lid.
 printf 'at 0 0\nline 10 0\nline 10 30\nline 0 30\n' >"$TMP/profile"
 awk -v kind=step -f "$SRC/tests/lib/turned.awk" "$TMP/profile" |
