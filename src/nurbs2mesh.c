@@ -12,6 +12,7 @@
 #include "io/cloud/cloud.h"
 #include "io/mesh/ply.h"
 #include "io/nurbs/surfaces.h"
+#include "io/nurbs/surfaces_told.h"
 #include "nurbs/coincident.h"
 #include "nurbs/orient.h"
 #include "nurbs/patch_weld.h"
@@ -24,11 +25,8 @@
 
 enum { CELLS_MAX = 5000, USUAL = 200 };
 
-/* By the size of the part: edges so near are joined, and surfaces so narrow are left out. */
-static const double GAP = 2.5e-4, NARROW = 1e-5;
-
-/* By the size of the part: surfaces so near everywhere are one twice. */
-static const double SAME = 1e-6;
+/* By the size of the part: surfaces so narrow are left out, and two so near everywhere are one. */
+static const double NARROW = 1e-5, SAME = 1e-6;
 
 /* In widths of a slit that is closed without a word: wider ones between surfaces are closed too,
  * unless --gap says how far apart neighbours are. */
@@ -158,7 +156,7 @@ static double gap_of(const struct settings *s, double size)
 {
     if (s->gap > 0)
         return s->gap;
-    return s->tolerance > 0 ? fmin(GAP * size, s->tolerance) : GAP * size;
+    return s->tolerance > 0 ? fmin(SURFACES_GAP * size, s->tolerance) : SURFACES_GAP * size;
 }
 
 /* How fine triangles and trimmed edges are at first, mm. */
@@ -180,12 +178,12 @@ static double tessellate_surfaces(const struct cli *cli, const struct settings *
         sheet_free(&sheet[i]);
     parallel_shown("tessellating", few ? 1 : cli->threads, patches->n, tessellate_some, &all);
     struct error why;
-    if (nurbs_report_refused(patches, sheet, fmax(gap, s->tolerance), s->partial ? NULL : &why) >
+    if (surfaces_tell_refused(patches, sheet, fmax(gap, s->tolerance), s->partial ? NULL : &why) >
             0 &&
         !s->partial)
         die_error(&why);
     double error = check_error(s, patches, sheet);
-    nurbs_report_trimming(patches, sheet, fine);
+    surfaces_tell_trimming(patches, sheet, fine);
     return error;
 }
 
@@ -260,7 +258,7 @@ static void check_gaps(const struct settings *s, const struct patches *patches,
                        const struct sheet *sheet, struct unmets *unmet)
 {
     double limit = fmax(gap_of(s, patches_size(patches)), s->tolerance);
-    size_t open = nurbs_report_gaps(patches, sheet, limit);
+    size_t open = surfaces_tell_gaps(patches, sheet, limit);
     if (open > 0 && !s->partial)
         unmet_say(unmet,
                   "%zu surfaces have a trimming loop that does not close within %g mm, expected "

@@ -1,5 +1,5 @@
 /*
- * nurbs_report - tables about NURBS surfaces, and messages about their trimming.
+ * nurbs_report - tables about NURBS surfaces, and messages about their skin.
  */
 #ifndef CLOUDMILL_NURBS_REPORT_H
 #define CLOUDMILL_NURBS_REPORT_H
@@ -18,22 +18,6 @@ void nurbs_report_grid(const char *file, const struct patches *patches, int n);
  * and last the largest ball that fits. */
 void nurbs_report_radii(const char *file, const struct patches *patches,
                         const struct concave_radius *concave, const struct patch_mesh *mesh);
-
-/*
- * Surfaces are refused whose curves in space lie further than `limit` mm off them, or whose
- * trimming crosses itself: with `error` the first of them goes there; with NULL each is said,
- * emptied and marked.  Returns how many.
- */
-size_t nurbs_report_refused(const struct patches *patches, struct sheet *sheet, double limit,
-                            struct error *error);
-
-/* Says what the trimming of each surface left unclear, and which curves in space lie further than
- * `fine` mm off their surface. */
-void nurbs_report_trimming(const struct patches *patches, const struct sheet *sheet, double fine);
-
-/* Trimming loops with a gap of more than `limit` mm, which a straight line closes; returns of how
- * many surfaces. */
-size_t nurbs_report_gaps(const struct patches *patches, const struct sheet *sheet, double limit);
 
 /* The surface whose approximation, or that of its trimming, is farthest off what the file has, and
  * how far, mm; NULL: none is off. */

@@ -6,11 +6,13 @@
 #include <strings.h>
 
 #include "base/array.h"
+#include "base/cli.h"
 #include "base/num.h"
 #include "base/reader.h"
 #include "io/cloud/cloud.h"
 #include "io/mesh/meshfile.h"
 #include "io/nurbs/surfaces.h"
+#include "io/nurbs/surfaces_told.h"
 #include "math/triangle_points.h"
 #include "nurbs/tessellate.h"
 
@@ -37,12 +39,28 @@ static void densify(const struct mesh *mesh, double radius, struct vec3s *points
     }
 }
 
+/* What is wrong with the trimming of a surface, as who makes a mesh of it is told. */
+static void tell_trimming(struct patch *patch, struct sheet *sheet, double size)
+{
+    const struct patches one = {.n = 1, .item = patch};
+    double fine = fmax(1e-5 * size, CHORD);
+    struct error why;
+
+    if (surfaces_tell_refused(&one, sheet, SURFACES_GAP * size, &why) > 0)
+        say("%s", why.text);
+    surfaces_tell_trimming(&one, sheet, fine);
+    surfaces_tell_gaps(&one, sheet, SURFACES_GAP * size);
+}
+
 /* The surfaces of a file, trimmed, as triangles; of their vertices and faces alone. */
 static int read_surfaces(const char *file, struct mesh *mesh, struct error *error)
 {
     struct patches patches = {0};
     struct surfaces_unit unit;
     int result = surfaces_read(file, 0, &patches, &unit, error);
+    double size = patches_size(&patches);
+    if (result == 0)
+        surfaces_tell(&patches);
     for (size_t i = 0; result == 0 && i < patches.n; i++) {
         struct sheet sheet = {0};
         size_t from = mesh->vertex.n;
@@ -50,6 +68,8 @@ static int read_surfaces(const char *file, struct mesh *mesh, struct error *erro
         if (sheet.too_fine)
             result = error_set(error, "%s: surface %d is too large for triangles within %g mm",
                                file, patches.item[i].entity, CHORD);
+        else
+            tell_trimming(&patches.item[i], &sheet, size);
         for (size_t k = 0; k < sheet.point.n; k++)
             *array_push(&mesh->vertex) = sheet.point.item[k];
         for (size_t k = 0; k < sheet.face.n; k++) {

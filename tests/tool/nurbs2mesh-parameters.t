@@ -66,6 +66,21 @@ has "it is said, where" \
 has "and it is in the mesh" 'unmet.*1 surfaces have a trimming loop' "$TMP/x.ply"
 status 0 "--partial accepts it" nurbs2mesh --partial -e 0.01 -o "$TMP/x.ply" "$TMP/open.igs"
 has "and it is said" 'are 27 mm apart' "$TMP/err"
+# Who judges by the same file is told the same.
+planecut -q -r 2 -s 2 --fixed 0,0,1 "$TMP/x.ply" | ncpost -q -c siemens -o "$TMP/x.mpf"
+run ncverify -g "$TMP/open.igs" "$TMP/x.mpf"
+has "ncverify says it" '^ncverify: .*open.igs: surface [0-9]*: the curves .* are 27 mm apart' "$TMP/err"
+run ncverify -q -g "$TMP/open.igs" "$TMP/x.mpf"
+hasnt "but with -q" 'apart' "$TMP/err"
+plane='nurbs 1 surface degree 1 1 poles 2 2 knots_u 0 0 1 1 knots_v 0 0 1 1
+	points 0 0 0 40 0 0 0 30 0 40 30 0'
+echo "$plane loop 0 0 1 0 0 1 1 1 end" >"$TMP/crossed.nurbs"
+run ncverify -g "$TMP/crossed.nurbs" "$TMP/x.mpf"
+has "that a loop crosses itself" \
+	'^ncverify: .*crossed.nurbs: surface 1: its trimming crosses itself, in [0-9]+ places' "$TMP/err"
+echo "$plane end" >"$TMP/sound.nurbs"
+run ncverify -g "$TMP/sound.nurbs" "$TMP/x.mpf"
+hasnt "and nothing of a sound surface" 'sound.nurbs: surface' "$TMP/err"
 open_to 0.0004 little
 status 0 "0.012 mm of 140 are joined" nurbs2mesh -e 0.001 -o "$TMP/x.ply" "$TMP/little.igs"
 hasnt "nothing is said" apart "$TMP/err"

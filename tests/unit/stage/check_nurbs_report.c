@@ -1,6 +1,6 @@
 /*
- * check_nurbs_report - which surfaces are refused, at the limit and beyond; which is the roughest;
- * the table of a bilinear surface against its formula.
+ * check_nurbs_report - which surface is the roughest; the table of a bilinear surface against its
+ * formula.
  */
 #include <check.h>
 #include <stdio.h>
@@ -33,57 +33,6 @@ static void teardown(void)
     for (int i = 0; i < N; i++)
         sheet_free(&sheet[i]);
 }
-
-START_TEST(at_the_limit_none_is_refused)
-{
-    struct error error = {.text = ""};
-    sheet[0].off = sheet[2].off = 0.25;
-    ck_assert_uint_eq(nurbs_report_refused(&patches, sheet, 0.25, &error), 0);
-    ck_assert_str_eq(error.text, "");
-    ck_assert_uint_eq(nurbs_report_refused(&patches, sheet, 0.25, NULL), 0);
-    for (int i = 0; i < N; i++)
-        ck_assert(!sheet[i].refused && sheet[i].face.n == 1);
-}
-END_TEST
-
-START_TEST(the_first_that_is_refused_is_told)
-{
-    struct error error = {.text = ""};
-    sheet[1].off = 0.2500001;
-    sheet[2].unclear = 1;
-    ck_assert_uint_ge(nurbs_report_refused(&patches, sheet, 0.25, &error), 1);
-    ck_assert_ptr_nonnull(strstr(error.text, "part.igs: surface 11: "));
-    ck_assert_ptr_nonnull(strstr(error.text, "in space"));
-    ck_assert(!sheet[1].refused);
-    sheet[1].off = 0;
-    ck_assert_uint_eq(nurbs_report_refused(&patches, sheet, 0.25, &error), 1);
-    ck_assert_ptr_nonnull(strstr(error.text, "surface 12: its trimming crosses itself, in 1 "));
-}
-END_TEST
-
-START_TEST(without_an_error_each_is_left_out)
-{
-    sheet[0].off = 1;
-    sheet[2].unclear = 2;
-    ck_assert_uint_eq(nurbs_report_refused(&patches, sheet, 0.25, NULL), 2);
-    for (int i = 0; i < N; i++) {
-        ck_assert(sheet[i].refused == (i != 1));
-        ck_assert_uint_eq(sheet[i].face.n, i == 1);
-    }
-}
-END_TEST
-
-START_TEST(gaps_beyond_the_limit)
-{
-    ck_assert_uint_eq(nurbs_report_gaps(&patches, sheet, 0.25), 0);
-    sheet[0].gap = 0.25;
-    sheet[1].gap = 0.2500001;
-    sheet[2].gap = 7;
-    ck_assert_uint_eq(nurbs_report_gaps(&patches, sheet, 0.25), 2);
-    sheet[2].refused = true; /* why has been told */
-    ck_assert_uint_eq(nurbs_report_gaps(&patches, sheet, 0.25), 1);
-}
-END_TEST
 
 START_TEST(the_roughest)
 {
@@ -138,10 +87,6 @@ int main(void)
     TCase *tests = tcase_create("nurbs_report");
     SRunner *runner = srunner_create(suite);
     tcase_add_checked_fixture(tests, setup, teardown);
-    tcase_add_test(tests, at_the_limit_none_is_refused);
-    tcase_add_test(tests, the_first_that_is_refused_is_told);
-    tcase_add_test(tests, without_an_error_each_is_left_out);
-    tcase_add_test(tests, gaps_beyond_the_limit);
     tcase_add_test(tests, the_roughest);
     tcase_add_test(tests, a_table_of_a_surface);
     suite_add_tcase(suite, tests);
