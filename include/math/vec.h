@@ -106,6 +106,12 @@ static inline struct vec3 vec_reject(struct vec3 a, struct vec3 n)
     return vec_along(a, -vec_dot(a, n), n);
 }
 
+/* x, y or z of a vector: of axis 0, 1 or 2. */
+static inline double vec_coordinate(struct vec3 a, int axis)
+{
+    return axis == 0 ? a.x : axis == 1 ? a.y : a.z;
+}
+
 /* Angle between two vectors of any length, radians 0 to pi, exact near 0 and pi too. */
 static inline double vec_angle(struct vec3 a, struct vec3 b)
 {

@@ -21,21 +21,16 @@ struct entry {
     size_t item;
 };
 
-static double coordinate(struct vec3 p, int axis)
-{
-    return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
-}
-
 /* Orders [from, to) so that entry k is where sorting would put it (Hoare's selection). */
 static void select_entry(struct entry *e, size_t from, size_t to, size_t k, int axis)
 {
     while (to - from > 1) {
-        double pivot = coordinate(e[from + (to - from) / 2].middle, axis);
+        double pivot = vec_coordinate(e[from + (to - from) / 2].middle, axis);
         size_t i = from, j = to - 1;
         for (;;) {
-            while (coordinate(e[i].middle, axis) < pivot)
+            while (vec_coordinate(e[i].middle, axis) < pivot)
                 i++;
-            while (coordinate(e[j].middle, axis) > pivot)
+            while (vec_coordinate(e[j].middle, axis) > pivot)
                 j--;
             if (i >= j)
                 break;

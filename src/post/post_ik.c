@@ -23,7 +23,7 @@ static double furthest_over(const struct nc_planner *planner, int axis, double v
         if (ik_choose(&m->chain, to->a, q, true, -1, q, &over) != 0)
             break;
         struct vec3 p = chain_linear(&m->chain, to->p, q);
-        double at = axis == 0 ? p.x : axis == 1 ? p.y : p.z;
+        double at = vec_coordinate(p, axis);
         if (side * at > side * value)
             value = at, *tip = to->p;
     }

@@ -201,7 +201,7 @@ static void add_span(const struct bspline *curve, size_t first, const double *it
                 for (size_t c = 0; c < columns; c++) {
                     const struct vec3 *known = c < 3 ? curve->pole : curve->head;
                     struct vec3 p = known[end ? last : 0];
-                    double x = c % 3 == 0 ? p.x : c % 3 == 1 ? p.y : p.z;
+                    double x = vec_coordinate(p, (int)(c % 3));
                     size_t row = end ? first + j : first + i;
                     if (row != 0 && row != last)
                         right[(row - 1) * columns + c] -= *at * x;

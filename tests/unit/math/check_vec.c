@@ -87,6 +87,8 @@ END_TEST
 
 START_TEST(units_and_perpendiculars)
 {
+    for (int i = 0; i < 3; i++)
+        ck_assert_double_eq(vec_coordinate(vec(3, 4, 5), i), 3 + i);
     same(vec_unit(vec(0, 0, 0)), vec(0, 0, 0), 0);
     for (int i = 0; i < 1000; i++) {
         struct vec3 a = random_unit(), p = vec_perpendicular(a);
