@@ -558,6 +558,12 @@ static void smooth_more(struct toolpath *t)
     t->rule.full = full * c->scallop + sigmas * fmax(c->noise, 0);
 }
 
+/* As published, and of a scan that is not to be looked at, what stays is told and no more. */
+static bool is_unlooked(const struct mesh *mesh)
+{
+    return !path_options.guarded && (path_options.paper || mesh->origin.scan.n > 0);
+}
+
 int path_options_rules(const struct mesh *mesh, const struct gouge_check *guard, double distance,
                        struct toolpath *t, struct error *error)
 {
@@ -568,7 +574,7 @@ int path_options_rules(const struct mesh *mesh, const struct gouge_check *guard,
                                         .plunge = c->plunge,
                                         .approach = c->approach,
                                         .longest = 3 * distance,
-                                        .avoid = c->avoid || (c->paper && !c->guarded)};
+                                        .avoid = c->avoid || is_unlooked(mesh)};
     t->rule.skip = c->avoid;
     t->rule.scallop = c->scallop;
     t->rule.one_way = c->one_way;
