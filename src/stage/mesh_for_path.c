@@ -68,7 +68,8 @@ static void say_unit(const char *file, const struct mesh *mesh)
     if (mesh->origin.own || (mm && likely))
         return;
     if (unit && !mm)
-        say("%s: a comment calls the unit `%.20s`, which is not worked in: make the mesh anew in mm",
+        say("%s: a comment calls the unit `%.20s`, which is not worked in: make the mesh anew in "
+            "mm",
             file, unit);
     say("%s: %.4g x %.4g x %.4g mm, its unit taken as mm%s", file, size.x, size.y, size.z,
         likely ? "" : ": is that right?");

@@ -608,7 +608,8 @@ int path_options_rules(const struct mesh *mesh, const struct gouge_check *guard,
         t->rule.smooth > 0 && c->scallop > 0 ? ASIDE * scallop_step(c->scallop, c->radius, 0) : 0;
     t->lift.even = t->lift.aside > 0 && c->guarded && c->avoid ? EVEN * c->radius : 0;
     t->lift.uncut = 3 * t->lift.tolerance + 2 * fmax(c->noise, 0);
-    if (!c->guarded && isfinite(mesh->origin.ledger)) /* facets that are off by so much say no more */
+    /* facets that are off by so much say no more */
+    if (!c->guarded && isfinite(mesh->origin.ledger))
         t->lift.uncut += mesh->origin.ledger;
     return clearance_plane(mesh, guard, &t->rule.clearance, error);
 }

@@ -58,7 +58,8 @@ has "the size of a mesh without units is said" \
 	'^planecut: pyramid.stl: 40 x 40 x 12 mm, its unit taken as mm$' said
 sed '2s/$/\ncomment Units: inches/' inch.ply >units.ply
 run planecut -r 0.1 -s 0.1 --avoid -o units.cl units.ply
-has "and that a comment says another" 'units.ply: a comment calls the unit .inches., which is not' err
+has "and that a comment says another" \
+	'units.ply: a comment calls the unit .inches., which is not' err
 status 0 "ncplot of it" ncplot -o capitals.svg capitals.stl
 
 # A path 0.3 mm too deep in the middle of a facet, far from its corners.

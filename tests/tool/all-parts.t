@@ -70,8 +70,7 @@ wrong "its end missing" "found the end after $number, expected $number, as" \
 grep -v PASSES joined >by-hand.cl
 status 0 "passes taken out on purpose, and the list of them" \
 	ncpost -q -c siemens --no-spindle -o wrong.mpf by-hand.cl
-awk '/PASS\// { n++ } n < 2 { print > "one" } n > 1 && !/^FINI/ { exit } END { print "FINI" > "one" }' \
-	"$passes"
+awk '/PASS\// { n++ } n > 1 { exit } { print } END { print "FINI" }' "$passes" >one
 biarcfit -q -o one.cl one
 has "a path of one pass" 'PASSES/1$' one.cl
 status 0 "is sound" ncpost -q -c siemens --no-spindle -o one.mpf one.cl

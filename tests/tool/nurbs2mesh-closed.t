@@ -83,7 +83,8 @@ nurbs2mesh -q -e 0.01 -o one.ply one.nurbs
 status 0 "a surface twice" nurbs2mesh -e 0.01 -o both.ply both.nurbs
 has "is told" 'both.nurbs: surface 2 coincides with both.nurbs:1, which is used' err
 for name in one both; do # without the number of the surface
-	awk 'on { print (NF > 5 ? $0 : $2 " " $3 " " $4) } /end_header/ { on = 1 }' $name.ply >$name.facets
+	awk 'on { print (NF > 5 ? $0 : $2 " " $3 " " $4) } /end_header/ { on = 1 }' \
+		$name.ply >$name.facets
 done
 same "and is the surface" one.facets both.facets
 for again in '0 0 10 10 0 10 0 10 10 10 10 10' '0 0 10 0 10 10 10 0 10 10 10 10'; do

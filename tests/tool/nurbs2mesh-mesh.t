@@ -95,10 +95,12 @@ echo "$head 3 2 knots_u 0 0 0.5 1 1 knots_v 0 0 1 1 points
 echo "$head 2 2 knots_u 0 0 1 1 knots_v 0 0 1 1 points 0 0 5 10 0 0 0 20 5 10 20 0
 	surface degree 1 1 poles 2 2 knots_u 0 0 1 1 knots_v 0 0 1 1
 	points 10 0 0 20 0 5 10 20 0 20 20 5 end" >"$TMP/two.nurbs"
-awk '{ gsub(/10 0 0/, "10 0 9"); gsub(/10 20 0/, "10 20 9") } 1' "$TMP/two.nurbs" >"$TMP/ridge.nurbs"
+awk '{ gsub(/10 0 0/, "10 0 9"); gsub(/10 20 0/, "10 20 9") } 1' \
+	"$TMP/two.nurbs" >"$TMP/ridge.nurbs"
 edge='^# hollow edge: 53\.130 degrees at 10\.0+ [0-9.]+ 0\.0+'
 nurbs2mesh -k "$TMP/kink.nurbs" >"$TMP/k" 2>"$TMP/err"
-has "the radius of a kink is 0" 'kink\.nurbs:[0-9]+,0\.000000,0\.5,[0-9.]+,10\.000000,[0-9.]+,0\.000000$' "$TMP/k"
+has "the radius of a kink is 0" \
+	'kink\.nurbs:[0-9]+,0\.000000,0\.5,[0-9.]+,10\.000000,[0-9.]+,0\.000000$' "$TMP/k"
 has "its angle" "$edge \\([^ ]*kink.nurbs:[0-9]+\\): no ball fits there\$" "$TMP/k"
 has "no ball fits it" '^# largest ball: none; but for hollow edges any, nothing is hollow$' "$TMP/k"
 nurbs2mesh -k "$TMP/two.nurbs" >"$TMP/k" 2>"$TMP/err"
@@ -116,14 +118,16 @@ for part in kink two ridge; do
 	status $want "planecut of $part: what is left is no success" \
 		planecut -r 3 --scallop 0.05 -o "$TMP/$part.cl" "$TMP/$part.ply"
 	[ $part = ridge ] && continue
-	has "... it is told" 'planecut: the ball does not fit at [0-9]+ points .* at (9\.9|10\.0)' "$TMP/err"
+	has "... it is told" \
+		'planecut: the ball does not fit at [0-9]+ points .* at (9\.9|10\.0)' "$TMP/err"
 	has "... in the path, too" 'UNMET/planecut,the ball does not fit at' "$TMP/$part.cl"
 	status 0 "... unless it is accepted" \
 		planecut -q -r 3 --scallop 0.05 --avoid -o "$TMP/$part.cl" "$TMP/$part.ply"
 	hasnt "... then it is not in the path" 'UNMET' "$TMP/$part.cl"
 	status 0 "... or the published way is asked for" \
 		planecut -q -r 3 --scallop 0.05 --paper -o "$TMP/$part.cl" "$TMP/$part.ply"
-	status 3 "... meshnorm does the same" meshnorm -r 3 --scallop 0.05 -o "$TMP/$part.cl" "$TMP/$part.ply"
+	status 3 "... meshnorm does the same" \
+		meshnorm -r 3 --scallop 0.05 -o "$TMP/$part.cl" "$TMP/$part.ply"
 	has "... and tells it" 'meshnorm: the ball does not fit at' "$TMP/err"
 done
 

@@ -150,7 +150,8 @@ below "clear of the corners of the bowl" "$(cat figures)" 0.001
 grid bowl -6 -6 6 6 30 30 >bare.ply
 status 3 "without kmax it is lifted by itself" planecut -r 13 -s 1 -o bare.cl bare.ply
 has "and that is said" 'no curvatures \(kmax\)' err
-has "as is what it leaves" 'the ball does not fit at [0-9]+ points of the path and leaves material' err
+has "as is what it leaves" \
+	'the ball does not fit at [0-9]+ points of the path and leaves material' err
 # two surfaces in one mesh: the tighter one is named, with the radius that it was made for
 s1=$SRC/samples/paper2_s1_a.igs s2=$SRC/samples/paper2_s2_a.igs
 nurbs2mesh -q -n 9 -o both.ply "$s2" "$s1"
