@@ -38,8 +38,10 @@ size_t steep_facets(const struct point_grid *scan, const struct steep_facets_opt
 void steep_facets_asked(const struct point_grid *scan, double radius, double noise, int threads,
                         struct vec3s *to);
 
-/* For who asks whether such a ball went in between the points: the sure ones. */
-void steep_facets_sure(const struct point_grid *scan, double radius, double noise, int threads,
-                       struct vec3s *to);
+/* For who asks whether such a ball went in between the points: the sure ones.  `scan` as it was
+ * scanned, and its points taken to be at `place` (NULL: where they are), as for who keeps a ball
+ * off: of points moved other facets meet where one side hangs over the other. */
+void steep_facets_sure(const struct point_grid *scan, const struct vec3 *place, double radius,
+                       double noise, int threads, struct vec3s *to);
 
 #endif

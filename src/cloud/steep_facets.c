@@ -332,11 +332,15 @@ void steep_facets_asked(const struct point_grid *scan, double radius, double noi
     steep_facets(scan, &options, to);
 }
 
-void steep_facets_sure(const struct point_grid *scan, double radius, double noise, int threads,
-                       struct vec3s *to)
+void steep_facets_sure(const struct point_grid *scan, const struct vec3 *place, double radius,
+                       double noise, int threads, struct vec3s *to)
 {
-    const struct steep_facets_options options = {
-        .radius = radius, .sink = SINK, .noise = noise, .sure = true, .threads = threads};
+    const struct steep_facets_options options = {.place = place,
+                                                 .radius = radius,
+                                                 .sink = SINK,
+                                                 .noise = noise,
+                                                 .sure = true,
+                                                 .threads = threads};
 
     steep_facets(scan, &options, to);
 }

@@ -1,6 +1,7 @@
 /* verify_surface - the surface that the points of a scan stand for: see verify.h. */
 #include <stdint.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/array.h"
 #include "cloud/believed.h"
@@ -34,6 +35,15 @@ static void find_roof(const struct point_grid *grid, int threads, struct vec3s *
     free(mark);
 }
 
+/* Points of steep flanks, seen as they were scanned and taken to be where the grid has them. */
+static void find_steep(const struct point_grid *grid, struct vec3 *scanned, double radius,
+                       int threads, struct verify_surface *surface)
+{
+    struct point_grid seen = *grid;
+    seen.point = scanned;
+    steep_facets_sure(&seen, grid->point, radius, surface->noise, threads, &surface->steep);
+}
+
 int verify_surface_find(struct vec3s *point, double noise, double radius, int threads,
                         struct verify_surface *surface, struct error *error)
 {
@@ -58,8 +68,11 @@ int verify_surface_find(struct vec3s *point, double noise, double radius, int th
     surface->under = mem_alloc(point->n, 1);
     surface->spacing = point_grid_spacing(&grid);
     find_roof(&grid, threads, &surface->roof);
+    struct vec3 *scanned = mem_alloc(grid.n + 1, sizeof *scanned);
+    memcpy(scanned, grid.point, grid.n * sizeof *scanned);
     judged_scan_settle(&grid, radius, surface->noise, threads, surface->under, &surface->curtain);
-    steep_facets_sure(&grid, radius, surface->noise, threads, &surface->steep);
+    find_steep(&grid, scanned, radius, threads, surface);
+    free(scanned);
     point_grid_free(&grid);
     return 0;
 }

@@ -1,10 +1,9 @@
 /* verify_swerve - see verify_swerve.h. */
 #include "verify_swerve.h"
 
-#include <stdlib.h>
+#include <string.h>
 
 #include "math/elementary.h"
-#include "base/array.h"
 #include "verify_finding.h"
 
 #define OFF 0.25 /* mm that the ball is off at least, or as many tolerances: */
@@ -29,9 +28,12 @@ struct step {
     bool on; /* the part */
 };
 
+/* The last steps of a cut: of millions no more than are looked at together. */
+enum { LOOKED = 4, AROUND = LOOKED + 2 };
+
 struct steps {
-    size_t n, cap;
-    struct step *item;
+    size_t n; /* of the cut so far; the last AROUND of them are at the end of `last` */
+    struct step last[AROUND];
 };
 
 struct swerves {
@@ -109,23 +111,46 @@ static void look_at_axis(const struct step *s, bool amid, struct swerves *found)
         add_swerve(found, off, &s[1]);
 }
 
-/* The blocks of a cut one after the other; those that do not go anywhere are left out. */
-static void look(const struct verdict *v, const struct steps *steps, struct swerves *ball,
-                 struct swerves *axis)
+/* Four blocks of a cut one after the other. */
+static void look(const struct verdict *v, const struct step s[LOOKED], bool amid,
+                 struct swerves *ball, struct swerves *axis)
 {
-    for (size_t i = 0; i + 4 <= steps->n; i++) {
-        const struct step *s = &steps->item[i];
-        if (!s[0].on && !s[1].on && !s[2].on && !s[3].on)
-            continue;
-        look_at_ball(v, s, ball);
-        look_at_axis(s, i > 0 && i + 5 <= steps->n, axis);
-    }
+    if (!s[0].on && !s[1].on && !s[2].on && !s[3].on)
+        return;
+    look_at_ball(v, s, ball);
+    look_at_axis(s, amid, axis);
+}
+
+static void shift(struct steps *steps)
+{
+    memmove(steps->last, steps->last + 1, (AROUND - 1) * sizeof *steps->last);
+}
+
+/* One block more: the four before it are looked at, which have one behind them now. */
+static void go_on(const struct verdict *v, struct steps *steps, const struct step *next,
+                  struct swerves *ball, struct swerves *axis)
+{
+    shift(steps);
+    steps->last[AROUND - 1] = *next;
+    steps->n++;
+    if (steps->n > LOOKED)
+        look(v, steps->last + 1, steps->n > LOOKED + 1, ball, axis);
+}
+
+/* The cut ends: behind its last four blocks there is none. */
+static void end(const struct verdict *v, struct steps *steps, struct swerves *ball,
+                struct swerves *axis)
+{
+    shift(steps);
+    if (steps->n >= LOOKED)
+        look(v, steps->last + 1, false, ball, axis);
+    steps->n = 0;
 }
 
 void verify_swerve(struct verdict *v)
 {
     const struct nc_motion *m = v->program.motion;
-    struct steps steps = {0};
+    struct steps steps = {.n = 0};
     struct swerves ball = {0}, axis = {0};
     size_t k = 0;
     for (size_t i = 0; i < m->piece.n; i++) {
@@ -133,16 +158,14 @@ void verify_swerve(struct verdict *v)
         for (; k < v->cut.n && v->cut.item[k].piece <= i; k++)
             on = on || v->cut.item[k].on;
         if (m->piece.item[i].rapid) {
-            look(v, &steps, &ball, &axis);
-            steps.n = 0;
+            end(v, &steps, &ball, &axis);
             continue;
         }
         struct step step = step_of(v, i, on);
-        if (step.length > STANDS)
-            *array_push(&steps) = step;
+        if (step.length > STANDS) /* what goes nowhere is left out */
+            go_on(v, &steps, &step, &ball, &axis);
     }
-    look(v, &steps, &ball, &axis);
-    array_free(&steps);
+    end(v, &steps, &ball, &axis);
     if (ball.count > 0)
         finding_add(v, true, ball.piece,
                     "the ball swerves by %.3f mm at %.3f %.3f %.3f and comes back to its course "

@@ -218,7 +218,7 @@ START_TEST(what_is_asked)
         steep_facets_asked(&grid, BALL, 0, 1, &asked);
         ck_assert_uint_eq(asked.n, high == 1 ? 0 : place.n);
         size_t before = asked.n;
-        steep_facets_sure(&grid, BALL, 0, 1, &asked);
+        steep_facets_sure(&grid, NULL, BALL, 0, 1, &asked);
         ck_assert_uint_gt(asked.n, before);
         point_grid_free(&grid);
         array_free(&scan);
