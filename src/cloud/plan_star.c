@@ -1,0 +1,179 @@
+/* plan_star - see plan_star.h. */
+#include "cloud/plan_star.h"
+
+#include <stdlib.h>
+
+#include "base/array.h"
+#include "base/parallel.h"
+#include "math/predicates.h"
+
+/* Corners about one point, at most. */
+enum { STAR = 64 };
+
+struct star_work {
+    const struct point_grid *scan;
+    const struct plan_star_options *options;
+    bool *corner; /* of each point: facets are looked for about it */
+    plan_star_facet *facet;
+    void *context;
+};
+
+static int by_distance(const void *pa, const void *pb)
+{
+    const struct plan_beside *a = pa, *b = pb;
+
+    return a->far2 != b->far2 ? (a->far2 > b->far2) - (a->far2 < b->far2)
+                              : (a->index > b->index) - (a->index < b->index);
+}
+
+/* The cells about a place, as far as `reach`. */
+struct cells {
+    size_t left, right, low, high;
+};
+
+static struct cells cells_about(const struct point_grid *g, struct vec3 p, double reach)
+{
+    return (struct cells){point_grid_column(g, p.x - reach), point_grid_column(g, p.x + reach),
+                          point_grid_row(g, p.y - reach), point_grid_row(g, p.y + reach)};
+}
+
+/* A long way goes up or down steeply from the point to one near to it. */
+static bool is_steep(const struct star_work *work, size_t i)
+{
+    const struct point_grid *g = work->scan;
+    struct vec3 p = g->point[i];
+    double reach = work->options->near, least = work->options->least;
+    struct cells c = cells_about(g, p, reach);
+
+    for (size_t row = c.low; row <= c.high; row++)
+        for (size_t k = g->first[row * g->columns + c.left];
+             k < g->first[row * g->columns + c.right + 1]; k++) {
+            struct vec3 to = vec_sub(g->point[k], p);
+            double far2 = to.x * to.x + to.y * to.y, up2 = to.z * to.z;
+            if (far2 < reach * reach && up2 > far2 && up2 + far2 > least * least)
+                return true;
+        }
+    return false;
+}
+
+bool plan_star_about(const struct point_grid *g, size_t i, double reach, struct plan_about *about)
+{
+    struct vec3 p = g->point[i];
+    struct cells c = cells_about(g, p, reach);
+
+    about->n = 0;
+    for (size_t row = c.low; row <= c.high; row++)
+        for (size_t k = g->first[row * g->columns + c.left];
+             k < g->first[row * g->columns + c.right + 1]; k++) {
+            struct uv at = {g->point[k].x - p.x, g->point[k].y - p.y};
+            double far2 = at.u * at.u + at.v * at.v;
+            if (far2 >= reach * reach || far2 == 0)
+                continue;
+            if (about->n == PLAN_STAR_CROWD)
+                return false;
+            about->item[about->n++] = (struct plan_beside){at, far2, (uint32_t)k};
+        }
+    if (about->n > 0)
+        qsort(about->item, about->n, sizeof *about->item, by_distance);
+    return about->n > 0;
+}
+
+size_t plan_star_corner(const struct plan_about *about, struct uv a, struct uv b)
+{
+    size_t best = PLAN_STAR_NONE;
+
+    for (size_t k = 0; k < about->n; k++) {
+        struct uv at = about->item[k].at;
+        if (orient2d(a, b, at) > 0 &&
+            (best == PLAN_STAR_NONE || incircle(a, b, about->item[best].at, at) > 0))
+            best = k;
+    }
+    return best;
+}
+
+/* Diameter of the circle through the origin and two places. */
+static double circle_of(struct uv a, struct uv b)
+{
+    double area2 = fabs(a.u * b.v - a.v * b.u);
+    double product = hypot(a.u, a.v) * hypot(b.u, b.v) * hypot(a.u - b.u, a.v - b.v);
+
+    return area2 > 0 ? product / area2 : HUGE_VAL;
+}
+
+/* Facets are looked for about both points, and about the first of them first. */
+static bool is_before(const struct star_work *work, size_t i, size_t other)
+{
+    return i < other || !work->corner[other];
+}
+
+/* The facet of point i and two about it, if it is to be found about this one. */
+static void tell_of(const struct star_work *work, size_t i, const struct plan_about *about,
+                    const struct plan_beside *left, const struct plan_beside *right,
+                    struct plan_about *other)
+{
+    if (is_before(work, i, left->index) && is_before(work, i, right->index) &&
+        !(circle_of(left->at, right->at) > work->options->gap))
+        work->facet(work->context, about, (size_t[]){i, left->index, right->index}, other);
+}
+
+/* The facets about point i: counter-clockwise from the point nearest to it, which is next to it,
+ * and where they end, at a gap, clockwise, too. */
+static void go_round(const struct star_work *work, size_t i, const struct plan_about *about,
+                     struct plan_about *other)
+{
+    const struct uv zero = {0, 0};
+    bool back = false;
+    size_t b = 0;
+
+    for (int turn = 0; turn < STAR; turn++) {
+        struct uv at = about->item[b].at;
+        size_t c = back ? plan_star_corner(about, at, zero) : plan_star_corner(about, zero, at);
+        if (c == PLAN_STAR_NONE && back)
+            return;
+        if (c == PLAN_STAR_NONE) {
+            back = true;
+            b = 0;
+            continue;
+        }
+        tell_of(work, i, about, &about->item[back ? c : b], &about->item[back ? b : c], other);
+        b = c;
+        if (b == 0)
+            return;
+    }
+}
+
+static void find_corners(void *context, size_t from, size_t to)
+{
+    const struct star_work *work = context;
+    struct plan_about *about = mem_alloc(1, sizeof *about);
+
+    for (size_t i = from; i < to; i++)
+        work->corner[i] =
+            is_steep(work, i) && plan_star_about(work->scan, i, work->options->gap, about);
+    free(about);
+}
+
+static void find_facets(void *context, size_t from, size_t to)
+{
+    const struct star_work *work = context;
+    struct plan_about *about = mem_alloc(2, sizeof *about);
+
+    for (size_t i = from; i < to; i++)
+        if (work->corner[i] && plan_star_about(work->scan, i, work->options->gap, &about[0]))
+            go_round(work, i, &about[0], &about[1]);
+    free(about);
+}
+
+void plan_star_facets(const struct point_grid *scan, const struct plan_star_options *options,
+                      plan_star_facet *facet, void *context)
+{
+    struct star_work work = {.scan = scan,
+                             .options = options,
+                             .corner = mem_alloc(scan->n + 1, sizeof *work.corner),
+                             .facet = facet,
+                             .context = context};
+
+    parallel_for(options->threads, scan->n, find_corners, &work);
+    parallel_for(options->threads, scan->n, find_facets, &work);
+    free(work.corner);
+}
