@@ -38,6 +38,11 @@ bool plan_star_about(const struct point_grid *scan, size_t i, double reach,
  * in the circle of all three; PLAN_STAR_NONE: there is none. */
 size_t plan_star_corner(const struct plan_about *about, struct uv a, struct uv b);
 
+/* The corners of the facet that a place is over, found about the points nearest to it, of which
+ * those within `reach`, mm, tell.  False: none is, as beside the scan. */
+bool plan_star_over(const struct point_grid *scan, struct vec3 place, double reach,
+                    size_t corner[3]);
+
 /* Told of a facet: its corners counter-clockwise from above, the points about the first, and room
  * for those about another. */
 typedef void plan_star_facet(void *context, const struct plan_about *about, const size_t corner[3],

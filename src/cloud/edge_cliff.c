@@ -3,6 +3,7 @@
 
 #include <stdlib.h>
 
+#include "cloud/plan_star.h"
 #include "math/triangles.h"
 
 /* A point so far below a flank, by its distance, is down a wall; where the other side is known,
@@ -414,39 +415,78 @@ static bool is_wall_seen(const struct cliff *cliff, double spacing)
     return under >= FEWEST;
 }
 
+/* Seen from above the place is amid three points that are under the flank: no wall stands there,
+ * but farther back. */
+static bool is_over_floor(const struct edge_work *work, size_t i, const struct cliff *cliff,
+                          double u, double v)
+{
+    const struct point_grid *scan = work->options->point_grid;
+    size_t corner[3];
+
+    if (!plan_star_over(scan, vec(cliff->from.x + u, cliff->from.y + v, 0),
+                        EDGE_REACH * point_grid_spacing(scan), corner))
+        return false;
+    for (int k = 0; k < 3; k++)
+        if (!(above_roof(&work->flank[i], cliff->from, scan->point[corner[k]]) <
+              -least_off(work, i, corner[k])))
+            return false;
+    return true;
+}
+
+/* The places of triangles about a point, whether they are before the wall, as far as it is known:
+ * each is asked of again from those beside it. */
+struct before {
+    double pitch; /* mm */
+    int rings;
+    signed char is[2 * RINGS + 3][2 * RINGS + 3]; /* 0: nobody has asked yet */
+};
+
+static bool is_before(const struct edge_work *work, size_t i, const struct cliff *cliff,
+                      struct before *before, int j, int k)
+{
+    signed char *is = &before->is[before->rings + 1 + j][before->rings + 1 + k];
+    double u, v;
+
+    triangles_at(before->pitch, k, j, &u, &v);
+    if (*is == 0)
+        *is = is_before_feet(cliff, u, v) && !is_over_floor(work, i, cliff, u, v) ? 1 : -1;
+    return *is > 0;
+}
+
 /* A place beside it is not before the wall: from here it may go down. */
-static bool is_last(const struct cliff *cliff, double pitch, int j, int k)
+static bool is_last(const struct edge_work *work, size_t i, const struct cliff *cliff,
+                    struct before *before, int j, int k)
 {
     static const int beside[6][2] = {{0, 1}, {0, -1}, {1, 0}, {-1, 0}, {1, -1}, {-1, 1}};
 
-    for (int b = 0; b < 6; b++) {
-        double u, v;
-        triangles_at(pitch, k + beside[b][1], j + beside[b][0], &u, &v);
-        if (!is_before_feet(cliff, u, v))
+    for (int b = 0; b < 6; b++)
+        if (!is_before(work, i, cliff, before, j + beside[b][0], k + beside[b][1]))
             return true;
-    }
     return false;
 }
 
 /* The flank of point i goes on up to the points below: where the wall between is nobody knows. */
-static void fill_cliff(const struct edge_work *work, const struct cliff *cliff, struct vec3s *to)
+static void fill_cliff(const struct edge_work *work, size_t i, const struct cliff *cliff,
+                       struct vec3s *to)
 {
     const double dense = 0.65;
-    double pitch = dense * work->options->along;
-    int rings = (int)fmin(triangles_rings(cliff->reach, pitch), RINGS);
+    struct before before = {.pitch = dense * work->options->along};
+    int rings = (int)fmin(triangles_rings(cliff->reach, before.pitch), RINGS);
     bool hangs = !is_wall_seen(cliff, point_grid_spacing(work->options->point_grid));
 
+    before.rings = rings;
     for (int j = -rings; j <= rings; j++)
         for (int k = -rings; k <= rings; k++) {
             double u, v;
-            triangles_at(pitch, k, j, &u, &v);
-            if (hypot_compare(u, v, cliff->reach) > 0 || !is_before_wall(cliff, u, v))
+            triangles_at(before.pitch, k, j, &u, &v);
+            if (hypot_compare(u, v, cliff->reach) > 0 || !is_own(cliff, u, v) ||
+                !is_before(work, i, cliff, &before, j, k))
                 continue;
             struct vec3 at = place_above(cliff, cliff->from.x + u, cliff->from.y + v);
             if (!is_place(cliff, at) || !is_before_edges(work, cliff, at, false))
                 continue;
             *array_push(to) = at;
-            if (hangs && is_last(cliff, pitch, j, k))
+            if (hangs && is_last(work, i, cliff, &before, j, k))
                 edge_wall_add(work, at, nearest_below(cliff, at), to);
         }
 }
@@ -508,8 +548,8 @@ static void fill_tips(const struct edge_work *work, const struct cliff *cliff, s
 }
 
 /* The wall itself may go down from there to a point below, without points that were seen. */
-static void fill_wall(const struct edge_work *work, const struct cliff *cliff, bool certain,
-                      struct vec3s *to)
+static void fill_wall(const struct edge_work *work, size_t i, const struct cliff *cliff,
+                      bool certain, struct vec3s *to)
 {
     const double nearly = 0.97, spacing = point_grid_spacing(work->options->point_grid);
     bool steep = quadric_normal_at(cliff->q, cliff->from).z < FACING;
@@ -525,7 +565,7 @@ static void fill_wall(const struct edge_work *work, const struct cliff *cliff, b
                  fmin(top, cliff->from.z + (certain ? way : 0)));
         bool over = cliff->flanked && cliff->beyond.n > 0 && !has_between(cliff, foot, spacing) &&
                     is_level_behind(cliff, foot, spacing);
-        if (!is_before_edges(work, cliff, at, over))
+        if (!is_before_edges(work, cliff, at, over) || is_over_floor(work, i, cliff, u, v))
             continue;
         if (certain)
             *array_push(to) = at; /* its rim: places on the flank end before it */
@@ -581,14 +621,14 @@ double edge_cliff_add(const struct edge_work *work, size_t i, struct vec3s *edge
     if (!certain || cliff.on.n < EDGE_FEWEST)
         keep_feet(work, certain, &cliff);
     if (cliff.feet > 0 && certain && quadric_normal(&flank->q).z > FACING)
-        fill_cliff(work, &cliff, to);
+        fill_cliff(work, i, &cliff, to);
     if (cliff.feet > 0 && cliff.beyond.n == 0 && certain && quadric_normal(&flank->q).z > LEVEL) {
         struct cliff wider = cliff;
         wider.corner = EDGE_REACH * point_grid_spacing(work->options->point_grid);
         fill_tips(work, &wider, to);
     }
     if (cliff.feet > 0)
-        fill_wall(work, &cliff, certain, to);
+        fill_wall(work, i, &cliff, certain, to);
     if (certain)
         add_edges(work, i, &cliff, edge);
     if (to->n > before)

@@ -7,8 +7,8 @@
 #include "base/parallel.h"
 #include "math/predicates.h"
 
-/* Corners about one point, at most. */
-enum { STAR = 64 };
+/* Corners about one point, at most; points one of which is a corner of the facet about a place. */
+enum { STAR = 64, NEAREST = 4 };
 
 struct star_work {
     const struct point_grid *scan;
@@ -89,6 +89,77 @@ size_t plan_star_corner(const struct plan_about *about, struct uv a, struct uv b
             best = k;
     }
     return best;
+}
+
+/* The points nearest to a place, seen from above, nearest first; returns how many. */
+static size_t nearest_to(const struct point_grid *g, struct vec3 place, double reach,
+                         struct plan_beside near[NEAREST])
+{
+    struct cells c = cells_about(g, place, reach);
+    size_t n = 0;
+
+    for (size_t row = c.low; row <= c.high; row++)
+        for (size_t k = g->first[row * g->columns + c.left];
+             k < g->first[row * g->columns + c.right + 1]; k++) {
+            struct uv at = {g->point[k].x - place.x, g->point[k].y - place.y};
+            struct plan_beside beside = {at, at.u * at.u + at.v * at.v, (uint32_t)k};
+            if (beside.far2 > reach * reach || (n == NEAREST && beside.far2 >= near[n - 1].far2))
+                continue;
+            n += n < NEAREST;
+            size_t j = n - 1;
+            for (; j > 0 && near[j - 1].far2 > beside.far2; j--)
+                near[j] = near[j - 1];
+            near[j] = beside;
+        }
+    return n;
+}
+
+/* The facet at a point, with those about it, that a place seen from it is in. */
+static bool is_in_star(const struct plan_about *about, struct uv place, size_t *left, size_t *right)
+{
+    const struct uv zero = {0, 0};
+    size_t b = 0;
+
+    for (int turn = 0; turn < STAR; turn++) {
+        struct uv from = about->item[b].at;
+        size_t c = plan_star_corner(about, zero, from);
+        if (c == PLAN_STAR_NONE)
+            return false;
+        struct uv to = about->item[c].at;
+        if (!(orient2d(zero, from, place) < 0) && !(orient2d(from, to, place) < 0) &&
+            !(orient2d(to, zero, place) < 0)) {
+            *left = b;
+            *right = c;
+            return true;
+        }
+        b = c;
+        if (b == 0)
+            return false;
+    }
+    return false;
+}
+
+bool plan_star_over(const struct point_grid *scan, struct vec3 place, double reach,
+                    size_t corner[3])
+{
+    struct plan_beside near[NEAREST];
+    size_t n = nearest_to(scan, place, reach, near);
+    struct plan_about *about = mem_alloc(1, sizeof *about);
+    bool found = false;
+
+    for (size_t k = 0; k < n && !found; k++) {
+        size_t left, right;
+        struct uv seen = {-near[k].at.u, -near[k].at.v};
+        found = plan_star_about(scan, near[k].index, reach, about) &&
+                is_in_star(about, seen, &left, &right);
+        if (found) {
+            corner[0] = near[k].index;
+            corner[1] = about->item[left].index;
+            corner[2] = about->item[right].index;
+        }
+    }
+    free(about);
+    return found;
 }
 
 /* Diameter of the circle through the origin and two places. */

@@ -3,6 +3,7 @@
 #include <check.h>
 #include <stdlib.h>
 
+#include "cloud/plan_star.h"
 #include "edge_trial.h"
 #include "noisy.h"
 
@@ -141,6 +142,36 @@ START_TEST(walls_from_all_of_the_rim)
         bare +=
             farthest(&to, turn, amid[0], amid[1]) < farthest(&to, turn, high[0], high[1]) - 0.15;
     ck_assert_int_le(bare, 12); /* of 628; before each point of the floor alone: 300 and more */
+    array_free(&to);
+    array_free(&edge);
+    edge_trial_free(&trial);
+}
+END_TEST
+
+/* A wall is somewhere between the points of the top and those of the floor: none of its places is
+ * amid three points of the floor, seen from above. */
+START_TEST(none_over_the_floor)
+{
+    struct edge_trial trial;
+    struct vec3s to = {0}, edge = {0};
+    size_t over = 0;
+
+    edge_trial_make(&trial, mesa, false, 0);
+    edge_flanks_find(&trial.work);
+    for (size_t i = 0; i < trial.grid.n; i++)
+        edge_cliff_add(&trial.work, i, &edge, &to);
+    for (size_t k = 0; k < to.n; k++) {
+        size_t corner[3];
+        if (hypot(to.item[k].x, to.item[k].y) > 8 || /* at the border corners stand out */
+            !plan_star_over(&trial.grid, to.item[k], EDGE_REACH * 0.5, corner))
+            continue;
+        double high = 0;
+        for (int c = 0; c < 3; c++)
+            high = fmax(high, trial.grid.point[corner[c]].z);
+        over += high < HIGH / 2;
+    }
+    ck_assert_uint_gt(to.n, 100);
+    ck_assert_uint_eq(over, 0);
     array_free(&to);
     array_free(&edge);
     edge_trial_free(&trial);
@@ -324,6 +355,7 @@ int main(void)
     SRunner *runner = srunner_create(suite);
     tcase_add_test(tests, mesa_goes_on);
     tcase_add_test(tests, mesa_goes_on_as_far);
+    tcase_add_test(tests, none_over_the_floor);
     tcase_add_loop_test(tests, walls_from_all_of_the_rim, 0, 4);
     tcase_add_loop_test(tests, goes_on_all_ways, 0, 12);
     tcase_add_loop_test(tests, floor_without_a_surface, 0, 2);
