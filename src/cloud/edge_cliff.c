@@ -3,8 +3,8 @@
 
 #include <stdlib.h>
 
-#include "cloud/plan_star.h"
 #include "math/triangles.h"
+#include "plan_star.h"
 
 /* A point so far below a flank, by its distance, is down a wall; where the other side is known,
  * too, and lies as far below: down a step. */

@@ -1,5 +1,5 @@
 /* plan_star - see plan_star.h. */
-#include "cloud/plan_star.h"
+#include "plan_star.h"
 
 #include <stdlib.h>
 

@@ -3,8 +3,8 @@
 
 #include <stdlib.h>
 
-#include "cloud/plan_star.h"
 #include "math/triangle_points.h"
+#include "plan_star.h"
 
 /* In mean spacings: no circle of a facet is wider; so near is a point that a steep way leads to; a
  * point that stands so far above a facet beside it makes a hollow. */
