@@ -239,6 +239,27 @@ static void add_edges(const struct mesh *mesh, double spacing, const struct poin
         note("and by %zu points on sharp edges of the mesh", points->n - before);
 }
 
+/* Radii: so far below the scan's lowest points no tool comes in under these; so far apart are what
+ * keeps it out. */
+static const double CELLAR = 25, CELLAR_GAP = 0.5;
+
+/* Under the roof that is no higher than the ball over the scan's lowest point the part goes on, or
+ * what it stands on: an axis may lean so far that the shaft would pass there. */
+static void add_cellar(const struct point_grid *point_grid, const unsigned char *roof,
+                       struct box box, struct guard_read_options *rule)
+{
+    size_t n = point_grid->n;
+    unsigned char *low = mem_alloc(n + 1, 1);
+    double wide = fmax(box.high.x - box.low.x, box.high.y - box.low.y);
+    double deep = fmin(CELLAR * rule->radius, wide);
+
+    for (size_t i = 0; i < n; i++)
+        low[i] = roof[i] && point_grid->point[i].z <= box.low.z + rule->radius;
+    roof_curtain(point_grid, low, CELLAR_GAP * rule->radius, box.low.z - deep, rule->threads,
+                 &rule->curtain);
+    free(low);
+}
+
 /* Under the scan is material, that no point stands for: so that no tool comes in from beside. */
 static void add_curtain(const struct point_grid *point_grid, struct guard_read_options *rule,
                         struct vec3s *points)
@@ -246,9 +267,11 @@ static void add_curtain(const struct point_grid *point_grid, struct guard_read_o
     struct box box = box_around(point_grid->point, point_grid->n);
     unsigned char *roof = mem_alloc(point_grid->n + 1, 1);
 
-    if (roof_find(point_grid, ROOF_GUARD, rule->threads, roof) > 0)
+    if (roof_find(point_grid, ROOF_GUARD, rule->threads, roof) > 0) {
         roof_curtain(point_grid, roof, CURTAIN * rule->radius, box.low.z, rule->threads,
                      &rule->curtain);
+        add_cellar(point_grid, roof, box, rule);
+    }
     free(roof);
     vec3s_add(points, rule->curtain.item, rule->curtain.n);
     if (rule->curtain.n > 0)

@@ -66,6 +66,22 @@ ok "is fitted" biarcfit -q -e 0.01 -o ribs.cl rib.cl
 ok "is a program" ncpost -q -c siemens -o rib.mpf ribs.cl
 status 0 "that is accepted" ncverify -q -g rib.xyz -r 2.5 rib.mpf
 
+# A hole of 20 mm, half of its wall scanned: an axis that leans from below the plate onto the wall
+# would have the shaft under the other side, 10 mm below the lowest point.
+awk 'BEGIN { for (j = -34; j <= 34; j++) for (i = -34; i <= 34; i++) {
+		x = 0.7 * i + 0.1 * sin(7.3 * i + 3.1 * j); y = 0.7 * j + 0.1 * sin(5.7 * i + 1.7 * j)
+		if (x * x + y * y > 104) printf "%.4f %.4f %.4f\n", x, y, 0.2 * cos(x / 4)
+	}
+	for (a = 1.7; a < 4.6; a += 0.06) for (z = -0.3; z > -2.6; z -= 0.5)
+		printf "%.4f %.4f %.4f\n", (10 + 0.12 * z) * cos(a), (10 + 0.12 * z) * sin(a), z }' >cellar.xyz
+ok "a plate with a hole" cloud2mesh -q -o cellar.ply cellar.xyz
+status 3 "a path whose axis leans below it" \
+	meshnorm -q -r 3 --fixed 0.9,0,-0.44 --avoid -o cellar.cl cellar.ply
+has "cuts the wall" '^GOTO' cellar.cl
+status 3 "is a program" ncpost -q -c fanuc -o cellar.nc cellar.cl
+ncverify --partial -g cellar.xyz -r 3 cellar.nc >"$TMP/out" 2>"$TMP/err"
+hasnt "under the plate it never comes" 'under the scan' "$TMP/err"
+
 # Under an overhang whose lower side was scanned too is no material.
 awk 'BEGIN { for (j = -20; j <= 20; j++) for (i = -20; i <= 20; i++) for (k = 0; k < 3; k++)
 	if (k < 1 || i <= 8) printf "%.3f %.3f %.3f\n", i / 2, j / 2, k == 0 ? -14 : k == 1 ? 0 : 3 }' >over.xyz
