@@ -72,8 +72,10 @@ awk 'BEGIN { for (j = -34; j <= 34; j++) for (i = -34; i <= 34; i++) {
 		x = 0.7 * i + 0.1 * sin(7.3 * i + 3.1 * j); y = 0.7 * j + 0.1 * sin(5.7 * i + 1.7 * j)
 		if (x * x + y * y > 104) printf "%.4f %.4f %.4f\n", x, y, 0.2 * cos(x / 4)
 	}
-	for (a = 1.7; a < 4.6; a += 0.06) for (z = -0.3; z > -2.6; z -= 0.5)
-		printf "%.4f %.4f %.4f\n", (10 + 0.12 * z) * cos(a), (10 + 0.12 * z) * sin(a), z }' >cellar.xyz
+	for (a = 1.7; a < 4.6; a += 0.06) for (z = -0.3; z > -2.6; z -= 0.5) {
+		r = 10 + 0.12 * z
+		printf "%.4f %.4f %.4f\n", r * cos(a), r * sin(a), z
+	} }' >cellar.xyz
 ok "a plate with a hole" cloud2mesh -q -o cellar.ply cellar.xyz
 status 3 "a path whose axis leans below it" \
 	meshnorm -q -r 3 --fixed 0.9,0,-0.44 --avoid -o cellar.cl cellar.ply
