@@ -27,7 +27,7 @@ status 0 "a long pass" biarcfit -e 0.01 -o "$TMP/long.out" "$TMP/long.cl"
 below "within 3 % of the fewest known, 46" "$(arcs "$TMP/long.out")" 47
 
 grep -v 'CONTCT\|^GOTO\|LEDGER' "$passes" >"$TMP/rest.in"
-grep -v 'CONTCT\|^GOTO\|^CIRCLE\|LEDGER' "$TMP/p10.cl" >"$TMP/rest.out"
+grep -v 'CONTCT\|^GOTO\|^CIRCLE\|LEDGER\|PASSES' "$TMP/p10.cl" >"$TMP/rest.out"
 same "all but the points is carried through" "$TMP/rest.in" "$TMP/rest.out"
 
 status 0 "a biarc for each interval" biarcfit --paper -o "$TMP/paper.cl" "$passes"

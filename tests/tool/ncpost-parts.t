@@ -67,7 +67,7 @@ for control in fanuc siemens heidenhain linuxcnc; do
 		# shellcheck disable=SC2086
 		ncpost -q -c $control $options $path.cl >whole.nc
 		awk "$places" whole.nc >whole
-		for limit in 64 90 3k; do
+		for limit in 64 3k; do
 			rm -f part-*
 			# shellcheck disable=SC2086
 			ncpost -q -c $control $options --split $limit -o part.nc $path.cl 2>err || cat err

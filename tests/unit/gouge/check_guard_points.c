@@ -708,7 +708,7 @@ int main(void)
     tcase_add_test(tcase, what_is_rough_stays_as_it_is);
     tcase_add_loop_test(tcase, blunt_edges_stand_in_noise, 0, 2);
     tcase_add_test(tcase, sharp_edges_stand_in_noise);
-    tcase_add_loop_test(tcase, steep_flanks_are_filled_over_gaps, 29, 41);
+    tcase_add_loop_test(tcase, steep_flanks_are_filled_over_gaps, 29, 35);
     tcase_add_loop_test(tcase, faint_noise_hides_no_edges, 0, 2);
     tcase_add_test(tcase, both_sides_of_points_on_a_ridge);
     tcase_add_test(tcase, walls_stand_in_noise);
