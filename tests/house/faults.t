@@ -1,7 +1,7 @@
 #!/bin/sh
 # faults.t - calls of the C library that fail, one after another, in every tool with every kind of
 # input: nothing half done, nothing silently other.  FAULTS calls of each kind are tried, evenly
-# spread (default 1; 0, which `make faults` sets: every one); ONLY: of the jobs whose names match it.
+# spread (default 1; 0, which `make faults` sets: every one); ONLY: of the jobs whose names match.
 # And SIGKILL at MOMENTS moments by chance (20; SEED) for each tool that writes.
 . "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
 cd "$TMP" || exit 1

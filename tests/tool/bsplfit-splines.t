@@ -43,7 +43,7 @@ found=$(off "$passes" "$TMP/p.cl")
 below "what was spent" "$(spent "$TMP/p.cl")" 0.01
 below "it is not less than what another reader finds" "$found" "$(spent "$TMP/p.cl")"
 has "a fixed axis has no head" '^MOVNRB/M3AXIS$' "$TMP/p.cl"
-inside='/^MOVNRB/ { m = 1 } !m && !/^GOTO/ && !/CONTCT/ && !/LEDGER|PASSES/; /^MOVNRB.OFF/ { m = 0 }'
+inside='/^MOVNRB/ { m = 1 } !m && !/^GOTO|CONTCT|LEDGER|PASSES/; /^MOVNRB.OFF/ { m = 0 }'
 awk "$inside" "$passes" >"$TMP/rest.in"
 awk "$inside" "$TMP/p.cl" >"$TMP/rest.out"
 same "all but the points is carried through" "$TMP/rest.in" "$TMP/rest.out"
