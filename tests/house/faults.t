@@ -2,7 +2,7 @@
 # faults.t - calls of the C library that fail, one after another, in every tool with every kind of
 # input: nothing half done, nothing silently other.  FAULTS calls of each kind are tried, evenly
 # spread (default 1; 0, which `make faults` sets: every one); ONLY: of the jobs whose names match.
-# And SIGKILL at MOMENTS moments by chance (20; SEED) for each tool that writes.
+# And SIGKILL at MOMENTS moments by chance (8; SEED) for each tool that writes.
 . "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
 cd "$TMP" || exit 1
 MOST=${FAULTS:-1}
@@ -146,7 +146,7 @@ faults "ncverify, by a pipe" $file_kinds,$seldom "cloud.xyz program.fanuc arcs.c
 FED=
 
 # at any moment: -o FILE old or new, whole, and what is left is in nobody's way
-MOST=${MOMENTS:-20}
+MOST=${MOMENTS:-8}
 awk 'BEGIN { for (y = -30; y <= 30; y++) for (x = -30; x <= 30; x++)
 	print x, y, 10 - (x * x + y * y) / 120 }' >fine.xyz
 cloud2mesh -q -t 1 fine.xyz >fine.ply
