@@ -83,7 +83,7 @@ for control in fanuc siemens heidenhain linuxcnc; do
 			[ "$left" = 0 ] ||
 				echo "$control $path --split $limit: $left of $(wc -l <whole) places not there"
 		done
-		for pass in 1 2 5 6 8 10 12; do
+		for pass in 1 2 6 12; do
 			# shellcheck disable=SC2086
 			ncpost -q -c $control $options --from $pass $path.cl >from.nc 2>err || cat err
 			awk "$places" from.nc >from

@@ -44,7 +44,6 @@ cap() {
 }
 
 cap 1 "" >dome.stl
-cap -1 "" >bowl.stl
 cap 1 1 >dome.ply
 cap -1 1 >bowl.ply
 
@@ -56,10 +55,8 @@ program() {
 }
 
 # Facets of an STL are all that is known of the part: smooth between them, 0.3 mm of a dome stayed.
-for mesh in dome.stl bowl.stl; do
-	program $mesh 0
-	status 0 "$mesh: by the mesh the program is accepted" ncverify -g $mesh $mesh.mpf
-done
+program dome.stl 0
+status 0 "dome.stl: by the mesh the program is accepted" ncverify -g dome.stl dome.stl.mpf
 
 # By its normals a hollow is below its facets: the ball went 0.4 mm into these.
 program bowl.ply 0

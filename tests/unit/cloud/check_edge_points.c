@@ -1042,7 +1042,7 @@ int main(void)
     tcase_add_loop_test(tests, steep_flanks, 0, 4);
     tcase_add_loop_test(tests, points_on_a_ridge, 0, 3);
     tcase_add_loop_test(tests, on_scan_lines, 0, 3);
-    tcase_add_loop_test(tests, walls_under_round_rims, 0, 12);
+    tcase_add_loop_test(tests, walls_under_round_rims, 0, 6);
     tcase_add_loop_test(tests, rims_of_grooves, 0, 4);
     tcase_add_loop_test(tests, tips_of_teeth, 0, 8);
     tcase_add_loop_test(tests, corners_between_points, 0, 12);
@@ -1052,7 +1052,7 @@ int main(void)
     tcase_add_loop_test(tests, feet_of_pyramids, 0, 6);
     tcase_add_loop_test(tests, noisy_flanks, 0, 4);
     tcase_add_loop_test(tests, rims_of_pockets, 0, 6);
-    tcase_add_loop_test(tests, rims_of_steps, 0, 8);
+    tcase_add_loop_test(tests, rims_of_steps, 2, 6);
     tcase_add_loop_test(tests, boss_between_lines, 0, 6);
     tcase_add_loop_test(tests, no_tips_by_noise, 1, 4);
     suite_add_tcase(suite, tests);
