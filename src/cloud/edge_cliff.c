@@ -445,11 +445,12 @@ static bool is_before(const struct edge_work *work, size_t i, const struct cliff
                       struct before *before, int j, int k)
 {
     signed char *is = &before->is[before->rings + 1 + j][before->rings + 1 + k];
-    double u, v;
 
-    triangles_at(before->pitch, k, j, &u, &v);
-    if (*is == 0)
+    if (*is == 0) {
+        double u, v;
+        triangles_at(before->pitch, k, j, &u, &v);
         *is = is_before_feet(cliff, u, v) && !is_over_floor(work, i, cliff, u, v) ? 1 : -1;
+    }
     return *is > 0;
 }
 

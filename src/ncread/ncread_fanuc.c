@@ -21,16 +21,6 @@ static const int no_effect[] = {80,  90,  150, 230, 250,  260,  401, 501,
 /* Of them those whose other words are numbers of their own: G54.1 P3, G187 P3 E0.01. */
 static const int with_settings[] = {80, 250, 260, 541, 1030, 1540, 1870};
 
-static bool is_among(int tenths, const int *list, size_t n)
-{
-    for (size_t i = 0; i < n; i++)
-        if (tenths == list[i])
-            return true;
-    return false;
-}
-
-#define IS_ONE_OF(tenths, list) is_among(tenths, list, sizeof(list) / sizeof *(list))
-
 static int start_tcp(struct ncread *c, const struct ncread_word *w, struct gcode_block *b,
                      struct error *error)
 {
@@ -116,9 +106,9 @@ static int read_g(struct ncread *c, const struct ncread_word *w, struct gcode_bl
         b->machine = true;
         return 0;
     default:
-        if (!IS_ONE_OF(code, no_effect))
+        if (!IS_G_OF(code, no_effect))
             return ncread_unknown(c, w, error);
-        c->setting = c->setting || IS_ONE_OF(code, with_settings);
+        c->setting = c->setting || IS_G_OF(code, with_settings);
         b->bare = b->bare || code == 501;
         return 0;
     }

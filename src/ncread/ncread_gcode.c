@@ -10,6 +10,14 @@
 static const int no_effect[] = {400, 540, 550, 560, 570, 580, 590, 591,
                                 592, 593, 610, 611, 640, 800, 970};
 
+bool ncread_gcode_among(int tenths, const int *list, size_t n)
+{
+    for (size_t i = 0; i < n; i++)
+        if (tenths == list[i])
+            return true;
+    return false;
+}
+
 int ncread_gcode_g(struct ncread *c, int tenths, struct error *error)
 {
     switch (tenths) {
@@ -44,10 +52,7 @@ int ncread_gcode_g(struct ncread *c, int tenths, struct error *error)
         c->inverse_time = tenths == 930;
         return 1;
     default:
-        for (size_t i = 0; i < sizeof no_effect / sizeof *no_effect; i++)
-            if (tenths == no_effect[i])
-                return 1;
-        return 0;
+        return IS_G_OF(tenths, no_effect);
     }
 }
 

@@ -38,6 +38,10 @@ struct gcode_block {
  */
 int ncread_gcode_g(struct ncread *c, int tenths, struct error *error);
 
+/* A G word, in tenths, is one of a list. */
+bool ncread_gcode_among(int tenths, const int *list, size_t n);
+#define IS_G_OF(tenths, list) ncread_gcode_among(tenths, list, sizeof(list) / sizeof *(list))
+
 /* An error where the block has a word that is not read as the control's file says (`unread`). */
 int ncread_gcode_check(struct ncread *c, struct error *error);
 

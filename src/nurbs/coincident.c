@@ -178,11 +178,12 @@ static int compare_low(const void *p, const void *q)
     return (a > b) - (a < b);
 }
 
-/* Pairs are looked for among those whose boxes begin at one x. */
-static void find_twins(const struct search *s, size_t n)
+/* Pairs are looked for among those whose boxes begin at one x; returns how many there are. */
+static size_t find_twins(const struct search *s, size_t n)
 {
     const struct extent **order = mem_alloc(n + 1, sizeof *order);
     double off = s->same;
+    size_t found = 0;
 
     for (size_t i = 0; i < n; i++) {
         order[i] = &s->extent[i];
@@ -197,35 +198,42 @@ static void find_twins(const struct search *s, size_t n)
                 s->twin[first] >= 0 || !coincide(s, first, second))
                 continue;
             s->twin[second] = (int)first;
+            found++;
         }
     free(order);
+    return found;
+}
+
+/* Those that are no walls of two bodies. */
+static void take_twins(struct search *s, size_t n, int *used)
+{
+    find_edges(s);
+    for (size_t i = 0; i < n; i++)
+        if (s->twin[i] >= 0 && !are_walls(s, (size_t)s->twin[i], i))
+            used[i] = s->twin[i];
+    patch_mesh_free(&s->mesh);
+    free(s->edge);
 }
 
 int *coincident_find(const struct patches *patches, const struct sheet *sheet, double same,
                      double gap)
 {
-    size_t n = patches->n, found = 0;
+    size_t n = patches->n;
     struct extent *extent = mem_alloc(n + 1, sizeof *extent);
     int *used = mem_alloc(n + 1, sizeof *used);
-    struct search s = {.patches = patches, .sheet = sheet, .extent = extent, .same = same};
+    struct search s = {.patches = patches,
+                       .sheet = sheet,
+                       .extent = extent,
+                       .same = same,
+                       .gap = gap,
+                       .twin = mem_alloc(n + 1, sizeof *s.twin)};
 
-    s.gap = gap;
-    s.twin = mem_alloc(n + 1, sizeof *s.twin);
     for (size_t i = 0; i < n; i++) {
         extent[i] = extent_of(&sheet[i]);
         s.twin[i] = used[i] = -1;
     }
-    find_twins(&s, n);
-    for (size_t i = 0; i < n; i++)
-        found += s.twin[i] >= 0;
-    if (found > 0)
-        find_edges(&s);
-    for (size_t i = 0; i < n && found > 0; i++)
-        if (s.twin[i] >= 0 && !are_walls(&s, (size_t)s.twin[i], i))
-            used[i] = s.twin[i];
-    if (found > 0)
-        patch_mesh_free(&s.mesh);
-    free(s.edge);
+    if (find_twins(&s, n) > 0)
+        take_twins(&s, n, used);
     free(s.twin);
     free(extent);
     return used;

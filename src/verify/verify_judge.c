@@ -443,9 +443,7 @@ static void judge_rounding(struct verdict *v)
     struct nc_piece at = {.line = motion->rounding.line, .block = motion->rounding.block};
     char place[60], length[40] = "any length";
     bool more = most > may * (1 + ROUNDING_EVEN) + ROUNDED;
-    if (most == 0 || (v->program.ours && (may == 0 || most == HUGE_VAL || !more)))
-        return;
-    if (may > 0 && !more)
+    if (most == 0 || (may > 0 && !more) || (v->program.ours && (may == 0 || most == HUGE_VAL)))
         return;
     ncread_place(&at, place, sizeof place);
     if (most < HUGE_VAL)
