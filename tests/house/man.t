@@ -194,8 +194,8 @@ ok "the key table is found" test "$(wc -l <"$TMP/source")" -ge 20
 diff "$TMP/source" "$TMP/page" >"$TMP/found"
 empty "cloudmill-machine.5 and -control.5: the keys are those of machine.c" "$TMP/found"
 
-# ---- examples: each as printed, from the root of the project, where each third point of the panel
-# does for what takes long with all of them
+# ---- examples: each as printed, from the root of the project, where each third point of the middle
+# of the panel does for what takes long with all of them
 
 # The n-th block of the section EXAMPLES: a .Dl line, or a .Bd -literal display.
 example() { # PAGE N
@@ -225,7 +225,7 @@ done
 mkdir "$TMP/samples"
 ln -s "$SRC/samples"/* "$TMP/samples"
 rm "$TMP/samples/panel_17036.xyz"
-awk 'NR % 3 == 0' "$SRC/samples/panel_17036.xyz" >"$TMP/samples/panel_17036.xyz"
+awk 'NR % 3 == 0 && $1 * $1 < 484 && $2 * $2 < 289' "$SRC/samples/panel_17036.xyz" >"$TMP/samples/panel_17036.xyz"
 
 for page in "$pages"/*.[157]; do
 	file=$(basename "$page")

@@ -4,11 +4,11 @@
 cd "$TMP" || exit 1
 
 # A small cloud, and what each stage makes of it: the input of the next.
-awk 'BEGIN { for (i = 0; i <= 40; i++) for (k = 0; k <= 30; k++) {
-	x = i - 20; y = k - 15; print x, y, 10 - (x * x + y * y) / 120 } }' >cloud.xyz
+awk 'BEGIN { for (i = 0; i <= 20; i++) for (k = 0; k <= 15; k++) {
+	x = i - 10; y = k - 7.5; print x, y, 10 - (x * x + y * y) / 120 } }' >cloud.xyz
 arguments() { # TOOL: what it needs besides its input
 	case $1 in
-	cloud2mesh) echo -t 4 ;;
+	cloud2mesh) echo -t 2 ;;
 	nurbs2mesh) echo --count 12 ;;
 	meshnorm | planecut) echo -r 4 ;;
 	ncpost) echo -c siemens ;;
@@ -24,7 +24,7 @@ input() { # TOOL
 	esac
 }
 cp "$SRC/samples/saddle.nurbs" .
-cloud2mesh -q -t 4 cloud.xyz >mesh.ply
+cloud2mesh -q -t 2 cloud.xyz >mesh.ply
 meshnorm -q -r 4 --rows mesh mesh.ply >path.cl
 biarcfit -q path.cl >arcs.cl
 

@@ -4,7 +4,7 @@
 . "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
 
 panel=$SRC/samples/panel_17036.xyz
-face=$SRC/samples/face_nefertiti_26493.xyz
+face=$TMP/face.xyz
 
 # The cutting points of a path, one a line: tip, axis, contact, normal; the pass in front.
 cuts() {
@@ -133,8 +133,11 @@ deepest() {
 below "nodes of the panel" "$(deepest nodes "$TMP/panel.cl" --panel)" 0.005
 below "as published they gouge" 0.01 "$(deepest nodes "$TMP/paper.cl" --panel)"
 below "but no more than that" "$(deepest nodes "$TMP/paper.cl" --panel)" 0.025
-status 0 "the panel with points between" meshnorm -q -r 8 --rows mesh -e 0.01 -o "$TMP/dense.cl" "$TMP/panel.ply"
+cloud2mesh -q -t 8 -o "$TMP/wide.ply" "$panel"
+status 0 "the panel with points between" meshnorm -q -r 8 --rows mesh -e 0.01 -o "$TMP/dense.cl" "$TMP/wide.ply"
 below "its straight lines" "$(deepest way "$TMP/dense.cl" --panel)" 0.01
+# of the face, what is about its eyes and its nose
+awk '$2 > -30 && $2 < 10' "$SRC/samples/face_nefertiti_26493.xyz" >"$face"
 cloud2mesh -q -t 4 -o "$TMP/face.ply" "$face"
 status 0 "the face as in the paper" meshnorm -q -r 10 --paper -o "$TMP/f0.cl" "$TMP/face.ply"
 below "gouges by more than a millimetre" 1 "$(deepest nodes "$TMP/f0.cl" --scan "$face")"
@@ -153,7 +156,7 @@ has "and the path is complete" '^FINI$' "$TMP/f3.cl"
 
 # a scan in inches, turned
 awk '{ printf "%.6f %.6f %.6f\n", $1 / 25.4, $2 / 25.4, $3 / 25.4 }' "$panel" >"$TMP/inch.xyz"
-cloud2mesh -q -u inch -t 4 -o "$TMP/inch.ply" "$TMP/inch.xyz"
+cloud2mesh -q -u inch -t 8 -o "$TMP/inch.ply" "$TMP/inch.xyz"
 status 0 "a scan in inches guards its mesh" meshnorm -r 8 --rows mesh -g "$TMP/inch.xyz" -o "$TMP/inch.cl" "$TMP/inch.ply"
 has "and that is said" 'placed as the mesh was' "$TMP/err"
 status 1 "a scan that lies elsewhere" meshnorm -r 8 -g "$TMP/inch.xyz" "$TMP/panel.ply"

@@ -43,8 +43,11 @@ below "a longer one too, with axes by their rule" "$(depth "$TMP/long.cl" 20)" 0
 
 # ---- tools from files, and what contradicts itself
 
+# the post alone, with the floor about it
+awk '$1 < 16 && $2 < 16' "$TMP/walls.xyz" >"$TMP/post.xyz"
+cloud2mesh -q -t 3 -o "$TMP/post.ply" "$TMP/post.xyz"
 status 0 "a cutter and its holder" meshnorm -v --rows mesh --avoid --tool-file ball-6 --tool-file hsk-a63-er16 \
-	-o "$TMP/file.cl" "$TMP/walls.ply"
+	-o "$TMP/file.cl" "$TMP/post.ply"
 has "give the ball" '^CUTTER/6.000000,3.000000,' "$TMP/file.cl"
 has "and what is above it" '^\$\$-> TOOL/FLUTE,10.000000,HOLDER,3:10\+3:8\+14:17.5\+14:16.5\+31.5:26$' "$TMP/file.cl"
 has "which is noted" 'tool: ball R 3, flute 10, holder 3:10' "$TMP/err"

@@ -212,7 +212,7 @@ for control in fanuc siemens heidenhain linuxcnc; do
 	ncpost -q -c $control -m $machine -o hills.nc hills.cl
 	status 0 "$control: a program over two hills" ncverify -q -g hills.xyz hills.nc
 	rm -f hill-*
-	ncpost -q -c $control -m $machine --split 150 -o hill.nc hills.cl
+	ncpost -q -c $control -m $machine --split 600 -o hill.nc hills.cl
 	for part in hill-*; do # beside which the others cut
 		status 0 "$control: $part is accepted" ncverify -g hills.xyz "$part"
 		has "$control: what it leaves is told" 'notice: .* left at .*; another part may cut it' err

@@ -67,13 +67,14 @@ program dome.ply 3
 has "dome.ply: what stays is told" 'who judges by the facets of the mesh alone takes' err
 
 # The same of surfaces: what their facets are off is in the ledger, and no more than 0.05 mm deep.
-status 0 "a hollow model of long facets" \
-	nurbs2mesh -q -e 0.1 -o long.ply "$SRC/samples/paper2_s1_a.igs"
+# A quarter of the sample's, up to half of both its parameters, has its tightest hollow.
+sed 's/^1\.,0\.,1\.;/.5,0.,.5;/' "$SRC/samples/paper2_s1_a.igs" >long.igs
+status 0 "a hollow model of long facets" nurbs2mesh -q -e 0.1 -o long.ply long.igs
 status 0 "its path" planecut -q -r 4 -s 2 -o long.cl long.ply
 biarcfit -q -e 0.01 -o long.arc long.cl
 ncpost -q -c siemens -o long.mpf long.arc
-for judge in long.ply "$SRC/samples/paper2_s1_a.igs"; do
-	status 0 "accepted by $(basename "$judge")" ncverify -g "$judge" long.mpf
+for judge in long.ply long.igs; do
+	status 0 "accepted by $judge" ncverify -g $judge long.mpf
 done
 
 # Walls that planes cannot follow are cut by rest passes, and measured.
