@@ -4,21 +4,7 @@
 
 # Area, volume and, by place, the edges that have not one facet on each side.
 measure() { # FILE
-	awk '
-	BEGIN { n = 0 }
-	/^element vertex/ { nv = $3 }
-	!body { if ($0 == "end_header") body = 1; next }
-	n < nv { x[n] = $1; y[n] = $2; z[n] = $3
-		key = $1 " " $2 " " $3; if (!(key in place)) place[key] = n; at[n] = place[key]; n++; next }
-	{ i = $2; j = $3; k = $4
-		ux = x[j] - x[i]; uy = y[j] - y[i]; uz = z[j] - z[i]
-		vx = x[k] - x[i]; vy = y[k] - y[i]; vz = z[k] - z[i]
-		nx = uy * vz - uz * vy; ny = uz * vx - ux * vz; nz = ux * vy - uy * vx
-		area += sqrt(nx * nx + ny * ny + nz * nz) / 2
-		volume += (x[i] * nx + y[i] * ny + z[i] * nz) / 6
-		edge[at[i] " " at[j]]++; edge[at[j] " " at[k]]++; edge[at[k] " " at[i]]++ }
-	END { for (e in edge) { split(e, q, " "); if (edge[e] != 1 || edge[q[2] " " q[1]] != 1) open++ }
-		printf "%.10g %.10g %d\n", area, volume, open }' "$1"
+	"$READBACK" --mesh "$1" | cut -d' ' -f3-5
 }
 
 # model DESC AREA VOLUME ARGS...: exact area and volume (- for an open surface) within 1e-4 of them

@@ -1,6 +1,7 @@
 /*
  * readback - the tests' own reader: an NC program run as the control would run it, compared with
- * the path that it was made from, and rolled over the scan or over a surface known exactly.
+ * the path that it was made from, and rolled over the scan or over a surface known exactly; and the
+ * figures of a mesh.
  *
  * Exit status: 0 all holds, 1 the program or path can't be read, 2 usage, 3 a limit is passed.
  */
@@ -16,6 +17,7 @@
 #include "io/cloud/cloud.h"
 #include "math/kdtree.h"
 #include "machine/machine.h"
+#include "mesh_sums.h"
 #include "ncread/ncread_state.h"
 #include "panel.h"
 #include "sweep.h"
@@ -26,7 +28,7 @@ enum { CONTROL_NONE = sizeof dialects / sizeof *dialects };
 
 struct options {
     int control, axes;
-    bool no_tcp, reversed, panel, no_steps;
+    bool no_tcp, reversed, panel, no_steps, mesh;
     const char *path, *scan, *machine;
     struct cli_list set;
     double tolerance, axis, radius, deeper, nodes;
@@ -276,6 +278,20 @@ static int run(const char *file, const struct options *o)
     return held ? EXIT_DONE : EXIT_UNMET;
 }
 
+/* Vertices, facets, area, volume, edges that are open and that are uneven, normals off one, least
+ * cosine of a normal. */
+static int tell_of_mesh(const char *file)
+{
+    struct error error;
+    struct mesh_sums sums;
+
+    if (mesh_sums_read(file, &sums, &error) < 0)
+        die_error(&error);
+    printf("%zu %zu %.10g %.10g %zu %zu %.9f %.4f\n", sums.vertices, sums.facets, sums.area,
+           sums.volume, sums.open, sums.uneven, sums.off, sums.least);
+    return EXIT_DONE;
+}
+
 int main(int argc, char **argv)
 {
     struct options o = {.control = CONTROL_NONE,
@@ -305,6 +321,7 @@ int main(int argc, char **argv)
          1e3, 0, NULL},
         {0, "axis", "DEG", "of the tool axis against the path (0.01)", CLI_NUMBER, &o.axis, 0, 180,
          0, NULL},
+        {0, "mesh", NULL, "the operand is a mesh: its figures", CLI_FLAG, &o.mesh, 0, 0, 0, NULL},
         {0, "scan", "FILE", "roll the ball over these points", CLI_TEXT, &o.scan, 0, 0, 0, NULL},
         {0, "panel", NULL, "roll the ball over the exact panel", CLI_FLAG, &o.panel, 0, 0, 0, NULL},
         {'r', "radius", "MM", "of the ball (the path's CUTTER)", CLI_NUMBER, &o.radius,
@@ -321,8 +338,8 @@ int main(int argc, char **argv)
                       .option = option};
     cli_parse(&cli, argc, argv);
     if (cli.files != 1)
-        die_usage("one program or path at a time");
-    int status = run(cli.file[0], &o);
+        die_usage("one program, path or mesh at a time");
+    int status = o.mesh ? tell_of_mesh(cli.file[0]) : run(cli.file[0], &o);
     array_free(&o.set);
     if (fclose(stdout) != 0)
         die("writing the report failed");

@@ -8,25 +8,7 @@ s2=$SRC/samples/paper2_s2_a.igs
 # Vertices, faces, area (mm2), volume below (mm3), border edges by place, normals off unit, and the
 # smallest cosine between a facet of some area and a normal of its corners.
 measure() { # FILE
-	awk '
-	BEGIN { n = 0; worst = 1 }
-	/^element vertex/ { nv = $3 }
-	/^element face/ { nf = $3 }
-	!body { if ($0 == "end_header") body = 1; next }
-	n < nv { x[n] = $1; y[n] = $2; z[n] = $3; a[n] = $4; b[n] = $5; c[n] = $6
-		key = $1 " " $2 " " $3; if (!(key in place)) place[key] = n; at[n] = place[key]
-		l = sqrt($4 * $4 + $5 * $5 + $6 * $6) - 1; if (l < 0) l = -l; if (l > off) off = l
-		n++; next }
-	{ i = $2; j = $3; k = $4
-		ux = x[j] - x[i]; uy = y[j] - y[i]; uz = z[j] - z[i]
-		vx = x[k] - x[i]; vy = y[k] - y[i]; vz = z[k] - z[i]
-		nx = uy * vz - uz * vy; ny = uz * vx - ux * vz; nz = ux * vy - uy * vx
-		l = sqrt(nx * nx + ny * ny + nz * nz); area += l / 2
-		volume += (x[i] * nx + y[i] * ny + z[i] * nz) / 6
-		if (l > 1e-3) { d = (nx * a[i] + ny * b[i] + nz * c[i]) / l; if (d < worst) worst = d }
-		edge[at[i] " " at[j]]++; edge[at[j] " " at[k]]++; edge[at[k] " " at[i]]++ }
-	END { for (e in edge) { split(e, q, " "); if (edge[e] != edge[q[2] " " q[1]]) open++ }
-		printf "%d %d %.4f %.4f %d %.9f %.4f\n", nv, nf, area, volume, open, off, worst }' "$1"
+	"$READBACK" --mesh "$1" | cut -d' ' -f1-4,6-8
 }
 
 mesh() { # NAME ARGS...: the mesh in $TMP/NAME.ply and its figures
