@@ -120,33 +120,52 @@ static bool is_beyond_edge(const struct edge_work *work, const struct edge_hood 
     return false;
 }
 
+enum { SECTORS = 12 };
+
+/* The sectors of the half plane that begins with one of them, a bit each. */
+static unsigned half_plane(int from)
+{
+    unsigned half = ((1u << SECTORS / 2) - 1) << from;
+
+    return (half | half >> SECTORS) & ((1u << SECTORS) - 1);
+}
+
+/* Every half plane has one of these sectors. */
+static bool has_every_half(unsigned has)
+{
+    for (int from = 0; from < SECTORS; from++)
+        if (!(has & half_plane(from)))
+            return false;
+    return true;
+}
+
 /* Every half plane of the flank through the place has a point or an edge of it that is near, or
  * goes on above another flank. */
 static bool is_surrounded(const struct edge_work *work, const struct edge_hood *near,
                           const struct flank_patch *patch, struct vec3 at, double reach)
 {
-    enum { SECTORS = 12 };
     const double far = 2;
     const struct quadric *q = &patch->flank->q;
-    bool has[SECTORS] = {false};
+    unsigned has = 0;
 
     for (size_t k = 0; k < patch->side.n; k++) {
         struct vec3 to = vec_sub(patch->side.item[k], at);
         double u = vec_dot(to, q->u), v = vec_dot(to, q->v);
-        if (hypot_compare(u, v, reach) <= 0)
-            has[(int)((atan2(v, u) + PI) / (2 * PI) * SECTORS) % SECTORS] = true;
+        if (hypot_compare(u, v, reach) > 0)
+            continue;
+        unsigned more = has | 1u << (int)((atan2(v, u) + PI) / (2 * PI) * SECTORS) % SECTORS;
+        if (more != has && has_every_half(more))
+            return true;
+        has = more;
     }
     for (int from = 0; from < SECTORS; from++) {
-        bool any = false;
-        for (int k = 0; k < SECTORS / 2; k++)
-            any = any || has[(from + k) % SECTORS];
-        for (int k = 0; patch->certain && k < SECTORS / 2 && !any; k++) {
+        for (int k = 0; patch->certain && k < SECTORS / 2 && !(has & half_plane(from)); k++) {
             int sector = (from + k) % SECTORS;
             double t = 2 * PI * (sector + 0.5) / SECTORS - PI;
-            any = has[sector] =
-                is_beyond_edge(work, near, patch, at, far * reach * cos(t), far * reach * sin(t));
+            if (is_beyond_edge(work, near, patch, at, far * reach * cos(t), far * reach * sin(t)))
+                has |= 1u << sector;
         }
-        if (!any)
+        if (!(has & half_plane(from)))
             return false;
     }
     return true;

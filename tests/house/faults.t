@@ -19,8 +19,8 @@ fi
 # shellcheck disable=SC2086
 ok "the runner compiles" ${CC:-cc} -std=c11 -D_XOPEN_SOURCE=700 -O1 -o fault_run "$house/fault_run.c"
 
-awk 'BEGIN { for (i = 0; i <= 16; i++) for (k = 0; k <= 12; k++) {
-	x = 2.5 * i - 20; y = 2.5 * k - 15; print x, y, 10 - (x * x + y * y) / 120 } }' >cloud.xyz
+awk 'BEGIN { for (i = 0; i <= 10; i++) for (k = 0; k <= 8; k++) {
+	x = 2 * i - 10; y = 2 * k - 8; print x, y, 10 - (x * x + y * y) / 120 } }' >cloud.xyz
 cloud2mesh -q -t 4 cloud.xyz >mesh.ply
 meshnorm -q -r 4 --rows mesh --fixed 0.1,0,1 mesh.ply >path.cl
 biarcfit -q path.cl >arcs.cl
@@ -31,7 +31,7 @@ printf '1 0 0 5\n0 1 0 0\n0 0 1 0\n0 0 0 1\n' >matrix.txt
 printf 'include = own-base.txt\nx.max = 900\ntools = tools.tbl\n' >own.txt
 cp "$SRC/machines/table-ac.txt" own-base.txt
 printf '1 120.5 BALL\n' >tools.tbl
-printf -- '-15 -10\n15 -10\n15 10\n-15 10\n' >region.txt
+printf -- '-8 -6\n8 -6\n8 6\n-8 6\n' >region.txt
 printf 'base = fanuc\nnumber.step = 5\n' >own-control.txt
 cp "$SRC/tools/ball-8.txt" "$SRC/tools/hsk-a63-er20.txt" "$SRC/samples/saddle.nurbs" \
 	"$SRC/tests/data/box.step" "$SRC/tests/data/awkward/surface.igs" \
