@@ -102,7 +102,7 @@ static void measure_over(double (*height)(double, double), const struct vec3s *p
     for (size_t i = 0; i < points->n; i++) {
         struct vec3 p = points->item[i];
         double off = p.z - height(p.x, p.y);
-        if (fabs(p.x) > 19 || fabs(p.y) > 15 || off <= fmin(r->over, 0.1))
+        if (fabs(p.x) > 16 || fabs(p.y) > 13 || off <= fmin(r->over, 0.1))
             continue;
         struct vec3s near = sample(height, p.x, p.y, 0.3, 0.06);
         for (size_t k = 0; k < near.n; k++)
@@ -136,7 +136,7 @@ static struct result measure(double (*height)(double, double), const struct guar
     struct gouge_check *scan = gouge_from_points(g->scan.item, g->scan.n);
 
     for (int i = 0; i < 60; i++) {
-        double x = 28 * noisy_uniform() - 14, y = 20 * noisy_uniform() - 10;
+        double x = 22 * noisy_uniform() - 11, y = 16 * noisy_uniform() - 8;
         /* near to where it is sharp: the highest of places about it off their mean */
         double best = -1, bx = x, by = y;
         for (int k = 0; k < 200; k++) {
@@ -242,7 +242,7 @@ static struct result guard_scan(double (*height)(double, double), enum noisy_pat
     struct guarded g = {0};
 
     noisy_scan(&g.scan, height, POINTS, pattern, sigma);
-    crop(&g.scan, 21, 17);
+    crop(&g.scan, 18, 15);
     guarded_make(&g, SPACING, sigma);
     struct result r = measure(height, &g, bend);
     struct vec3s edges = {g.points.edges, 0,
@@ -335,15 +335,16 @@ static double round_crest(double x, double y)
 START_TEST(round_crests)
 {
     enum { POINTS = 12000, PLACES = 400 };
+    const bool grid = (_i + _i / 2 + _i / 4) % 2; /* each with any two of the others */
     struct guarded g = {0};
     int deeper = 0;
 
-    arc = _i / 2 % 2 ? 0.5 : 1;
-    slope = _i / 4 % 2 ? 2 : 1;
-    is_boss = _i / 8;
+    arc = _i % 2 ? 0.5 : 1;
+    slope = _i / 2 % 2 ? 2 : 1;
+    is_boss = _i / 4;
     turn = 0.2 + 0.17 * _i;
     noisy_seed(170 + (unsigned)_i);
-    noisy_scan(&g.scan, round_crest, POINTS, _i % 2 ? NOISY_GRID : NOISY_RANDOM, 0);
+    noisy_scan(&g.scan, round_crest, POINTS, grid ? NOISY_GRID : NOISY_RANDOM, 0);
     crop(&g.scan, 11, 11);
     guarded_make(&g, 0.57, 0);
     struct gouge_check *guard = guarded_gouge(&g);
@@ -546,7 +547,7 @@ START_TEST(walls_under_round_rims)
 
     turn = 0.2 + 0.15 * _i;
     noisy_seed(90 + (unsigned)_i);
-    noisy_scan(&g.scan, _i < 6 ? boss : footed_boss, POINTS, pattern[_i % 3], noise);
+    noisy_scan(&g.scan, _i % 2 ? footed_boss : boss, POINTS, pattern[_i % 3], noise);
     crop(&g.scan, 14, 14);
     crop_behind(&g.scan, 0);
     guarded_make(&g, spacing, noise);
@@ -903,7 +904,7 @@ static bool tells_of_step(const struct vec3s *scan, struct vec3 rim, double spac
  * deviations more. */
 START_TEST(rims_of_pockets)
 {
-    enum { PLACES = 400, POINTS = 17000, NOISY = 3 };
+    enum { PLACES = 400, POINTS = 17000, NOISY = 2 };
     const double noise = _i < NOISY ? 0 : 0.005;
     struct guarded g = {0};
     int deeper = 0, asked = 0;
@@ -1038,22 +1039,22 @@ int main(void)
     SRunner *runner = srunner_create(suite);
     tcase_add_loop_test(tests, no_gouge, 0, 2 * SHAPES);
     tcase_add_loop_test(tests, rounded_edges, 0, 8);
-    tcase_add_loop_test(tests, round_crests, 0, 16);
+    tcase_add_loop_test(tests, round_crests, 0, 8);
     tcase_add_loop_test(tests, steep_flanks, 0, 4);
     tcase_add_loop_test(tests, points_on_a_ridge, 0, 3);
     tcase_add_loop_test(tests, on_scan_lines, 0, 3);
     tcase_add_loop_test(tests, walls_under_round_rims, 0, 6);
     tcase_add_loop_test(tests, rims_of_grooves, 0, 4);
-    tcase_add_loop_test(tests, tips_of_teeth, 0, 8);
+    tcase_add_loop_test(tests, tips_of_teeth, 0, 4);
     tcase_add_loop_test(tests, corners_between_points, 0, 12);
     tcase_add_test(tests, corners_far_from_points);
     tcase_add_loop_test(tests, unseen_walls, 0, 3);
     tcase_add_loop_test(tests, thin_parts, 0, 6);
-    tcase_add_loop_test(tests, feet_of_pyramids, 0, 6);
+    tcase_add_loop_test(tests, feet_of_pyramids, 0, 4);
     tcase_add_loop_test(tests, noisy_flanks, 0, 4);
-    tcase_add_loop_test(tests, rims_of_pockets, 0, 6);
+    tcase_add_loop_test(tests, rims_of_pockets, 0, 4);
     tcase_add_loop_test(tests, rims_of_steps, 2, 6);
-    tcase_add_loop_test(tests, boss_between_lines, 0, 6);
+    tcase_add_loop_test(tests, boss_between_lines, 0, 4);
     tcase_add_loop_test(tests, no_tips_by_noise, 1, 4);
     suite_add_tcase(suite, tests);
     tcase_set_timeout(tests, 60);
