@@ -83,24 +83,37 @@ function refine(i, k,  a, b, p, q, fp, fq, n) {
 	return fp < fq ? fp : fq
 }
 
-function compare(  k, i, best, near, off) {
-	stride = 1 + int(count[run] / 60)
+# The longest of n pieces, along x; arrays by one number are far quicker to look up than by two.
+function longest(x, n,  i, d, most) {
+	for (i = 1; i < n; i++) { d = x[i + 1] - x[i]; if (d < 0) d = -d; if (d > most) most = d }
+	return most + 1e-9
+}
+
+# A piece is not asked for its distance where it is farther off along x than the nearest so far.
+function compare(  k, i, n, best, within, near, off) {
+	n = count[run]
+	stride = 1 + int(n / 60)
+	for (i = 1; i <= n; i++) { px[i] = data[run, i, 1]; py[i] = data[run, i, 2]; pz[i] = data[run, i, 3] }
+	for (k = 1; k <= places; k++) { wx[k] = way[k, 1]; wy[k] = way[k, 2]; wz[k] = way[k, 3] }
+	point_step = longest(px, n); way_step = longest(wx, places)
 	for (k = 1; k <= places; k += 1 + int(places / 200)) {
-		best = 1e30
-		for (i = 1; i < count[run]; i++) {
-			off = from_piece(way[k, 1], way[k, 2], way[k, 3], data[run, i, 1], data[run, i, 2],
-				data[run, i, 3], data[run, i + 1, 1], data[run, i + 1, 2], data[run, i + 1, 3])
-			if (off < best) best = off
+		best = within = 1e30
+		for (i = 1; i < n; i++) {
+			off = px[i] - wx[k]
+			if (off > within || -off > within) continue
+			off = from_piece(wx[k], wy[k], wz[k], px[i], py[i], pz[i], px[i + 1], py[i + 1], pz[i + 1])
+			if (off < best) { best = off; within = sqrt(best) + point_step }
 		}
 		if (best > worst) worst = best
 	}
-	for (i = 1; i <= count[run]; i += stride) {
-		best = 1e30
+	for (i = 1; i <= n; i += stride) {
+		best = within = 1e30
 		for (k = 1; k < places; k++) {
 			if (way_c[k] != way_c[k + 1]) continue
-			off = from_piece(data[run, i, 1], data[run, i, 2], data[run, i, 3], way[k, 1], way[k, 2],
-				way[k, 3], way[k + 1, 1], way[k + 1, 2], way[k + 1, 3])
-			if (off < best) { best = off; near = k }
+			off = wx[k] - px[i]
+			if (off > within || -off > within) continue
+			off = from_piece(px[i], py[i], pz[i], wx[k], wy[k], wz[k], wx[k + 1], wy[k + 1], wz[k + 1])
+			if (off < best) { best = off; near = k; within = sqrt(best) + way_step }
 		}
 		best = refine(i, near)
 		if (best > worst) worst = best

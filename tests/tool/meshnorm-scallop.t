@@ -73,12 +73,13 @@ left() {
 			if (/^GOTO/) { x = $2 + r * $5; y = $3 + r * $6; z = $4 + r * $7
 				if (n && !rapid) { d = sqrt((x - a) ^ 2 + (y - b) ^ 2 + (z - c) ^ 2); m = int(d / 0.25) + 1
 					for (k = 1; k <= m; k++) { u = a + (x - a) * k / m; v = b + (y - b) * k / m
-						i = int(u + 500) * 1000 + int(v + 500); p[i, h[i]++] = u " " v " " c + (z - c) * k / m } }
+						i = int(u + 500) * 1000 + int(v + 500); px[++all] = u; py[all] = v
+						pz[all] = c + (z - c) * k / m; before[all] = last[i]; last[i] = all } }
 				n++; rapid = 0; a = x; b = y; c = z } next }
 		{ best = 1e9; for (i = -r - 1; i <= r + 1; i++) for (j = -r - 1; j <= r + 1; j++) {
 				q = (int($1 + 500) + i) * 1000 + int($2 + 500) + j
-				for (k = 0; k < h[q]; k++) { split(p[q, k], e, " ")
-					d = (e[1] - $1) ^ 2 + (e[2] - $2) ^ 2 + (e[3] - $3) ^ 2; if (d < best) best = d } }
+				for (k = last[q]; k > 0; k = before[k]) {
+					d = (px[k] - $1) ^ 2 + (py[k] - $2) ^ 2 + (pz[k] - $3) ^ 2; if (d < best) best = d } }
 			d = sqrt(best) - r; if (d > worst) worst = d; many += d > limit }
 		END { printf "%.4f %d\n", worst, many }' "$1" "$2"
 }

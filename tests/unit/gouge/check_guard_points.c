@@ -651,7 +651,7 @@ START_TEST(hidden_edges_are_suspected)
 }
 END_TEST
 
-/* One in some points of a face, with noise. */
+/* One in some points of half a face, with noise. */
 static void sparse_face(unsigned one_in, double noise, struct vec3s *points)
 {
     struct cloud_count count = {0};
@@ -660,7 +660,7 @@ static void sparse_face(unsigned one_in, double noise, struct vec3s *points)
 
     ck_assert_int_eq(cloud_read("samples/face_nefertiti_26493.xyz", 1, points, &count, &error), 0);
     for (size_t i = 0; i < points->n; i++)
-        if (uniform(0, one_in) < 1)
+        if (points->item[i].x > 0 && uniform(0, one_in) < 1)
             points->item[kept++] =
                 vec_add(points->item[i], vec(gauss(noise), gauss(noise), gauss(noise)));
     points->n = kept;
