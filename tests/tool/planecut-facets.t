@@ -111,7 +111,7 @@ status 0 "accepted by its mesh" ncverify -g block.off block.mpf
 # So are those of a model, whose mesh has normals.
 status 0 "a box with a chamfer" \
 	nurbs2mesh -q -e 0.01 -o box.ply "$SRC/tests/data/cad/chamfer-ap214.step"
-status 0 "its path" planecut -q -r 2 --scallop 0.2 --avoid -o box.cl box.ply
+status 0 "its path" planecut -q -r 4 --scallop 0.2 --avoid -o box.cl box.ply
 biarcfit -q -e 0.01 -o box.arc box.cl
 ncpost -q -c siemens -o box.mpf box.arc
 status 0 "accepted by its surfaces" ncverify -g "$SRC/tests/data/cad/chamfer-ap214.step" box.mpf
