@@ -9,6 +9,7 @@
 #ifndef CLOUDMILL_POINT_GRID_H
 #define CLOUDMILL_POINT_GRID_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "base/array.h"
@@ -52,6 +53,34 @@ double point_grid_spacing(const struct point_grid *point_grid);
 /* The column and the row of a place; of one outside, of the nearest cell. */
 size_t point_grid_column(const struct point_grid *point_grid, double x);
 size_t point_grid_row(const struct point_grid *point_grid, double y);
+
+/* A walk over the points of the cells that a place and its surroundings, as far as `reach` to all
+ * four sides, are in: all points so near to it as seen from above, in their order, and some more.
+ *     struct point_grid_walk walk = point_grid_about(grid, place, reach);
+ *     for (size_t k; point_grid_next(&walk, &k);) */
+struct point_grid_walk {
+    const struct point_grid *grid;
+    size_t left, right; /* columns */
+    size_t row, high;   /* the next row of cells, and the last one */
+    size_t next, end;   /* the next point, and where those of its row end */
+};
+
+struct point_grid_walk point_grid_about(const struct point_grid *point_grid, struct vec3 place,
+                                        double reach);
+
+/* The next point's index; false: there is none. */
+static inline bool point_grid_next(struct point_grid_walk *w, size_t *k)
+{
+    while (w->next == w->end) {
+        if (w->row > w->high)
+            return false;
+        size_t cells = w->row++ * w->grid->columns;
+        w->next = w->grid->first[cells + w->left];
+        w->end = w->grid->first[cells + w->right + 1];
+    }
+    *k = w->next++;
+    return true;
+}
 
 /* Appends the indices of the points over (or under) the triangle a b c, whose corners go round
  * counter-clockwise seen from above; `border` mm2 (twice an area): how far beside it counts yet. */

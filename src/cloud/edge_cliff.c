@@ -163,10 +163,11 @@ static void sort_by_height(const struct edge_work *work, size_t i, size_t k, str
 
 static bool may_be_off(const struct edge_work *work, size_t i)
 {
+    const struct vec3 *point = work->options->point_grid->point;
     struct edge_about about = edge_about(work, i);
 
     for (size_t k; edge_about_next(&about, &k);)
-        if (!quadric_surely_within(&work->flank[i].q, about.grid->point[k], least_off(work, i, k)))
+        if (!quadric_surely_within(&work->flank[i].q, point[k], least_off(work, i, k)))
             return true;
     return false;
 }
@@ -210,9 +211,9 @@ static void find_floor(const struct edge_work *work, size_t i, struct cliff *cli
 static struct cliff find_cliff(const struct edge_work *work, size_t i)
 {
     struct edge_about about = edge_about(work, i);
-    struct cliff cliff = {.from = about.grid->point[i],
+    struct cliff cliff = {.from = about.from,
                           .reach = about.reach,
-                          .corner = CORNER * point_grid_spacing(about.grid),
+                          .corner = CORNER * point_grid_spacing(work->options->point_grid),
                           .q = &work->flank[i].q,
                           .flanked = work->flank[i].valid};
 

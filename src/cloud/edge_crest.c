@@ -29,17 +29,14 @@ static size_t find_about(const struct point_grid *b, size_t i, double reach, str
 {
     enum { MANY = 1024 };
     struct vec3 from = b->point[i], near[MANY]; /* x: index, z: squared distance */
-    size_t first = point_grid_column(b, from.x - reach),
-           last = point_grid_column(b, from.x + reach);
-    size_t top = point_grid_row(b, from.y + reach), n = 0;
+    struct point_grid_walk walk = point_grid_about(b, from, reach);
+    size_t n = 0;
 
-    for (size_t row = point_grid_row(b, from.y - reach); row <= top; row++)
-        for (size_t k = b->first[row * b->columns + first];
-             k < b->first[row * b->columns + last + 1] && n < MANY; k++) {
-            double x = b->point[k].x - from.x, y = b->point[k].y - from.y;
-            if (x * x + y * y <= reach * reach)
-                near[n++] = vec((double)k, 0, k == i ? -1 : x * x + y * y);
-        }
+    for (size_t k; n < MANY && point_grid_next(&walk, &k);) {
+        double x = b->point[k].x - from.x, y = b->point[k].y - from.y;
+        if (x * x + y * y <= reach * reach)
+            near[n++] = vec((double)k, 0, k == i ? -1 : x * x + y * y);
+    }
     qsort(near, n, sizeof *near, compare_near); // cppcheck-suppress uninitvar
     n = n < CREST_POINTS ? n : CREST_POINTS;
     for (size_t k = 0; k < n; k++)

@@ -45,12 +45,12 @@ static struct vec3s places_about(const struct edge_work *work, size_t i, double 
 {
     enum { CROWD = 2000 };
     struct edge_about about = edge_about(work, i);
-    struct vec3 from = about.grid->point[i];
+    struct vec3 from = about.from;
     struct vec3s near = {0};
 
     for (size_t k; near.n < CROWD && edge_about_next(&about, &k);)
-        if (edge_plan_distance(about.grid->point[k], from) < reach)
-            *array_push(&near) = about.grid->point[k];
+        if (edge_plan_distance(about.walk.grid->point[k], from) < reach)
+            *array_push(&near) = about.walk.grid->point[k];
     near.n = near.n < CROWD ? near.n : 0;
     if (near.n > 0)
         qsort(near.item, near.n, sizeof *near.item, by_height);
@@ -103,10 +103,10 @@ static void hang_wall(const struct edge_work *work, const struct vec3s *near, si
 static bool may_be_foot(const struct edge_work *work, size_t i)
 {
     struct edge_about about = edge_about(work, i);
-    struct vec3 from = about.grid->point[i];
+    struct vec3 from = about.from;
 
     for (size_t k; edge_about_next(&about, &k);) {
-        struct vec3 p = about.grid->point[k];
+        struct vec3 p = about.walk.grid->point[k];
         if (p.z - from.z > EDGE_STEEP * edge_plan_distance(p, from))
             return true;
     }

@@ -80,16 +80,9 @@ double edge_plan_distance(struct vec3 a, struct vec3 b)
 
 struct edge_about edge_about_place(const struct point_grid *b, struct vec3 from, double reach)
 {
-    size_t column = point_grid_column(b, from.x), row = point_grid_row(b, from.y);
+    double within = fmin(reach, b->cell);
 
-    return (struct edge_about){.grid = b,
-                               .from = from,
-                               .i = SIZE_MAX,
-                               .first = column > 0 ? column - 1 : 0,
-                               .last = column + 1 < b->columns ? column + 1 : column,
-                               .row = row > 0 ? row - 1 : 0,
-                               .rows = row + 1 < b->rows ? row + 2 : b->rows,
-                               .reach = fmin(reach, b->cell)};
+    return (struct edge_about){point_grid_about(b, from, within), from, SIZE_MAX, within};
 }
 
 struct edge_about edge_about(const struct edge_work *work, size_t i)
@@ -103,20 +96,10 @@ struct edge_about edge_about(const struct edge_work *work, size_t i)
 
 bool edge_about_next(struct edge_about *a, size_t *k)
 {
-    const struct point_grid *b = a->grid;
-
-    for (;;) {
-        for (; a->k < a->end; a->k++) {
-            struct vec3 p = b->point[a->k];
-            if (a->k == a->i || hypot_compare(p.x - a->from.x, p.y - a->from.y, a->reach) >= 0)
-                continue;
-            *k = a->k++;
+    while (point_grid_next(&a->walk, k)) {
+        struct vec3 p = a->walk.grid->point[*k];
+        if (*k != a->i && hypot_compare(p.x - a->from.x, p.y - a->from.y, a->reach) < 0)
             return true;
-        }
-        if (a->row == a->rows)
-            return false;
-        a->k = b->first[a->row * b->columns + a->first];
-        a->end = b->first[a->row * b->columns + a->last + 1];
-        a->row++;
     }
+    return false;
 }

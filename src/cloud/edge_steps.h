@@ -79,12 +79,9 @@ double edge_plan_distance(struct vec3 a, struct vec3 b);
 
 /* The points about a place as seen from above, one after the other. */
 struct edge_about {
-    const struct point_grid *grid;
+    struct point_grid_walk walk;
     struct vec3 from;
-    size_t i;           /* is left out */
-    size_t first, last; /* columns of cells */
-    size_t row, rows;   /* the next one; end of them */
-    size_t k, end;      /* the next point, and where those of its row end */
+    size_t i; /* is left out */
     double reach;
 };
 

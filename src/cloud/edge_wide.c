@@ -176,7 +176,7 @@ static bool has_below(const struct edge_work *work, size_t i)
     struct edge_about about = edge_about(work, i);
 
     for (size_t k; edge_about_next(&about, &k);) {
-        struct vec3 p = about.grid->point[k];
+        struct vec3 p = about.walk.grid->point[k];
         if (about.from.z - p.z > BELOW * edge_plan_distance(about.from, p))
             return true;
     }

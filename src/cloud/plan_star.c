@@ -26,53 +26,38 @@ static int by_distance(const void *pa, const void *pb)
                               : (a->index > b->index) - (a->index < b->index);
 }
 
-/* The cells about a place, as far as `reach`. */
-struct cells {
-    size_t left, right, low, high;
-};
-
-static struct cells cells_about(const struct point_grid *g, struct vec3 p, double reach)
-{
-    return (struct cells){point_grid_column(g, p.x - reach), point_grid_column(g, p.x + reach),
-                          point_grid_row(g, p.y - reach), point_grid_row(g, p.y + reach)};
-}
-
 /* A long way goes up or down steeply from the point to one near to it. */
 static bool is_steep(const struct star_work *work, size_t i)
 {
     const struct point_grid *g = work->scan;
     struct vec3 p = g->point[i];
     double reach = work->options->near, least = work->options->least;
-    struct cells c = cells_about(g, p, reach);
+    struct point_grid_walk walk = point_grid_about(g, p, reach);
 
-    for (size_t row = c.low; row <= c.high; row++)
-        for (size_t k = g->first[row * g->columns + c.left];
-             k < g->first[row * g->columns + c.right + 1]; k++) {
-            struct vec3 to = vec_sub(g->point[k], p);
-            double far2 = to.x * to.x + to.y * to.y, up2 = to.z * to.z;
-            if (far2 < reach * reach && up2 > far2 && up2 + far2 > least * least)
-                return true;
-        }
+    for (size_t k; point_grid_next(&walk, &k);) {
+        struct vec3 to = vec_sub(g->point[k], p);
+        double far2 = to.x * to.x + to.y * to.y, up2 = to.z * to.z;
+        if (far2 < reach * reach && up2 > far2 && up2 + far2 > least * least)
+            return true;
+    }
     return false;
 }
 
 bool plan_star_about(const struct point_grid *g, size_t i, double reach, struct plan_about *about)
 {
     struct vec3 p = g->point[i];
-    struct cells c = cells_about(g, p, reach);
+    struct point_grid_walk walk = point_grid_about(g, p, reach);
 
     about->n = 0;
-    for (size_t row = c.low; row <= c.high; row++)
-        for (size_t k = g->first[row * g->columns + c.left];
-             k < g->first[row * g->columns + c.right + 1]; k++) {
-            struct uv at = {g->point[k].x - p.x, g->point[k].y - p.y};
-            double far2 = at.u * at.u + at.v * at.v;
-            if (far2 >= reach * reach || far2 == 0)
-                continue;
-            if (about->n == PLAN_STAR_CROWD)
-                return false;
-            about->item[about->n++] = (struct plan_beside){at, far2, (uint32_t)k};
-        }
+    for (size_t k; point_grid_next(&walk, &k);) {
+        struct uv at = {g->point[k].x - p.x, g->point[k].y - p.y};
+        double far2 = at.u * at.u + at.v * at.v;
+        if (far2 >= reach * reach || far2 == 0)
+            continue;
+        if (about->n == PLAN_STAR_CROWD)
+            return false;
+        about->item[about->n++] = (struct plan_beside){at, far2, (uint32_t)k};
+    }
     if (about->n > 0)
         qsort(about->item, about->n, sizeof *about->item, by_distance);
     return about->n > 0;
@@ -95,22 +80,20 @@ size_t plan_star_corner(const struct plan_about *about, struct uv a, struct uv b
 static size_t nearest_to(const struct point_grid *g, struct vec3 place, double reach,
                          struct plan_beside near[NEAREST])
 {
-    struct cells c = cells_about(g, place, reach);
+    struct point_grid_walk walk = point_grid_about(g, place, reach);
     size_t n = 0;
 
-    for (size_t row = c.low; row <= c.high; row++)
-        for (size_t k = g->first[row * g->columns + c.left];
-             k < g->first[row * g->columns + c.right + 1]; k++) {
-            struct uv at = {g->point[k].x - place.x, g->point[k].y - place.y};
-            struct plan_beside beside = {at, at.u * at.u + at.v * at.v, (uint32_t)k};
-            if (beside.far2 > reach * reach || (n == NEAREST && beside.far2 >= near[n - 1].far2))
-                continue;
-            n += n < NEAREST;
-            size_t j = n - 1;
-            for (; j > 0 && near[j - 1].far2 > beside.far2; j--)
-                near[j] = near[j - 1];
-            near[j] = beside;
-        }
+    for (size_t k; point_grid_next(&walk, &k);) {
+        struct uv at = {g->point[k].x - place.x, g->point[k].y - place.y};
+        struct plan_beside beside = {at, at.u * at.u + at.v * at.v, (uint32_t)k};
+        if (beside.far2 > reach * reach || (n == NEAREST && beside.far2 >= near[n - 1].far2))
+            continue;
+        n += n < NEAREST;
+        size_t j = n - 1;
+        for (; j > 0 && near[j - 1].far2 > beside.far2; j--)
+            near[j] = near[j - 1];
+        near[j] = beside;
+    }
     return n;
 }
 

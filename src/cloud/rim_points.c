@@ -62,18 +62,14 @@ static unsigned sector_of(double x, double y)
 static uint32_t look_about(const struct point_grid *g, size_t i)
 {
     double reach = ABOUT * point_grid_spacing(g);
-    size_t column = point_grid_column(g, g->point[i].x - reach),
-           last = point_grid_column(g, g->point[i].x + reach),
-           top = point_grid_row(g, g->point[i].y + reach);
+    struct point_grid_walk about = point_grid_about(g, g->point[i], reach);
     uint32_t filled = 0;
 
-    for (size_t r = point_grid_row(g, g->point[i].y - reach); r <= top; r++)
-        for (size_t k = g->first[r * g->columns + column]; k < g->first[r * g->columns + last + 1];
-             k++) {
-            double x = g->point[k].x - g->point[i].x, y = g->point[k].y - g->point[i].y;
-            if (x * x + y * y < reach * reach && (x != 0 || y != 0))
-                filled |= 1u << sector_of(x, y);
-        }
+    for (size_t k; point_grid_next(&about, &k);) {
+        double x = g->point[k].x - g->point[i].x, y = g->point[k].y - g->point[i].y;
+        if (x * x + y * y < reach * reach && (x != 0 || y != 0))
+            filled |= 1u << sector_of(x, y);
+    }
     return filled;
 }
 

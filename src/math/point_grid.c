@@ -181,6 +181,15 @@ void point_grid_remove(struct point_grid *b, const unsigned char *out)
     b->n = kept;
 }
 
+struct point_grid_walk point_grid_about(const struct point_grid *b, struct vec3 place, double reach)
+{
+    return (struct point_grid_walk){.grid = b,
+                                    .left = point_grid_column(b, place.x - reach),
+                                    .right = point_grid_column(b, place.x + reach),
+                                    .row = point_grid_row(b, place.y - reach),
+                                    .high = point_grid_row(b, place.y + reach)};
+}
+
 void point_grid_over(const struct point_grid *k, struct vec3 a, struct vec3 b, struct vec3 c,
                      double border, struct sizes *found)
 {
@@ -202,14 +211,11 @@ void point_grid_within(const struct point_grid *b, struct vec3 q, double radius,
 {
     if (b->n == 0)
         return;
-    size_t left = point_grid_column(b, q.x - radius), right = point_grid_column(b, q.x + radius);
-    size_t low = point_grid_row(b, q.y - radius), high = point_grid_row(b, q.y + radius);
+    struct point_grid_walk about = point_grid_about(b, q, radius);
 
-    for (size_t row = low; row <= high; row++)
-        for (uint32_t i = b->first[row * b->columns + left];
-             i < b->first[row * b->columns + right + 1]; i++) {
-            struct vec3 d = vec_sub(b->point[i], q);
-            if (vec_dot(d, d) <= radius * radius)
-                *array_push(found) = i;
-        }
+    for (size_t i; point_grid_next(&about, &i);) {
+        struct vec3 d = vec_sub(b->point[i], q);
+        if (vec_dot(d, d) <= radius * radius)
+            *array_push(found) = i;
+    }
 }
