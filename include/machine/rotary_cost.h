@@ -60,10 +60,15 @@ struct rotary_angles rotary_angles_between(struct rotary_angles from, struct rot
 /* Where the way is at the pole, between 0 and 1; -1: nowhere. */
 double rotary_pole_between(struct rotary_angles from, struct rotary_angles to);
 
-/* True if the chain has the direction within its travel. */
+/* True if the chain has the direction within its travel: one without rotary axes that of its tool
+ * alone, which matters where an axis is to be fixed. */
 bool rotary_reaches(const struct kinematic_chain *chain, struct vec3 axis);
 
-/* The same for all directions between two, on the great circle: looked at every degree, and of
+/* True if no travel is in the way of the direction: the same, but of a chain without rotary axes,
+ * for of these nothing is known then, any direction. */
+bool rotary_allows(const struct kinematic_chain *chain, struct vec3 axis);
+
+/* What rotary_reaches says for all directions between two, on the great circle: looked at every degree, and of
  * a turn of less at each quarter; where one solution ends and the other begins, more closely.  A
  * chain of no axes: true. */
 bool rotary_reaches_between(const struct kinematic_chain *chain, struct vec3 from, struct vec3 to);

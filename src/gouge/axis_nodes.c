@@ -77,10 +77,10 @@ void axis_nodes_find_open(const struct axis_planner *p, struct node *node)
         if (within >= p->options.limit)
             break;
     }
-    node->rule_open = (p->options.chain.n < 1 || rotary_reaches(&p->options.chain, node->rule)) &&
-                      vec_dot(node->rule, node->normal) > -1e-6 &&
-                      (node->open > 0 && !p->options.fixed ? access_is_open : access_is_clear)(
-                          p->access, node->ball, node->rule);
+    node->rule_open =
+        rotary_allows(&p->options.chain, node->rule) && vec_dot(node->rule, node->normal) > -1e-6 &&
+        (node->open > 0 && !p->options.fixed ? access_is_open
+                                             : access_is_clear)(p->access, node->ball, node->rule);
 }
 
 /* A strict node at a place of the path, which is no later than the point `after`. */

@@ -103,7 +103,7 @@ static bool check_points(struct work *w, const struct run *run, const struct dou
         }
         if ((p->options.fixed || p->options.chain.n == 1) && vec_dot(b->axis, b->normal) < -1e-6)
             now = -1; /* below the ball's equator, where a node beside it was not */
-        if (p->options.chain.n > 0 && !rotary_reaches(&p->options.chain, b->axis))
+        if (!rotary_allows(&p->options.chain, b->axis))
             now = -1; /* out of the travel, which the axes of both nodes beside it are not */
         state[i] = now >= -slack ? AXIS_PLAN_CUT : AXIS_PLAN_SKIP;
         if (i > 0 && fmin(before, now) >= -slack &&

@@ -22,7 +22,7 @@ static struct vec3 axis_between(const struct work *w, size_t at, const struct ru
     if (!axis_nodes_has_axis(a) || !axis_nodes_has_axis(b))
         return axis_nodes_has_axis(a) ? a->axis : axis_nodes_has_axis(b) ? b->axis : p->axis;
     const struct kinematic_chain *chain = &w->planner->options.chain;
-    if (a->by_rule && b->by_rule && (chain->n < 1 || rotary_reaches(chain, p->axis)))
+    if (a->by_rule && b->by_rule && rotary_allows(chain, p->axis))
         return p->axis;
     double length = b->along - a->along, s = length > 0 ? (along - a->along) / length : 0;
     if (b->begins)

@@ -150,8 +150,8 @@ static bool try_arch(const struct link_options *options, const struct run_point 
 static bool is_in_travel(const struct kinematic_chain *chain, const struct run_point *from,
                          const struct run_point *to)
 {
-    return !chain || chain->n < 1 ||
-           (rotary_reaches(chain, to->axis) && rotary_reaches_between(chain, from->axis, to->axis));
+    return !chain ||
+           (rotary_allows(chain, to->axis) && rotary_reaches_between(chain, from->axis, to->axis));
 }
 
 /* The axis stays within its travel, turns no faster than it may, and the whole tool is clear on

@@ -70,6 +70,11 @@ bool rotary_reaches(const struct kinematic_chain *chain, struct vec3 axis)
     return solutions_within(chain, axis) != 0;
 }
 
+bool rotary_allows(const struct kinematic_chain *chain, struct vec3 axis)
+{
+    return chain->n < 1 || rotary_reaches(chain, axis);
+}
+
 /* Where the way, so long, leans least or most off the first axis, which sets the second one's
  * angle: within that too. */
 static bool reaches_extremes(const struct kinematic_chain *chain, struct vec3 from, struct vec3 to,

@@ -71,8 +71,7 @@ static void look_at_axis(struct path_check *check, const struct path_item *item)
     struct pose to = item->to;
     bool on_way = check->begun && item->kind == PATH_POINT && !path_is_rapid(item);
 
-    if (check->chain.n < 1 ||
-        (rotary_reaches(&check->chain, to.a) &&
+    if ((rotary_allows(&check->chain, to.a) &&
          !(on_way && !rotary_reaches_between(&check->chain, check->at.a, to.a))) ||
         check->out++ > 0)
         return;

@@ -142,6 +142,9 @@ START_TEST(a_turn_stays_within_its_travel_or_not)
         if (fabs(highest - RADIANS(120)) > RADIANS(1e-6))
             ck_assert_int_eq(rotary_reaches_between(&machine.chain, a, b), within);
         ck_assert(rotary_reaches_between(&none, a, b));
+        ck_assert(!rotary_reaches(&none, a) && rotary_allows(&none, a));
+        ck_assert(rotary_allows(&machine.chain, a));
+        ck_assert(!rotary_allows(&machine.chain, leaning(RADIANS(121), 1 - half)));
     }
 }
 END_TEST
