@@ -36,6 +36,16 @@ static double off_part(const struct verdict *v, const struct kdtree *part, size_
     return sqrt(distance2) - v->options.radius;
 }
 
+/* The same at both ends of a piece. */
+struct off {
+    double begin, end;
+};
+
+static struct off off_ends(const struct verdict *v, const struct kdtree *part, size_t piece)
+{
+    return (struct off){off_part(v, part, piece, 0), off_part(v, part, piece, 1)};
+}
+
 static const struct vec3 UP = {0, 0, 1};
 
 /* The height of the part's highest point along `up`, mm. */
@@ -204,7 +214,7 @@ static struct vec3 course(const struct verdict *v, size_t piece, bool end)
 
 /* A lone rapid move on the course of the cut before and after it, and no farther off the part than
  * the ball is thick: one block of the cut that has G0. */
-static bool goes_on(const struct verdict *v, const struct kdtree *part, size_t piece)
+static bool goes_on(const struct verdict *v, size_t piece, struct off off)
 {
     const struct nc_motion *motion = v->program.motion;
     const struct nc_piece *p = &motion->piece.item[piece];
@@ -216,11 +226,11 @@ static bool goes_on(const struct verdict *v, const struct kdtree *part, size_t p
            vec_angle(course(v, piece - 1, true), way) < EVEN &&
            vec_angle(course(v, piece, true), course(v, piece + 1, false)) < EVEN &&
            vec_distance(ball_at(v, piece, 0), ball_at(v, piece, 1)) < 2 * radius &&
-           off_part(v, part, piece, 0) <= radius && off_part(v, part, piece, 1) <= radius;
+           off.begin <= radius && off.end <= radius;
 }
 
 /* A rapid move that stays beside the part from end to end, across the tool. */
-static bool goes_beside(const struct verdict *v, const struct kdtree *part, size_t piece)
+static bool goes_beside(const struct verdict *v, size_t piece, struct off off)
 {
     const struct nc_motion *motion = v->program.motion;
     const struct nc_piece *p = &motion->piece.item[piece];
@@ -228,12 +238,12 @@ static bool goes_beside(const struct verdict *v, const struct kdtree *part, size
     double near = fmax(v->map.touch, BESIDE * v->options.radius);
     struct vec3 way = vec_sub(b.p, a.p);
     return vec_length(way) > ROUNDED && fabs(vec_dot(way, a.a)) < ALONG * vec_length(way) &&
-           off_part(v, part, piece, 0) <= near && off_part(v, part, piece, 1) <= near;
+           off.begin <= near && off.end <= near;
 }
 
 /* Straight down the tool at feed, nearer to the part by half of that way: a ball that was on the
  * part would be in it. */
-static bool plunges(const struct verdict *v, const struct kdtree *part, size_t piece)
+static bool plunges(const struct verdict *v, size_t piece, struct off off)
 {
     const struct nc_motion *motion = v->program.motion;
     const struct nc_piece *p = &motion->piece.item[piece];
@@ -241,7 +251,7 @@ static bool plunges(const struct verdict *v, const struct kdtree *part, size_t p
     struct vec3 way = vec_sub(nc_motion_at(motion, p, 1).p, a.p);
     double down = -vec_dot(way, a.a);
     return p->shape == SHAPE_LINE && down >= PLUNGE && down >= STRAIGHT * vec_length(way) &&
-           off_part(v, part, piece, 0) - fmax(0, off_part(v, part, piece, 1)) >= down / 2;
+           off.begin - fmax(0, off.end) >= down / 2;
 }
 
 /* mm/min along the ball's way. */
@@ -253,26 +263,28 @@ static double speed_of(const struct verdict *v, size_t piece)
 }
 
 /* More slowly than the cut goes on, and nearer to the part: an approach, from whatever side. */
-static bool approaches(const struct verdict *v, const struct kdtree *part, size_t piece)
+static bool approaches(const struct verdict *v, size_t piece, struct off off)
 {
     const struct nc_motion *motion = v->program.motion;
     double way = vec_distance(ball_at(v, piece, 0), ball_at(v, piece, 1));
-    double nearer = off_part(v, part, piece, 0) - fmax(0, off_part(v, part, piece, 1));
+    double nearer = off.begin - fmax(0, off.end);
     return way >= PLUNGE && nearer >= COMING * way && piece + 1 < motion->piece.n &&
            !motion->piece.item[piece + 1].rapid &&
            speed_of(v, piece) < SLOWER * speed_of(v, piece + 1);
 }
 
-/* From the end of a rapid move the tool goes on at feed, nearer to the part: between points far
- * apart the ball may be as far off these when it is on it, but then it comes no nearer. */
-static bool comes_nearer(const struct verdict *v, const struct kdtree *part, size_t rapid)
+/* From the end of a rapid move, so far off the part, the tool goes on at feed, nearer to the part:
+ * between points far apart the ball may be as far off these when it is on it, but then it comes no
+ * nearer. */
+static bool comes_nearer(const struct verdict *v, const struct kdtree *part, size_t rapid,
+                         double off)
 {
     const struct nc_motion *motion = v->program.motion;
     size_t next = rapid + 1;
     if (next >= motion->piece.n || motion->piece.item[next].rapid)
         return false;
-    double nearer = off_part(v, part, rapid, 1) - off_part(v, part, next, 1);
-    return nearer > LAST_BIT || plunges(v, part, next) || approaches(v, part, next);
+    struct off then = off_ends(v, part, next);
+    return off - then.end > LAST_BIT || plunges(v, next, then) || approaches(v, next, then);
 }
 
 /*
@@ -290,11 +302,12 @@ static void judge_touches(struct verdict *v)
         if (!motion->piece.item[i].rapid)
             continue;
         bool still = vec_distance(motion->piece.item[i].p[0], motion->piece.item[i].p[1]) == 0;
-        bool begins = i > 0 && off_part(v, part, i, 0) <= on;
-        if (off_part(v, part, i, 1) <= on && !(still && begins) && !comes_back(v, i) &&
-            !comes_nearer(v, part, i))
+        struct off off = off_ends(v, part, i);
+        bool begins = i > 0 && off.begin <= on;
+        if (off.end <= on && !(still && begins) && !comes_back(v, i) &&
+            !comes_nearer(v, part, i, off.end))
             first = touches++ == 0 ? i : first;
-        else if (i > 0 && (goes_beside(v, part, i) || goes_on(v, part, i)))
+        else if (i > 0 && (goes_beside(v, i, off) || goes_on(v, i, off)))
             beside = besides++ == 0 ? i : beside;
     }
     if (touches > 0)
