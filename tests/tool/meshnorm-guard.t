@@ -140,7 +140,8 @@ meshnorm -r 3 --avoid noisy.ply >knurl.cl 2>err
 hasnt "nor where it is measured" 'noise cannot be told' err
 
 # A larger tolerance finds no edge that a smaller one does not: nine times as many were told.
-cloud2mesh -q -t 2 "$SRC/samples/face_nefertiti_26493.xyz" >face.ply 2>/dev/null
+awk '$2 > -30 && $2 < 10' "$SRC/samples/face_nefertiti_26493.xyz" >face.xyz # eyes and nose
+cloud2mesh -q -t 2 face.xyz >face.ply 2>/dev/null
 for e in 0.01 0.05; do
 	meshnorm -r 5 -e $e --scallop 1 face.ply 2>&1 >face.cl |
 		sed -n 's/.* edge not resolved at .*, one of \([0-9]*\) such points.*/\1/p'

@@ -132,7 +132,7 @@ box 1 "too many planes" -s 0.0001 --up 0,0,1 "would make [0-9]* planes, expected
 
 # ---- from a STEP file to a program that is checked
 
-status 0 "samples/step.sh" sh "$SRC/samples/step.sh"
+status 0 "samples/step.sh, a larger ball" sh "$SRC/samples/step.sh" "$SRC/tests/data/box.step" 4 2
 has "its program is accepted" "^verdict *accepted" "$TMP/out"
 
 # Slopes that all of the mesh has are the whole: what holes leave of it is cut and judged, too, and no
