@@ -68,9 +68,9 @@ bool rotary_reaches(const struct kinematic_chain *chain, struct vec3 axis);
  * for of these nothing is known then, any direction. */
 bool rotary_allows(const struct kinematic_chain *chain, struct vec3 axis);
 
-/* What rotary_reaches says for all directions between two, on the great circle: looked at every degree, and of
- * a turn of less at each quarter; where one solution ends and the other begins, more closely.  A
- * chain of no axes: true. */
+/* What rotary_reaches says for all directions between two, on the great circle: looked at every
+ * degree, and of a turn of less at each quarter; where one solution ends and the other begins, more
+ * closely.  A chain of no axes: true. */
 bool rotary_reaches_between(const struct kinematic_chain *chain, struct vec3 from, struct vec3 to);
 
 enum { ROTARY_LEAN_DIRECTIONS = 24 };

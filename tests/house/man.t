@@ -225,7 +225,8 @@ done
 mkdir "$TMP/samples"
 ln -s "$SRC/samples"/* "$TMP/samples"
 rm "$TMP/samples/panel_17036.xyz"
-awk 'NR % 3 == 0 && $1 * $1 < 484 && $2 * $2 < 289' "$SRC/samples/panel_17036.xyz" >"$TMP/samples/panel_17036.xyz"
+awk 'NR % 3 == 0 && $1 * $1 < 484 && $2 * $2 < 289' "$SRC/samples/panel_17036.xyz" \
+	>"$TMP/samples/panel_17036.xyz"
 
 for page in "$pages"/*.[157]; do
 	file=$(basename "$page")

@@ -93,7 +93,8 @@ function longest(x, n,  i, d, most) {
 function compare(  k, i, n, best, within, near, off) {
 	n = count[run]
 	stride = 1 + int(n / 60)
-	for (i = 1; i <= n; i++) { px[i] = data[run, i, 1]; py[i] = data[run, i, 2]; pz[i] = data[run, i, 3] }
+	for (i = 1; i <= n; i++) {
+		px[i] = data[run, i, 1]; py[i] = data[run, i, 2]; pz[i] = data[run, i, 3] }
 	for (k = 1; k <= places; k++) { wx[k] = way[k, 1]; wy[k] = way[k, 2]; wz[k] = way[k, 3] }
 	point_step = longest(px, n); way_step = longest(wx, places)
 	for (k = 1; k <= places; k += 1 + int(places / 200)) {

@@ -46,7 +46,7 @@ for part in pyramid.ply pyramid.stl capitals.stl; do
 	esac
 	cp $part named
 	for judge in $judges; do
-		status 0 "ncverify accepts it by $judge" ncverify -v -g $judge part.mpf
+		status 0 "ncverify accepts it by $judge" ncverify -v -g "$judge" part.mpf
 		has "which is a mesh" "$judge: points 0\.[0-9]+ mm apart on its faces" "$TMP/err"
 	done
 done

@@ -1,6 +1,6 @@
 #!/bin/sh
-# all-pipe.t - every pipe from a scan of a face to a program, read back by the tests' own reader: the
-# program does what the path says, within what ncpost states; and no broken input, at whatever
+# all-pipe.t - every pipe from a scan of a face to a program, read back by the tests' own reader:
+# the program does what the path says, within what ncpost states; and no broken input, at whatever
 # stage, gives anything that looks complete.
 . "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
 cd "$TMP" || exit 1

@@ -134,7 +134,8 @@ below "nodes of the panel" "$(deepest nodes "$TMP/panel.cl" --panel)" 0.005
 below "as published they gouge" 0.01 "$(deepest nodes "$TMP/paper.cl" --panel)"
 below "but no more than that" "$(deepest nodes "$TMP/paper.cl" --panel)" 0.025
 cloud2mesh -q -t 8 -o "$TMP/wide.ply" "$panel"
-status 0 "the panel with points between" meshnorm -q -r 8 --rows mesh -e 0.01 -o "$TMP/dense.cl" "$TMP/wide.ply"
+status 0 "the panel with points between" \
+	meshnorm -q -r 8 --rows mesh -e 0.01 -o "$TMP/dense.cl" "$TMP/wide.ply"
 below "its straight lines" "$(deepest way "$TMP/dense.cl" --panel)" 0.01
 # of the face, what is about its eyes and its nose
 awk '$2 > -30 && $2 < 10' "$SRC/samples/face_nefertiti_26493.xyz" >"$face"

@@ -458,7 +458,8 @@ empty "and the control's words" err
 status 1 "ncplot with another machine" ncplot -m table-ac -o haas.svg haas.nc
 has "says what the head says" 'head says the machine TABLE-BC, it is drawn on table-ac' err
 printf '0 -1 0 5\n1 0 0 7\n0 0 1 -3\n0 0 0 1\n' >matrix.txt
-cloud2mesh -q -t 40 -u inch --matrix matrix.txt little.xyz | meshnorm -q -r 60 --scallop 4 >placed.cl
+cloud2mesh -q -t 40 -u inch --matrix matrix.txt little.xyz |
+	meshnorm -q -r 60 --scallop 4 >placed.cl
 for control in siemens fanuc; do
 	ncpost -q -c $control placed.cl -o placed.nc
 	has "$control: the head says how the scan was placed" 'PLACE1: 0 -25.4 0 5' placed.nc
