@@ -20,7 +20,8 @@
  *   4. tool_shape.h         flute, shank and holder as a body of revolution;
  *      holder_collision.h   that body against points or stock, by clearance bounds;
  *      under_scan.h         that body and the ball in the material under a scan;
- *   5. stock.h              the stock as columns (dexels), cut by capsules, and what is left;
+ *   5. stock.h              the stock as columns (dexels), cut by capsules;
+ *      stock_block.h        the block that it is at first; stock_rest.h: what is left on the part;
  *      stock_simulate.h     the motion run over it, pass by pass;
  *   6. axis_limits.h        travel, turns, speeds and time of each axis.
  */
@@ -36,7 +37,8 @@
 #include "simulate/machine_time.h"
 #include "simulate/nc_motion.h"
 #include "simulate/path_compare.h"
-#include "simulate/stock.h"
+#include "simulate/stock_block.h"
+#include "simulate/stock_rest.h"
 #include "simulate/stock_simulate.h"
 #include "simulate/under_scan.h"
 #include "simulate/unseen_wall.h"

@@ -9,7 +9,7 @@
 
 #include "simulate/centre_path.h"
 #include "simulate/holder_collision.h"
-#include "simulate/stock.h"
+#include "simulate/stock_rest.h"
 
 struct stock_simulate_pass {
     size_t first, last; /* pieces of the motion */

@@ -2,7 +2,7 @@
 #include <check.h>
 #include <stdlib.h>
 
-#include "simulate/stock.h"
+#include "simulate/stock_rest.h"
 #include "seed.h"
 
 /* Area of the part of a disc that lies deeper than radius - depth. */

@@ -3,7 +3,8 @@
 #include <stdlib.h>
 
 #include "base/array.h"
-#include "simulate/stock.h"
+#include "simulate/stock_block.h"
+#include "simulate/stock_rest.h"
 
 /* Points of z = height(x, y) over a square of +-10, `gap` mm apart. */
 static struct vec3s surface(double (*height)(double x, double y), double gap)
