@@ -11,7 +11,8 @@
  * The stages, each of which leaves a chain that keeps the tolerance:
  *
  *   1. arcfit_beam    a search from the first point on, arc by arc, with free tangents
- *                     (arc_beam.c; where it finds no arc, a greedy biarc: arcfit.c)
+ *                     (arc_beam.c over arc_window.h and arc_axis.h; where it finds no arc,
+ *                     a greedy biarc: arcfit.c)
  *   2. arcfit_reduce  one arc fewer after the other, all joints moved together by least squares
  *                     (arcspline_reduce.c over arcspline.h)
  *   3. arcfit_lengthen   no piece shorter than a control likes, where the tolerance allows it

@@ -1,9 +1,9 @@
 /*
- * arc_beam - what the search of arcfit_beam goes by: which single arcs can follow a reference from
- * where a chain has come to, and how the tool axis is best set at an arc's end.
+ * arc_window - which single arcs can follow a reference from where a chain has come to, and how
+ * far.
  */
-#ifndef CLOUDMILL_ARC_BEAM_H
-#define CLOUDMILL_ARC_BEAM_H
+#ifndef CLOUDMILL_ARC_WINDOW_H
+#define CLOUDMILL_ARC_WINDOW_H
 
 #include "arcfit/arcfit.h"
 
@@ -42,18 +42,5 @@ struct vec3 arc_window_curvature(const struct arc_window *window, double across,
 
 /* The straight line is among the window's arcs. */
 bool arc_window_holds_line(const struct arc_window *window);
-
-/*
- * The axis at the piece's end, unit and rounded to `digits` decimals, that brings the other point
- * nearest to its reference, by least squares over some points; at the end itself it stays within
- * `part` of the two tolerances.  piece->axis_to where there is nothing to gain.
- *
- * For on a piece the axis turns on a great circle while the programmed point goes along its arc, so
- * where the other point goes is not free, but the axis at the end is: turned about the direction of
- * travel by a few hundredths of a degree it takes most of the other point's deviation away, and
- * pieces become longer.
- */
-struct vec3 arc_axis_end(const struct reference *reference, const struct arc_piece *piece,
-                         const struct deviation *within, double part, int digits);
 
 #endif
