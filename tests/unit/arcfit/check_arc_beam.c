@@ -1,6 +1,6 @@
-/* Tests of arcfit_beam: its windows on circles and lines, where all is known (arc_window.h); the axis
- * at an end (arc_axis.h); chains that are G1, within the tolerance, and of fewer pieces than biarcs
- * make. */
+/* Tests of arcfit_beam: its windows on circles and lines, where all is known (arc_window.h); the
+ * axis at an end (arc_axis.h); chains that are G1, within the tolerance, and of fewer pieces than
+ * biarcs make. */
 #include "arcfit/arc_axis.h"
 #include "arcfit/arc_window.h"
 
