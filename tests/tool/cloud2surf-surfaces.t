@@ -90,7 +90,8 @@ for kind in nurbs igs; do
 	hasnt "not where its unit is said to be another" '^comment scan' named.ply
 done
 result "$(awk 'length($0) != 80 { bad = 1 } END { exit bad }' named.igs; echo $?)" "lines of 80 all the same"
-has "planecut, given no scan, names it in the path" "SCAN.*$(wc -l <middle.xyz).*middle.xyz" bspline.cl
+has "planecut, given no scan, names it in the path" \
+	"SCAN.*$(wc -l <middle.xyz).*middle.xyz" bspline.cl
 
 status 2 "two kinds" cloud2surf --bezier --ferguson wave.xyz
 status 2 "a net for a B-spline" cloud2surf -t 2 wave.xyz

@@ -79,7 +79,8 @@ left() {
 		{ best = 1e9; for (i = -r - 1; i <= r + 1; i++) for (j = -r - 1; j <= r + 1; j++) {
 				q = (int($1 + 500) + i) * 1000 + int($2 + 500) + j
 				for (k = last[q]; k > 0; k = before[k]) {
-					d = (px[k] - $1) ^ 2 + (py[k] - $2) ^ 2 + (pz[k] - $3) ^ 2; if (d < best) best = d } }
+					d = (px[k] - $1) ^ 2 + (py[k] - $2) ^ 2 + (pz[k] - $3) ^ 2
+                    if (d < best) best = d } }
 			d = sqrt(best) - r; if (d > worst) worst = d; many += d > limit }
 		END { printf "%.4f %d\n", worst, many }' "$1" "$2"
 }

@@ -9,7 +9,8 @@ cd "$TMP" || exit 1
 # degrees from the normal in the plane of the pass.  gouge: the ball that much too deep everywhere.
 scan() { # STEP X Y: its points so far apart, over -X to X and -Y to Y
 	awk -v d="$1" -v u="$2" -v v="$3" 'BEGIN { for (y = -v; y <= v + 0.001; y += d)
-		for (x = -u; x <= u + 0.001; x += d) printf "%.5f %.5f %.5f\n", x, y, 20 - (x * x + y * y) / 80 }'
+		for (x = -u; x <= u + 0.001; x += d)
+            printf "%.5f %.5f %.5f\n", x, y, 20 - (x * x + y * y) / 80 }'
 }
 scan 0.3 18 12 >dense.xyz # for faults that only some points tell
 scan 0.4 18 12 >dome.xyz
