@@ -312,6 +312,13 @@ static void add_coolant(const struct machine *machine, struct ncread_options *op
     options->coolant_off = b->coolant_off;
 }
 
+/* The control that the head names has a word that calls a tool by its number. */
+static bool calls_tools(const struct machine *machine, const struct ncread_head *head)
+{
+    return head->numbered && strcasecmp(machine->used, head->control_file) == 0 &&
+           strstr(machine->blocks.tool_change, "{tool}");
+}
+
 static struct verify_program read_program(const struct settings *s, const struct machine *machine,
                                           const char *file, struct nc_motion *motion,
                                           struct ncread_head *head, bool *tcp)
@@ -331,6 +338,9 @@ static struct verify_program read_program(const struct settings *s, const struct
     options.cutcom = machine->cutcom;
     options.words = machine->text.words;
     options.home = machine->blocks.home;
+    options.text = s->accept ? NULL : &machine->text;
+    options.control = machine->used;
+    options.tool_change = machine->blocks.tool_change;
     options.z_top = machine->max[MACHINE_Z];
     options.tool = machine->tool;
     options.tools = machine->tools;
@@ -359,6 +369,8 @@ static struct verify_program read_program(const struct settings *s, const struct
                                    .unmet = s->accept ? 0 : head->unmet,
                                    .unmet_first = head->unmet_first,
                                    .wet = head->numbered && !head->dry && !s->accept,
+                                   .tool = s->accept || head->numbers > 1 ? 0 : head->number,
+                                   .calls = calls_tools(machine, head),
                                    .contact_feed = head->contact_feed,
                                    .of_whole = head->of_whole && !s->left_given && !s->accept,
                                    .post = head->post,

@@ -49,6 +49,7 @@ enum {
 struct ncread_head {
     char tool[NCREAD_HEAD_TEXT];    /* all of it; "": nothing */
     double ball;                    /* radius; 0: not said */
+    int number, numbers;            /* of its first tool, 0: none; how many tools are said */
     bool flute_given;               /* its length: */
     double flute;                   /* 0: none */
     char holder[NCREAD_HEAD_TEXT];  /* cones R0:R1:L or cylinders R:L joined by +; "": none */
@@ -89,6 +90,9 @@ struct ncread_options {
     const char *words;                    /* what the control's file says of words, "": nothing */
     const char *coolant[NCREAD_COOLANTS]; /* blocks of the machine's own that switch it on, */
     const char *coolant_off;              /* and off; NULL, "": M7, M8, M9 alone */
+    const struct control_text *text;      /* the control's file, of which the program is, ... */
+    const char *control;                  /* its name, ... */
+    const char *tool_change;              /* and its tool.change; NULL: it is not looked at */
     const char *home;                     /* the machine's own way home; NULL: Z0 alone */
     double z_top;                         /* Z of the machine at the top of its travel, mm */
     const struct machine_tool *tool;      /* the machine's, with their lengths */

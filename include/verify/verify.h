@@ -89,6 +89,8 @@ struct verify_program {
     double rounding;      /* that is asked for of corners at most, mm; 0: it is told alone */
     const char *made_for; /* the machine; "": not said */
     bool wet;             /* its first cut has coolant, unless the path says otherwise */
+    int tool;             /* its only tool, by its head; 0: not known */
+    bool calls;           /* and it is called, as its control's file does */
     const char *work;     /* its work offset, "": the active preset; NULL: not known */
     size_t unmet;         /* what its makers could not keep, and the first of it */
     const char *unmet_first;

@@ -145,6 +145,22 @@ static void read_noise(struct ncread_head *head, const char *s)
     head->noise = head->noise_given ? noise : 0;
 }
 
+/* Tool 3: ball nose D 8 R 4 */
+static void read_number(struct ncread_head *head, const char *s)
+{
+    char *end;
+    long number = strtol(s, &end, 10);
+
+    s = end + 1;
+    if (end[0] != ':' || number < 0 || number > 99999999)
+        return;
+    s += strspn(s, " ");
+    if (!has_word(&s, "ball nose D ") && !has_word(&s, "cutter D "))
+        return;
+    if (head->numbers++ == 0)
+        head->number = (int)number;
+}
+
 /* More of the region; a line was ended before a blank. */
 static void add_region(struct ncread_head *head, const char *text)
 {
@@ -251,6 +267,8 @@ void ncread_head_line(struct ncread_head *head, const char *line)
         s += strcspn(s, ",");
         if (*s)
             read_name(head->machine, sizeof head->machine, s + 1);
+    } else if (head->numbered && has_word(&s, "Tool ") && isdigit((unsigned char)*s)) {
+        read_number(head, s);
     } else if (head->numbered && has_word(&s, "Cut ")) {
         read_way(head, s);
     } else if (head->numbered && (has_word(&s, "Part ") || has_word(&s, "From pass "))) {

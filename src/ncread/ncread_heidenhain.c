@@ -171,6 +171,22 @@ static void machine_move(struct ncread *c, struct klartext *k)
             c->here.known[k->word[i][0] - 'X'] = false;
 }
 
+/* Between two blocks of a cut TCPM leads the tool axis by the rotary axes in proportion, or on the
+ * great circle, as PATHCTRL says, whatever words it has; here it is judged by these. */
+static void watch_path_control(struct ncread *c, const struct klartext *k, bool vectors)
+{
+    const struct ncread_place *from = &c->here, *to = &k->to;
+    bool turns = vectors ? vec_angle(from->axis, to->axis) > 1e-6
+                         : from->turn[0] != to->turn[0] || from->turn[1] != to->turn[1];
+    if (k->fast || !c->tcp || !turns || c->path_control != (vectors ? 'A' : 'V'))
+        return;
+    ncread_watch_unasked(c, c->line, c->block,
+                         vectors ? "TX TY TZ under PATHCTRL AXIS, expected PATHCTRL VECTOR"
+                                 : "rotary words under PATHCTRL VECTOR, expected PATHCTRL AXIS",
+                         0);
+    c->path_control = 0;
+}
+
 /* L and LN. */
 static int run_straight(struct ncread *c, struct klartext *k, bool vectors, struct error *error)
 {
@@ -201,6 +217,7 @@ static int run_straight(struct ncread *c, struct klartext *k, bool vectors, stru
         return ncread_hole_m99(c, &k->to, error);
     if (!k->named)
         return 0;
+    watch_path_control(c, k, vectors);
     return ncread_go(c, &k->to, ncread_piece(c, &k->to), k->fast, error);
 }
 
@@ -253,6 +270,10 @@ static int run_function(struct ncread *c, const struct klartext *k, struct error
     if (k->n != 8 || strcmp(k->word[1], "TCPM") != 0 || strcmp(k->word[5], "POS") != 0)
         return ncread_error(c, error, "a FUNCTION that this reader does not know");
     c->tcp = true;
+    c->path_control = k->word[7][0];
+    if (strcmp(k->word[3], "CONT") == 0)
+        ncread_watch_unasked(c, c->line, c->block,
+                             "F CONT: F is not the speed of the tip where the tool turns", 0);
     return 0;
 }
 

@@ -24,7 +24,7 @@ static void add_blind(struct ncread *c, bool z_said, double z)
                                                        .pieces = c->motion->piece.n,
                                                        .z_said = z_said,
                                                        .nose = z_said && ncread_nose(c),
-                                                       .turned = is_turned(c),
+                                                       .turned = is_turned(c) && !c->tcp,
                                                        .z = z_said ? unit * z : 0};
 }
 
@@ -208,7 +208,7 @@ void ncread_home_go(struct ncread *c, const struct ncread_place *to, bool rapid,
     bool aligned = ncread_nose(c) && !is_turned(c); /* X and Y go where the tip goes */
     bool astray = c->home.z ? cut && !up : cut && c->home.xy && !c->home.high && !aligned;
     if (blind && astray)
-        remark_stray(c, aligned);
+        remark_stray(c, aligned || c->tcp);
     else if (blind && c->home.z)
         add_blind(c, true, to->at[2]);
     else if (rapid && !c->home.z && names_beside(c) && (!tracked || !c->here.known[2]))

@@ -307,6 +307,8 @@ static int read_setting(struct ncread *c, const struct ncread_word *w,
         b->radius = value;
         b->radius_named = true;
     } else if (w->shortest) {
+        if (value < 0 || value > 360)
+            return ncread_error(c, error, "DC() of less than 0 or more than 360 degrees");
         if (strchr("ABC", *name) == NULL || name[1] || !ncread_nearest(c, *name, value, &b->to))
             return ncread_error(c, error, "DC() where no rotary axis is, or one not known yet");
         b->named = b->turns = true;

@@ -70,6 +70,8 @@ int ncread_m(struct ncread *c, const struct ncread_word *w, struct error *error)
         c->spindle = code == 3 || code == 4;
     else if (code == 30 || code == 2)
         c->ended = true;
+    else if (code == 6 && c->pole_p.n > 0)
+        return ncread_error(c, error, "a change of the tool amid a spline");
     else if (code == 6 && c->watch.cuts) /* to where tools are changed */
         memset(c->here.known, 0, sizeof c->here.known);
     else {
@@ -247,7 +249,7 @@ static bool length_counts(const struct ncread *c)
 
 bool ncread_nose(const struct ncread *c)
 {
-    return c->lengthened && !c->length && !c->tcp;
+    return c->lengthened && !c->length;
 }
 
 int ncread_length(struct ncread *c, struct error *error)

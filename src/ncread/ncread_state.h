@@ -13,6 +13,7 @@
 #include "ncread/ncread.h"
 #include "ncread_hole.h"
 #include "ncread_home.h"
+#include "ncread_lost.h"
 #include "ncread_meaning.h"
 #include "ncread_plane.h"
 #include "ncread_tool.h"
@@ -100,11 +101,13 @@ struct ncread {
     bool has_middle;
     struct vec3 centre; /* CC of Klartext */
     bool has_centre;
+    char path_control;          /* of TCPM: A or V, until it is told; 0: not said */
     struct ncread_plane tilted; /* the plane that X Y Z are in */
     struct ncread_hole hole;    /* the drilling cycle that is on */
     struct ncread_watch watch;
     struct ncread_home home;
     struct ncread_tool tool;
+    struct ncread_lost lost;
     /* a B-spline being read */
     int order;
     struct doubles knot, weight;

@@ -64,6 +64,22 @@ static bool takes_length(const struct ncread *c)
     return false;
 }
 
+/* Fanuc and its like then take H0, which is none, or that of a program before. */
+static void watch_number(struct ncread *c)
+{
+    bool known = c->watch.known[LENGTH] || c->watch.changed[LENGTH], asks = false;
+    for (size_t i = 0; i < c->words.n; i++) {
+        const struct ncread_word *w = &c->words.item[i];
+        enum ncread_meaning meaning = ncread_meaning_of_word(c, w);
+        double code = strcmp(w->name, "G") == 0 ? w->value[0] : 0;
+        asks = asks || (meaning == MEANS_NOTHING_KNOWN && code >= 43 && code < 44) ||
+               (code > 0 && (meaning == MEANS_LENGTH || meaning == MEANS_TCP));
+    }
+    if (asks && !known && c->options->dialect == &ncread_fanuc)
+        ncread_watch_unasked(c, c->line, c->block,
+                             "the tool's length goes on without its number, H", 0);
+}
+
 /* A work offset G110 or with a number behind it: G15 H1, G154 P5. */
 static void set_offset_g(struct ncread *c, double code, const struct ncread_word *number)
 {
@@ -131,6 +147,17 @@ bool ncread_watch_still(const struct ncread *c)
     return (c->watch.known[SPEED] || c->watch.changed[SPEED]) && !(c->speed > 0);
 }
 
+bool ncread_watch_tool(const struct ncread *c)
+{
+    return c->watch.known[TOOL];
+}
+
+bool ncread_watch_edge(const struct ncread *c, double *edge)
+{
+    *edge = c->watch.value[EDGE];
+    return c->watch.known[EDGE];
+}
+
 static void watch_m(struct ncread *c, double code)
 {
     if (code == 3 || code == 13)
@@ -193,6 +220,15 @@ static bool takes_radius(const struct ncread *c)
     return false;
 }
 
+/* True where the block has a work offset that is a word of the control's own. */
+static bool sets_offset(const struct ncread *c)
+{
+    for (size_t i = 0; i < c->words.n; i++)
+        if (ncread_meaning_of_word(c, &c->words.item[i]) == MEANS_OFFSET)
+            return true;
+    return false;
+}
+
 void ncread_watch_words(struct ncread *c)
 {
     for (size_t i = 0; i < c->words.n; i++) {
@@ -216,7 +252,8 @@ void ncread_watch_words(struct ncread *c)
                 set_value(c, EDGE, w->value[0]);
             break;
         case 'H':
-            set_value(c, LENGTH, w->value[0]);
+            if (takes_length(c) || !sets_offset(c)) /* G15 H1 of Okuma */
+                set_value(c, LENGTH, w->value[0]);
             break;
         case 'S':
             if (!waits_or_limits(c))
@@ -226,7 +263,9 @@ void ncread_watch_words(struct ncread *c)
             break;
         }
     }
+    watch_number(c);
     watch_own_coolant(c);
+    ncread_lost_words(c);
     ncread_home_words(c);
 }
 
@@ -360,7 +399,9 @@ void ncread_watch_cut(struct ncread *c)
         ncread_watch_remark(c, c->line, c->block, "cuts without a work offset, G54 or another");
     if (!w->cuts && !c->home.called && c->options->dialect == &ncread_heidenhain && ncread_ours(c))
         ncread_watch_remark(c, c->line, c->block, "cuts before a tool is called");
-    if (!w->cuts)
+    if (!w->cuts) {
+        ncread_lost_tell(c);
         tell_first(c);
+    }
     w->cuts = true;
 }

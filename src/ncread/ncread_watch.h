@@ -35,6 +35,10 @@ void ncread_watch_speed(struct ncread *c, double speed);
 /* It was said, and nothing turns so. */
 bool ncread_watch_still(const struct ncread *c);
 
+/* A tool was called before the first cut; an edge of it, D, which. */
+bool ncread_watch_tool(const struct ncread *c);
+bool ncread_watch_edge(const struct ncread *c, double *edge);
+
 /* Remarks it of a place in the motion. */
 void ncread_watch_remark(struct ncread *c, size_t line, long block, const char *text);
 

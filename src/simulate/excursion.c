@@ -10,6 +10,8 @@
 #define NEAR_END 0.1 /* of a piece, from its end: how it goes there */
 #define MOST 0.5     /* of its height: so far a spike amid a link rises over both its feet */
 
+#define ASIDE_RADII 2 /* a spike of straight blocks is told that goes aside by so many radii, ... */
+#define ASIDE_MORE 10 /* ... and mm more: nobody knows what stands beside the part */
 #define SMOOTH 0.17 /* radians that the course bends where an arc goes on from what is before it */
 
 /* Spans of a curve: no pole or coefficient reaches over more than six; the last pole, which is the
@@ -233,8 +235,11 @@ static void look_at_stretch(struct search *s, size_t from, size_t to)
     if (spans >= REACH || is_smooth_arc(s, segment[from].piece))
         return; /* a link */
     double height = clearance(s, segment[top].b);
-    if (most > band && height > band &&
-        up_the_tool(s, from, top, to, rise_over_line(a, b, segment[top].b)) >= RISES * most)
+    bool straight = s->motion->piece.item[segment[from].piece].shape == SHAPE_LINE;
+    if (straight && height > ASIDE_RADII * s->options->radius + ASIDE_MORE)
+        add_excursion(s, top, height);
+    else if (most > band && height > band &&
+             up_the_tool(s, from, top, to, rise_over_line(a, b, segment[top].b)) >= RISES * most)
         add_excursion(s, top, height);
 }
 

@@ -29,13 +29,24 @@ static void judge_tool(struct verdict *v, size_t cut)
         finding_add(v, true, cut, "the path's spindle turns at %g, the program's at %g",
                     path->speed, motion->speed);
     if (path->tool > 0 && motion->tool == 0)
-        finding_add(v, false, cut, "the path is for tool %d, the program calls none", path->tool);
+        finding_add(v, v->program.calls, cut, "the path is for tool %d, the program calls none",
+                    path->tool);
     if (path->tool > 0 && motion->tool > 0 && path->tool != motion->tool)
         finding_add(v, true, cut, "the path is for tool %d, the program takes tool %d", path->tool,
                     motion->tool);
     if (path->offset > 0 && motion->offset > 0 && path->offset != motion->offset)
         finding_add(v, true, cut, "the path is for the length H%d, the program switches on H%d",
                     path->offset, motion->offset);
+}
+
+/* Tool, against the head. */
+static void judge_only_tool(struct verdict *v, size_t cut)
+{
+    int said = v->program.tool, tool = v->program.motion->tool;
+    if (said > 0 && tool > 0 && tool != said)
+        finding_add(v, true, cut, "the program's head says tool %d, it takes tool %d", said, tool);
+    if (said > 0 && tool == 0 && v->program.calls)
+        finding_add(v, true, cut, "the program's head says tool %d, it calls none", said);
 }
 
 /* Without a path its head alone knows that no coolant was asked for. */
@@ -73,6 +84,8 @@ void verify_made(struct verdict *v)
         return;
     if (v->program.path)
         judge_tool(v, cut);
+    else
+        judge_only_tool(v, cut);
     judge_coolant(v, cut);
     judge_work(v, cut);
 }

@@ -76,7 +76,7 @@ for c in fanuc linuxcnc; do
 	has "gouges by the difference" '1\.500' out
 	sed 's/T2 M6/T1 M6/' plane.$c >high.$c
 	status 3 "$c: a shorter tool than is switched on" ncverify -m ./m.txt -g plane.xyz -r 5 high.$c
-	sed 's/T2 M6/T7 M6/; s/ H2/ H7/' plane.$c >seven.$c
+	sed "s,T2 M6,T7 M6,; s, H2, H7,; s,(TOOL 2:,(TOOL 7:," plane.$c >seven.$c
 	status 0 "$c: of a tool without length, on a machine whose head stands" \
 		ncverify -m ./m.txt -g plane.xyz -r 5 seven.$c
 done

@@ -1,0 +1,116 @@
+/* ncread_lost - see ncread_lost.h. */
+#include "ncread_lost.h"
+
+#include <ctype.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+#include "math/elementary.h"
+#include "ncread_state.h"
+
+/* Ten times the number of a G word, -1: it is none that is kept. */
+static int tenths(double code)
+{
+    return code >= 0 && 10 * code < NCREAD_LOST_G - 0.5 ? (int)lround(10 * code) : -1;
+}
+
+void ncread_lost_words(struct ncread *c)
+{
+    for (size_t i = 0; i < c->words.n; i++) {
+        const struct ncread_word *w = &c->words.item[i];
+        int code = strcmp(w->name, "G") == 0 && w->values == 1 ? tenths(w->value[0]) : -1;
+        if (code >= 0)
+            c->lost.g[code] = true;
+        c->lost.oriwks = c->lost.oriwks || strcmp(w->name, "ORIWKS") == 0;
+    }
+}
+
+/* One of them, named with the first cut. */
+static void tell(struct ncread *c, const char *word, const char *where)
+{
+    char text[120];
+    snprintf(text, sizeof text, "cuts without %.20s before it, which the control's file has %s",
+             word, where);
+    ncread_watch_remark(c, c->line, c->block, text);
+}
+
+/* What begins a line of the file, is in every program of this unit: *s behind the conditions. */
+static bool stands_always(const struct ncread *c, const char **s)
+{
+    const char *unit = c->unit == INCH ? "{?inch}" : "{?mm}";
+    if (strncmp(*s, unit, strlen(unit)) == 0)
+        *s += strlen(unit);
+    return strncmp(*s, "{?", 2) != 0 && strncmp(*s, "{line}", 6) != 0;
+}
+
+/* The G words of a line that are no fields. */
+static void look_at_line(struct ncread *c, const char *s, size_t n, const char *where)
+{
+    const char *end = s + n;
+    char word[20];
+    while (s < end && *s != '(' && *s != ';') {
+        size_t more = strcspn(s, " \n");
+        char *behind;
+        double code = *s == 'G' ? strtod(s + 1, &behind) : -1;
+        bool whole = *s == 'G' && isdigit((unsigned char)s[1]) && behind == s + more;
+        int k = whole ? tenths(code) : -1;
+        if (k >= 0 && !c->lost.g[k]) {
+            snprintf(word, sizeof word, "G%.6g", code);
+            tell(c, word, where);
+        }
+        s += more + (s + more < end);
+    }
+}
+
+static void look_at_section(struct ncread *c, enum control_section section, const char *where)
+{
+    const char *next;
+    for (const char *s = c->options->text->section[section]; *s; s = next) {
+        size_t n = strcspn(s, "\n");
+        next = s + n + (s[n] == '\n');
+        const char *from = s;
+        if (stands_always(c, &from))
+            look_at_line(c, from, n - (size_t)(from - s), where);
+    }
+}
+
+/* The word stands in it, and no letter or digit follows. */
+static bool has_word(const char *text, const char *word)
+{
+    const char *s = strstr(text, word);
+    return s && !isalnum((unsigned char)s[strlen(word)]) && s[strlen(word)] != '.';
+}
+
+/* A tool that is selected is not in the spindle yet; the edge of Siemens is its length. */
+static void look_at_tool(struct ncread *c)
+{
+    const char *change = c->options->tool_change;
+    double edge;
+    if (!change || strchr(change, '?') || !ncread_watch_tool(c))
+        return;
+    if (has_word(change, "M6") && !c->tool.changes)
+        tell(c, "M6", "with the tool");
+    if (has_word(change, "D1") && (!ncread_watch_edge(c, &edge) || edge != 1))
+        tell(c, "D1", "with the tool");
+}
+
+void ncread_lost_tell(struct ncread *c)
+{
+    const struct control_text *text = c->options->text;
+    bool linuxcnc = c->options->dialect == &ncread_linuxcnc;
+    bool siemens = c->options->dialect == &ncread_siemens;
+    if (!text || !ncread_ours(c) || !c->options->control ||
+        strcasecmp(c->options->control, c->options->head->control_file) != 0)
+        return;
+    look_at_section(c, SECTION_START, "at its start");
+    look_at_section(c, SECTION_APPROACH, "in its approach");
+    look_at_tool(c);
+    /* without both it blends corners as far as it likes */
+    if (linuxcnc && has_word(text->section[SECTION_START], "G61") && !c->lost.g[610] &&
+        !c->lost.g[640])
+        tell(c, "G61 or G64", "at its start");
+    if (siemens && c->tcp && strstr(text->section[SECTION_APPROACH], "ORIWKS") && !c->lost.oriwks)
+        tell(c, "ORIWKS", "after TRAORI");
+}
