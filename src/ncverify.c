@@ -341,6 +341,7 @@ static struct verify_program read_program(const struct settings *s, const struct
     options.text = s->accept ? NULL : &machine->text;
     options.control = machine->used;
     options.tool_change = machine->blocks.tool_change;
+    options.safe = machine->blocks.safe;
     options.z_top = machine->max[MACHINE_Z];
     options.tool = machine->tool;
     options.tools = machine->tools;
@@ -369,6 +370,8 @@ static struct verify_program read_program(const struct settings *s, const struct
                                    .unmet = s->accept ? 0 : head->unmet,
                                    .unmet_first = head->unmet_first,
                                    .wet = head->numbered && !head->dry && !s->accept,
+                                   .clockwise =
+                                       head->numbered && !head->anticlockwise && !s->accept,
                                    .tool = s->accept || head->numbers > 1 ? 0 : head->number,
                                    .calls = calls_tools(machine, head),
                                    .contact_feed = head->contact_feed,

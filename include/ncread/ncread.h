@@ -64,6 +64,7 @@ struct ncread_head {
     bool numbered;                  /* by ncpost: in even steps */
     unsigned asked;                 /* enum nc_asked: what its path does amid a tool */
     bool dry;                       /* its first cut is made without coolant */
+    bool anticlockwise;             /* and the spindle turns so in it */
     bool of_whole;                  /* the program is a part, and this of all of it: ... */
     double rapid;                   /* way of rapid moves, mm; 0: not said */
     char machine[NCREAD_HEAD_TEXT]; /* its name, as far as it is there; "": not said */
@@ -92,7 +93,7 @@ struct ncread_options {
     const char *coolant_off;              /* and off; NULL, "": M7, M8, M9 alone */
     const struct control_text *text;      /* the control's file, of which the program is, ... */
     const char *control;                  /* its name, ... */
-    const char *tool_change;              /* and its tool.change; NULL: it is not looked at */
+    const char *tool_change, *safe;       /* and its keys; NULL: they are not looked at */
     const char *home;                     /* the machine's own way home; NULL: Z0 alone */
     double z_top;                         /* Z of the machine at the top of its travel, mm */
     const struct machine_tool *tool;      /* the machine's, with their lengths */

@@ -91,6 +91,7 @@ struct verify_program {
     bool wet;             /* its first cut has coolant, unless the path says otherwise */
     int tool;             /* its only tool, by its head; 0: not known */
     bool calls;           /* and it is called, as its control's file does */
+    bool clockwise;       /* its spindle turns so, unless the path says otherwise */
     const char *work;     /* its work offset, "": the active preset; NULL: not known */
     size_t unmet;         /* what its makers could not keep, and the first of it */
     const char *unmet_first;

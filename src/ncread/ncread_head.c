@@ -252,6 +252,8 @@ void ncread_head_line(struct ncread_head *head, const char *line)
                       (has_word(&s, "SKIPS") ? NC_ASKED_SKIPS : 0u);
     } else if (has_key(&s, "COOLANT: NONE")) {
         head->dry = true;
+    } else if (has_key(&s, "SPINDLE: CCLW")) {
+        head->anticlockwise = true;
     } else if (has_key(&s, "FEED: CONTACT")) {
         head->contact_feed = true;
     } else if (has_key(&s, "*** ATTENTION: X Y Z ARE THE CENTRE OF THE BALL")) {

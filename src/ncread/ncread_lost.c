@@ -51,7 +51,7 @@ static void look_at_line(struct ncread *c, const char *s, size_t n, const char *
     const char *end = s + n;
     char word[20];
     while (s < end && *s != '(' && *s != ';') {
-        size_t more = strcspn(s, " \n");
+        size_t more = strcspn(s, " |\n");
         char *behind;
         double code = *s == 'G' ? strtod(s + 1, &behind) : -1;
         bool whole = *s == 'G' && isdigit((unsigned char)s[1]) && behind == s + more;
@@ -73,6 +73,19 @@ static void look_at_section(struct ncread *c, enum control_section section, cons
         const char *from = s;
         if (stands_always(c, &from))
             look_at_line(c, from, n - (size_t)(from - s), where);
+    }
+}
+
+/* Those of the key `safe`, which the start has as a line. */
+static void look_at_safe(struct ncread *c)
+{
+    const char *safe = c->options->safe;
+    if (!safe || strchr(safe, '{') ||
+        !strstr(c->options->text->section[SECTION_START], "\n{safe}\n"))
+        return;
+    for (size_t n; *safe; safe += n + (safe[n] == '|')) {
+        n = strcspn(safe, "|");
+        look_at_line(c, safe, n, "at its start");
     }
 }
 
@@ -106,6 +119,7 @@ void ncread_lost_tell(struct ncread *c)
         return;
     look_at_section(c, SECTION_START, "at its start");
     look_at_section(c, SECTION_APPROACH, "in its approach");
+    look_at_safe(c);
     look_at_tool(c);
     /* without both it blends corners as far as it likes */
     if (linuxcnc && has_word(text->section[SECTION_START], "G61") && !c->lost.g[610] &&

@@ -12,7 +12,8 @@ enum {
     CYCLE800_MODE = 3,
     AXIS_BY_AXIS = 57,
     CYCLE800_SHIFT = 10,
-    ARGUMENTS = 13
+    CYCLE800_DIRECTION = 13, /* 0: the plane is reckoned alone, nothing turns */
+    ARGUMENTS = 14
 };
 
 static void forget_place(struct ncread *c)
@@ -43,13 +44,13 @@ static void turn_frame(struct ncread_plane *p, int axis, double degrees)
 }
 
 static int enter_plane(struct ncread *c, struct vec3 origin, const int axis[3],
-                       const double degrees[3], struct error *error)
+                       const double degrees[3], bool brought, struct error *error)
 {
     if (c->tcp || c->tilted.on)
         return ncread_error(c, error,
                             "a tilted plane within another or under tool centre point "
                             "control");
-    c->tilted = (struct ncread_plane){true, origin, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    c->tilted = (struct ncread_plane){true, brought, origin, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     for (int i = 0; i < 3; i++)
         turn_frame(&c->tilted, axis[i], degrees[i]);
     forget_place(c);
@@ -71,8 +72,12 @@ int ncread_plane_g(struct ncread *c, struct error *error)
     }
     if (begins + others + leaves > 1)
         return ncread_error(c, error, "G68.2, G53.1 and G69 in one block");
-    if (others)
-        return c->tilted.on ? 1 : ncread_error(c, error, "G53.1 without G68.2");
+    if (others && !c->tilted.on)
+        return ncread_error(c, error, "G53.1 without G68.2");
+    if (others) {
+        c->tilted.brought = true;
+        return 1;
+    }
     if (leaves && c->tilted.on)
         leave_plane(c);
     if (!begins)
@@ -83,14 +88,14 @@ int ncread_plane_g(struct ncread *c, struct error *error)
             return ncread_error(c, error, "G68.2 wants X Y Z I J K with decimal points");
         v[i] = w->value[0];
     }
-    return enter_plane(c, vec(v[0], v[1], v[2]), euler, v + 3, error) < 0 ? -1 : 2;
+    return enter_plane(c, vec(v[0], v[1], v[2]), euler, v + 3, false, error) < 0 ? -1 : 2;
 }
 
 int ncread_plane_cycle800(struct ncread *c, struct error *error)
 {
     static const int axes[] = {0, 1, 2};
     const char *s = strstr(c->text, "CYCLE800(");
-    double v[ARGUMENTS] = {0};
+    double v[ARGUMENTS] = {[CYCLE800_DIRECTION] = -1};
     if (!s)
         return 0;
     s = strchr(s, '(') + 1;
@@ -106,7 +111,8 @@ int ncread_plane_cycle800(struct ncread *c, struct error *error)
     for (int i = 0; i < 3; i++)
         if (v[CYCLE800_SHIFT + i] != 0)
             return ncread_error(c, error, "CYCLE800 with a shift in the plane");
-    return enter_plane(c, vec(v[4], v[5], v[6]), axes, v + CYCLE800_ANGLES, error);
+    return enter_plane(c, vec(v[4], v[5], v[6]), axes, v + CYCLE800_ANGLES,
+                       v[CYCLE800_DIRECTION] != 0, error);
 }
 
 int ncread_plane_spatial(struct ncread *c, struct error *error)
@@ -130,7 +136,14 @@ int ncread_plane_spatial(struct ncread *c, struct error *error)
     }
     if (!strstr(c->text, " TURN") && !strstr(c->text, " MOVE"))
         return ncread_error(c, error, "PLANE SPATIAL without TURN or MOVE");
-    return enter_plane(c, vec(0, 0, 0), axes, v, error);
+    return enter_plane(c, vec(0, 0, 0), axes, v, true, error);
+}
+
+bool ncread_plane_reached(const struct ncread *c)
+{
+    const double upright = RADIANS(0.02);
+    return !c->tilted.on || c->tilted.brought ||
+           (c->here.has_axis && vec_angle(c->here.axis, c->tilted.z) < upright);
 }
 
 static struct vec3 direction_in_work(const struct ncread_plane *p, struct vec3 v)

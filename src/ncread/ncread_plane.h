@@ -16,7 +16,7 @@
 struct ncread;
 
 struct ncread_plane {
-    bool on;
+    bool on, brought; /* the rotary axes were turned to it */
     struct vec3 origin, x, y, z;
 };
 
@@ -25,6 +25,10 @@ struct ncread_plane {
 int ncread_plane_g(struct ncread *c, struct error *error);
 int ncread_plane_cycle800(struct ncread *c, struct error *error);
 int ncread_plane_spatial(struct ncread *c, struct error *error);
+
+/* The tool stands upright in the plane that is on: it was brought there, or its rotary words say
+ * so.  Of a plane that is off true. */
+bool ncread_plane_reached(const struct ncread *c);
 
 /* What was read in the plane, as it is in the work: a piece with its arc or polynomial; the poles
  * of the spline being read. */

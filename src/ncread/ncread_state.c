@@ -283,6 +283,9 @@ int ncread_ready(struct ncread *c, struct error *error)
         return ncread_error(c, error, "cuts while the spindle is off");
     if (c->options->tcp && !c->tcp && !c->tilted.on && !ncread_upright(c))
         return ncread_error(c, error, "cuts without tool centre point control");
+    if (!ncread_plane_reached(c))
+        return ncread_error(c, error,
+                            "cuts in a tilted plane to which the tool was not turned (G53.1)");
     if (ncread_watch_still(c))
         return ncread_error(c, error, "cuts at a speed of the spindle that is not above 0");
     if (!(c->feed > 0))

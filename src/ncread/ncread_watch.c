@@ -67,7 +67,9 @@ static bool takes_length(const struct ncread *c)
 /* Fanuc and its like then take H0, which is none, or that of a program before. */
 static void watch_number(struct ncread *c)
 {
-    bool known = c->watch.known[LENGTH] || c->watch.changed[LENGTH], asks = false;
+    bool known = c->watch.known[LENGTH] || c->watch.changed[LENGTH] ||
+                 ncread_word_find(&c->words, "D"); /* by which others count lengths */
+    bool asks = false;
     for (size_t i = 0; i < c->words.n; i++) {
         const struct ncread_word *w = &c->words.item[i];
         enum ncread_meaning meaning = ncread_meaning_of_word(c, w);
@@ -399,6 +401,8 @@ void ncread_watch_cut(struct ncread *c)
         ncread_watch_remark(c, c->line, c->block, "cuts without a work offset, G54 or another");
     if (!w->cuts && !c->home.called && c->options->dialect == &ncread_heidenhain && ncread_ours(c))
         ncread_watch_remark(c, c->line, c->block, "cuts before a tool is called");
+    if (!w->cuts && !w->known[SPEED] && ncread_ours(c))
+        ncread_watch_remark(c, c->line, c->block, "cuts before a speed of the spindle, S, is said");
     if (!w->cuts) {
         ncread_lost_tell(c);
         tell_first(c);

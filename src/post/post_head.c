@@ -183,6 +183,8 @@ static void head_tool(struct nc_program *p)
     tool_key(p);
     if (nc_cuts_dry(p))
         key_line(p, "COOLANT", "NONE");
+    if (nc_cuts_anticlockwise(p))
+        key_line(p, "SPINDLE", "CCLW");
     amid_key(p);
 }
 

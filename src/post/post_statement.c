@@ -263,15 +263,28 @@ void nc_coolant(struct nc_program *p)
         start_coolant(p, p->tooling.coolant);
 }
 
-bool nc_cuts_dry(const struct nc_program *p)
+/* What the first cut is made with; false: nothing is cut. */
+static bool first_cut(const struct nc_program *p, struct nc_tooling *now)
 {
-    struct nc_tooling now = p->tooling;
     const struct nc_move *move = p->plan->move.item, *end = move + p->plan->move.n;
+    *now = p->tooling;
     for (; move < end && (!nc_moves(move) || move->kind == NC_RAPID); move++)
         if (move->kind == NC_TEXT)
-            says_tooling(p->path->text.item[move->index], &now);
-    return move < end &&
+            says_tooling(p->path->text.item[move->index], now);
+    return move < end;
+}
+
+bool nc_cuts_dry(const struct nc_program *p)
+{
+    struct nc_tooling now;
+    return first_cut(p, &now) &&
            (now.coolant <= COOLANT_OFF || !control_text_has(&p->machine->text, "{coolant}"));
+}
+
+bool nc_cuts_anticlockwise(const struct nc_program *p)
+{
+    struct nc_tooling now;
+    return first_cut(p, &now) && now.spindle > 0 && now.ccw;
 }
 
 /* ---- what is missing */

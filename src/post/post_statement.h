@@ -60,6 +60,9 @@ void nc_warn_no_tool(struct nc_program *p);
  * place for it. */
 bool nc_cuts_dry(const struct nc_program *p);
 
+/* The spindle turns anticlockwise in the first cut. */
+bool nc_cuts_anticlockwise(const struct nc_program *p);
+
 /* What the whole plan lacks and was not said to be left out. */
 struct nc_missing {
     bool spindle, tool, coolant;

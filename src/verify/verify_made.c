@@ -63,6 +63,15 @@ static void judge_coolant(struct verdict *v, size_t cut)
                     "(COOLANT: NONE)");
 }
 
+/* The head alone knows it, too. */
+static void judge_sense(struct verdict *v, size_t cut)
+{
+    if (v->program.clockwise && v->program.motion->turns < 0)
+        finding_add(v, true, cut,
+                    "the spindle turns anticlockwise, and the program's head does not say so "
+                    "(SPINDLE: CCLW)");
+}
+
 static void judge_work(struct verdict *v, size_t cut)
 {
     const char *made = v->program.work, *work = v->program.motion->work;
@@ -86,6 +95,8 @@ void verify_made(struct verdict *v)
         judge_tool(v, cut);
     else
         judge_only_tool(v, cut);
+    if (!v->program.path)
+        judge_sense(v, cut);
     judge_coolant(v, cut);
     judge_work(v, cut);
 }

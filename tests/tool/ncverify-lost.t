@@ -31,6 +31,8 @@ lost() {
 
 # ---- modal words of its start
 all=' before it, which the control.s file has'
+post fanuc table-ac dome.cl
+lost 's/^(N[0-9]+) G69$/\1/' "cuts without G69$all at its start"
 for c in fanuc haas okuma siemens linuxcnc; do
 	machine=table-ac
 	[ $c = linuxcnc ] && machine=linuxcnc-xyzac
@@ -78,6 +80,20 @@ sed 's/G43 H1 /G43 /' good.nc >bad.nc
 judge 0 "which takes the tool's own length" bad.nc
 lost 's/ G53 G0 Z0\.$/ G0 Z0./' "a rapid move to a place of the work without the tool's length"
 
+# ---- the spindle
+for c in fanuc siemens heidenhain linuxcnc; do
+	machine=table-ac
+	[ $c = linuxcnc ] && machine=linuxcnc-xyzac
+	post $c $machine dome.cl
+	lost 's/^(N?[0-9]+ .*)?M3$/\1M4/' "the spindle turns anticlockwise, and .*SPINDLE: CCLW"
+	judge 0 "its head is left aside" bad.nc --accept
+	lost 's/ S8000//' "cuts before a speed of the spindle, S, is said"
+	sed 's/CLW/CCLW/' dome.cl >left.cl
+	post $c $machine left.cl
+	has "$c: the head says it" 'SPINDLE: CCLW' good.nc
+	judge 0 "as the path asks for" good.nc
+done
+
 # ---- a file of a control of one's own, which has other words
 sed '/^G90 G17/d; s/G40 G49 G80 G94/G80 G94/; s/M6$/M66/' "$SRC/controls/fanuc.txt" >own.txt
 post ./own.txt table-ac dome.cl
@@ -102,6 +118,17 @@ lost 's/ F TCP / F CONT /' 'F CONT: F is not the speed of the tip where the tool
 post heidenhain table-ac --vectors dome.cl
 judge 0 "vectors" good.nc
 lost 's/PATHCTRL VECTOR/PATHCTRL AXIS/' 'TX TY TZ under PATHCTRL AXIS, expected PATHCTRL VECTOR'
+
+# ---- a tilted plane to which nothing turns the tool
+meshnorm -q -r 5 --scallop 0.2 --fixed 0.2,0.1,1 -o fixed.cl dome.ply
+for c in fanuc siemens; do
+	post $c table-ac --plane fixed.cl
+	judge 0 "a tilted plane" good.nc
+	sed -E 's/^(N[0-9]+) G53\.1$/\1/; s/(CYCLE800\(.*),1,0,1\)/\1,0,0,1)/' good.nc >bad.nc
+	judge 1 "to which the tool is not turned" bad.nc
+	has "$c: is refused with the block that cuts" \
+		'bad.nc:[0-9]+: N[0-9]+: cuts in a tilted plane to which the tool was not turned' err
+done
 
 # ---- far beside the part and back
 post fanuc table-ac dome.cl
