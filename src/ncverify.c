@@ -610,7 +610,7 @@ int main(int argc, char **argv)
     if (region_given(&region))
         program.region = &region;
     if (program.region && !s.partial)
-        note("its head says that a region is cut: --partial judges that alone");
+        say("its head says that a region is cut: --partial judges that alone");
     const struct verify_options options = {.radius = s.radius,
                                            .tolerance = s.tolerance,
                                            .left = s.left,

@@ -10,8 +10,9 @@
 #define NEAR_END 0.1 /* of a piece, from its end: how it goes there */
 #define MOST 0.5     /* of its height: so far a spike amid a link rises over both its feet */
 
-#define ASIDE_RADII 2 /* a spike of straight blocks is told that goes aside by so many radii, ... */
-#define ASIDE_MORE 10 /* ... and mm more: nobody knows what stands beside the part */
+#define ASIDE_RADII 2 /* two straight blocks, or an arc, are told that go aside by so many radii */
+#define ASIDE_MORE 10 /* and mm more, for nobody knows what stands beside the part, ... */
+#define ASIDE_CURVE 3 /* ... and curves so many times as far: they may run out of a row and back */
 #define SMOOTH 0.17 /* radians that the course bends where an arc goes on from what is before it */
 
 /* Spans of a curve: no pole or coefficient reaches over more than six; the last pole, which is the
@@ -207,6 +208,14 @@ static bool is_smooth_arc(const struct search *s, size_t piece)
     return bend_before(s, piece) < SMOOTH && bend_before(s, piece + 1) < SMOOTH;
 }
 
+/* So far aside a stretch may go that begins in this piece. */
+static double aside(const struct search *s, size_t piece)
+{
+    double off = ASIDE_RADII * s->options->radius + ASIDE_MORE;
+    const struct nc_piece *p = &s->motion->piece.item[piece];
+    return p->shape == SHAPE_LINE || p->shape == SHAPE_ARC ? off : ASIDE_CURVE * off;
+}
+
 /* A stretch of segments off the part, both ends among them. */
 static void look_at_stretch(struct search *s, size_t from, size_t to)
 {
@@ -232,14 +241,13 @@ static void look_at_stretch(struct search *s, size_t from, size_t to)
             look_at_end(s, to);
         return;
     }
-    if (spans >= REACH || is_smooth_arc(s, segment[from].piece))
+    if (spans >= REACH)
         return; /* a link */
+    struct vec3 rise = rise_over_line(a, b, segment[top].b);
     double height = clearance(s, segment[top].b);
-    bool straight = s->motion->piece.item[segment[from].piece].shape == SHAPE_LINE;
-    if (straight && height > ASIDE_RADII * s->options->radius + ASIDE_MORE)
-        add_excursion(s, top, height);
-    else if (most > band && height > band &&
-             up_the_tool(s, from, top, to, rise_over_line(a, b, segment[top].b)) >= RISES * most)
+    bool up = up_the_tool(s, from, top, to, rise) >= RISES * most;
+    bool link = up && is_smooth_arc(s, segment[from].piece);
+    if (!link && most > band && height > (up ? band : aside(s, segment[from].piece)))
         add_excursion(s, top, height);
 }
 

@@ -225,6 +225,20 @@ START_TEST(beside_the_part_is_none)
 }
 END_TEST
 
+/* Where nobody knows what stands: two straight blocks by two radii and 10 mm, curves by more. */
+START_TEST(far_beside_the_part)
+{
+    const double far[PIECES + 1] = {0, 0, 0, 30, 0, 0, 0},
+                              near[PIECES + 1] = {0, 0, 0, 20, 0, 0, 0};
+    const double farther[PIECES + 1] = {0, 0, 10, 80, 10, 0, 0};
+    struct excursion out = over(level, far, SHAPE_LINE);
+    ck_assert_uint_eq(out.count, 1);
+    ck_assert_double_eq_tol(out.at.y, 30, 1e-6);
+    ck_assert_uint_eq(over(level, near, SHAPE_LINE).count, 0);
+    ck_assert_uint_eq(over(level, farther, SHAPE_POLYNOMIAL).count, 1);
+}
+END_TEST
+
 START_TEST(a_layer_above_the_part_is_none)
 {
     const double high[PIECES + 1] = {3, 3, 6, 9, 6, 3, 3};
@@ -297,6 +311,7 @@ int main(void)
     tcase_add_test(tcase, a_sharp_way_in_is_none);
     tcase_add_test(tcase, up_across_and_down_is_a_way);
     tcase_add_test(tcase, beside_the_part_is_none);
+    tcase_add_test(tcase, far_beside_the_part);
     tcase_add_test(tcase, a_layer_above_the_part_is_none);
     suite_add_tcase(suite, tcase);
     SRunner *runner = srunner_create(suite);
