@@ -98,7 +98,9 @@ static int read_g(struct ncread *c, const struct ncread_word *w, struct gcode_bl
         c->length = c->tcp_by_length = true;
         return start_tcp(c, w, b, error);
     case 490:
-        c->tcp = c->vectors = c->length = false;
+        c->tcp = c->tcp && !c->tcp_by_length; /* M128 of Hurco stays on */
+        c->vectors = c->vectors && c->tcp;
+        c->length = false;
         c->here.known[2] = c->here.known[2] && !c->lengthened;
         b->to.known[2] = b->to.known[2] && !c->lengthened;
         return 0;

@@ -96,6 +96,12 @@ static bool has_word(const char *text, const char *word)
     return s && !isalnum((unsigned char)s[strlen(word)]) && s[strlen(word)] != '.';
 }
 
+bool ncread_lost_edge(const struct ncread *c)
+{
+    const char *change = c->options->tool_change;
+    return change && strstr(change, "D{offset}");
+}
+
 /* A tool that is selected is not in the spindle yet; the edge of Siemens is its length. */
 static void look_at_tool(struct ncread *c)
 {
@@ -107,6 +113,8 @@ static void look_at_tool(struct ncread *c)
         tell(c, "M6", "with the tool");
     if (has_word(change, "D1") && (!ncread_watch_edge(c, &edge) || edge != 1))
         tell(c, "D1", "with the tool");
+    if (ncread_lost_edge(c) && !ncread_watch_edge(c, &edge))
+        tell(c, "D", "with the tool");
 }
 
 void ncread_lost_tell(struct ncread *c)

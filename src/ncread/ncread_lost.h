@@ -20,6 +20,9 @@ struct ncread_lost {
 /* The words of the block just read. */
 void ncread_lost_words(struct ncread *c);
 
+/* D of the tool's call is the number of its length, as the control's file says (Fagor). */
+bool ncread_lost_edge(const struct ncread *c);
+
 /* The first cut begins: remarks what is missing. */
 void ncread_lost_tell(struct ncread *c);
 

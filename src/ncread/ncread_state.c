@@ -249,7 +249,8 @@ static bool length_counts(const struct ncread *c)
 
 bool ncread_nose(const struct ncread *c)
 {
-    return c->lengthened && !c->length;
+    bool by_machine = c->options->dialect == &ncread_linuxcnc; /* TCP is on all the time there */
+    return c->lengthened && !c->length && (!c->tcp || by_machine);
 }
 
 int ncread_length(struct ncread *c, struct error *error)

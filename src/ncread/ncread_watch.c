@@ -381,7 +381,7 @@ static void tell_first(const struct ncread *c)
     c->motion->turns = w->turns;
     c->motion->speed = c->speed;
     c->motion->tool = number_of(w, TOOL);
-    c->motion->offset = number_of(w, LENGTH);
+    c->motion->offset = number_of(w, ncread_lost_edge(c) ? EDGE : LENGTH);
 }
 
 void ncread_watch_cut(struct ncread *c)

@@ -67,6 +67,11 @@ lost 's/CALL 1 /CALL /' "the program's head says tool 1, it calls none"
 post siemens table-ac dome.cl
 lost 's/ D1 M6/ M6/' "cuts without D1$all with the tool"
 lost 's/ D1 M6/ D2 M6/' "cuts without D1$all with the tool"
+post fagor table-ac dome.cl
+lost 's/ D1 M6/ M6/' "cuts without D$all with the tool"
+sed 's/ D1 M6/ D2 M6/' good.nc >bad.nc
+judge 3 "another length than the path's" bad.nc -p dome.cl
+has "fagor: is told" 'N[0-9]+ .*: the path is for the length H1, the program switches on H2' err
 for c in fanuc haas okuma hurco; do
 	machine=table-ac
 	[ $c = fanuc ] && machine=table-ac-notcp
@@ -74,6 +79,9 @@ for c in fanuc haas okuma hurco; do
 	lost 's/(G43|G234|G169 .*) H1/\1/' "the tool's length goes on without its number, H"
 done
 post hurco table-ac dome.cl
+sed -E 's/^(N[0-9]+) M129$/\1/' good.nc >bad.nc
+judge 1 "TCPM that is not off at the end" bad.nc
+has "is refused" 'bad.nc:[0-9]+: N[0-9]+: G28 or G53 under tool centre point control' err
 lost 's/ G43 H1 / /' "cuts without G43$all in its approach"
 post linuxcnc linuxcnc-xyzac dome.cl
 sed 's/G43 H1 /G43 /' good.nc >bad.nc
