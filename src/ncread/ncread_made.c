@@ -122,10 +122,12 @@ bool ncread_made_same(const char *a, const char *b)
     char of_a[8], of_b[8];
     double x, y;
     bool same = !*a == !*b, more = true;
+    int words = 0;
     while (more && same) {
-        bool more_a = next_word(&a, of_a, &x);
-        more = next_word(&b, of_b, &y) && more_a;
-        same = !more || (strcmp(of_a, of_b) == 0 && x == y);
+        bool more_a = next_word(&a, of_a, &x), more_b = next_word(&b, of_b, &y);
+        bool number = words++ == 1 && more_a != more_b; /* G15 and G15 H1 */
+        more = more_a && more_b;
+        same = !number && (!more || (strcmp(of_a, of_b) == 0 && x == y));
     }
     return same;
 }

@@ -23,6 +23,7 @@ static const struct {
     {"G54.1 P3", "G54.1P03", true},
     {"G54.1 P3", "G54.1 P4", false},
     {"G15 H1", "G15 H2", false},
+    {"G15 H1", "G15", false},
     {"CYCL DEF 247 Q339=+1", "CYCL DEF 247 Q339=1", true},
     {"CYCL DEF 247 Q339=+1", "CYCL DEF 247 Q339=+2", false},
 };
