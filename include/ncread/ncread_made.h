@@ -22,8 +22,8 @@ void ncread_made_set(struct machine *machine, const struct ncread_head *head,
 bool ncread_made_work(const struct machine *machine, const struct ncread_head *head,
                       const struct cli_list *own, char work[NCREAD_MADE_TEXT]);
 
-/* The same offset, in other letters or with other zeros, from their second words on as far as the shorter text goes: G54.1 P3,
- * G054.1P03. */
+/* The same offset, in other letters or with other zeros, from their second words on as far as the
+ * shorter text goes: G54.1 P3, G054.1P03. */
 bool ncread_made_same(const char *a, const char *b);
 
 #endif

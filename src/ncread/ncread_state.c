@@ -72,9 +72,11 @@ int ncread_m(struct ncread *c, const struct ncread_word *w, struct error *error)
         c->ended = true;
     else if (code == 6 && c->pole_p.n > 0)
         return ncread_error(c, error, "a change of the tool amid a spline");
-    else if (code == 6 && c->watch.cuts) /* to where tools are changed */
-        memset(c->here.known, 0, sizeof c->here.known);
-    else {
+    else if (code == 6) {
+        c->spindle = c->spindle && !ncread_ours(c); /* it stands while the tool is changed */
+        if (c->watch.cuts)                          /* to where tools are changed */
+            memset(c->here.known, 0, sizeof c->here.known);
+    } else {
         for (size_t i = 0; i < sizeof idle / sizeof *idle; i++)
             if (code == idle[i])
                 return 0;

@@ -113,6 +113,7 @@ void ncread_tool_text(struct ncread *c, int n, const char *const word[])
 {
     if (!ncread_tool_called(n, word))
         return;
+    c->spindle = c->spindle && !ncread_ours(c); /* it stands while the tool is changed */
     c->tool.held = *word[2] == '"' ? tool_quoted(c, c->text) : (int)strtol(word[2], NULL, 10);
     switch_on(c, c->tool.held);
     c->length = *word[2] == '"' || c->tool.held != 0; /* TOOL CALL 0: none is in the spindle */

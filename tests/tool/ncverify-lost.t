@@ -96,6 +96,11 @@ for c in fanuc siemens heidenhain linuxcnc; do
 	lost 's/^(N?[0-9]+ .*)?M3$/\1M4/' "the spindle turns anticlockwise, and .*SPINDLE: CCLW"
 	judge 0 "its head is left aside" bad.nc --accept
 	lost 's/ S8000//' "cuts before a speed of the spindle, S, is said"
+	awk '/T1 (D1 )?M6$|TOOL CALL/ { change = $0; n = $1; sub(/^[^ ]* /, "", change); next }
+		change { m = $1; sub(/^[^ ]* /, ""); print n, $0; print m, change; change = ""; next }
+		{ print }' good.nc >bad.nc
+	judge 1 "M3 before the tool is changed" bad.nc
+	has "$c: is refused" 'cuts while the spindle is off' err
 	sed 's/CLW/CCLW/' dome.cl >left.cl
 	post $c $machine left.cl
 	has "$c: the head says it" 'SPINDLE: CCLW' good.nc
