@@ -73,8 +73,8 @@ int ncread_m(struct ncread *c, const struct ncread_word *w, struct error *error)
     else if (code == 6 && c->pole_p.n > 0)
         return ncread_error(c, error, "a change of the tool amid a spline");
     else if (code == 6) {
-        c->spindle = c->spindle && !ncread_ours(c); /* it stands while the tool is changed */
-        if (c->watch.cuts)                          /* to where tools are changed */
+        ncread_tool_stops(c);
+        if (c->watch.cuts) /* to where tools are changed */
             memset(c->here.known, 0, sizeof c->here.known);
     } else {
         for (size_t i = 0; i < sizeof idle / sizeof *idle; i++)

@@ -103,6 +103,12 @@ void ncread_tool_words(struct ncread *c)
         read_word(c, &c->words.item[i]);
 }
 
+void ncread_tool_stops(struct ncread *c)
+{
+    if (!c->watch.cuts && ncread_ours(c))
+        c->spindle = false;
+}
+
 bool ncread_tool_called(int n, const char *const word[])
 {
     return n > 2 && strcmp(word[0], "TOOL") == 0 && strcmp(word[1], "CALL") == 0 &&
@@ -113,7 +119,7 @@ void ncread_tool_text(struct ncread *c, int n, const char *const word[])
 {
     if (!ncread_tool_called(n, word))
         return;
-    c->spindle = c->spindle && !ncread_ours(c); /* it stands while the tool is changed */
+    ncread_tool_stops(c);
     c->tool.held = *word[2] == '"' ? tool_quoted(c, c->text) : (int)strtol(word[2], NULL, 10);
     switch_on(c, c->tool.held);
     c->length = *word[2] == '"' || c->tool.held != 0; /* TOOL CALL 0: none is in the spindle */

@@ -31,4 +31,8 @@ bool ncread_tool_called(int n, const char *const word[]);
 /* The lengths into a piece.  -1: it cuts with a tool of a head whose length is not known. */
 int ncread_tool_piece(struct ncread *c, struct nc_piece *piece, struct error *error);
 
+/* The tool is changed, for which the spindle stops; of a program of ncpost before it cuts, for amid
+ * it another tool is told. */
+void ncread_tool_stops(struct ncread *c);
+
 #endif
