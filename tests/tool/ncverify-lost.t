@@ -19,7 +19,8 @@ post() { # CONTROL MACHINE [OPTION ...]
 judge() { # STATUS DESC PROGRAM [OPTION ...]
 	expected=$1 desc=$2 program=$3
 	shift 3
-	status "$expected" "$control: $desc" ncverify -o report -g dome.xyz -m "$machine" "$@" "$program"
+	status "$expected" "$control: $desc" \
+		ncverify -o report -g dome.xyz -m "$machine" "$@" "$program"
 }
 # lost SED MESSAGE [DESC]: by a change that leaves the numbers of all blocks as they are
 lost() {
