@@ -84,6 +84,7 @@ struct edge_gaps {
     struct vec3 at;
     size_t certain;        /* points whose surface is */
     size_t unknown, spurs; /* spurs: how many of these are */
+    size_t large;          /* and stand out so far that the points do not tell their shape */
     double depth;          /* the edges may stand so far in front of these, mm, ... */
     struct vec3 unknown_at;
 };

@@ -178,6 +178,7 @@ static struct edge_gaps sum_gaps(const struct edge_work *work)
             continue;
         gaps.unknown++;
         gaps.spurs += edge_unknown_spur(work, i);
+        gaps.large += edge_unknown_large(work, i);
         if (work->unknown[i] > gaps.depth) {
             gaps.depth = work->unknown[i];
             gaps.unknown_at = work->options->point_grid->point[i];

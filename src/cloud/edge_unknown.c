@@ -26,6 +26,10 @@ static const double OUT = 0.1, ROUGH = 0.08, BARE = 1;
  * tells that they are not. */
 static const double LINKED = 4, ASIDE = 0.3;
 
+/* In spacings: a point that stands out by more is on what the points do not tell the shape of; by
+ * less it is among its neighbours, and what is put before it is enough. */
+static const double LARGE = 0.6;
+
 /* In spacings: wider about a corner of a wall, too, the upper side has points in a quarter of the
  * turn alone. */
 static const double WIDER = 5.6;
@@ -298,6 +302,16 @@ void edge_unknown_add(const struct edge_work *work, size_t i, struct vec3s *to)
             add_side(work, near.point[0], near.point[k], to);
         }
     }
+}
+
+bool edge_unknown_large(const struct edge_work *work, size_t i)
+{
+    struct edge_hood near;
+
+    if (work->gap[i] > 0)
+        return false;
+    edge_hood_find(work, i, &near);
+    return work->unknown[i] > LARGE * near.spacing;
 }
 
 bool edge_unknown_counts(const struct edge_work *work, size_t i)

@@ -303,15 +303,24 @@ static void say_bounded(const struct guard_points *surface, const struct guard_r
     effort_say(EFFORT_GUARD_NEAR, rule->effort, surface->near);
 }
 
-/* Of `points`.  Where they are no more than one in two thousand they are said alone: of any scan of
- * a real thing a few stand out of what is about them; of one whose surface is certain nearly
- * everywhere one in three thousand, as at its rims, and none is a spur. */
-static void say_edges(const struct edge_gaps *gaps, size_t points, struct unmets *unmet)
+/* Of `points` so many that more is unknown than of any scan of a real thing, of which a few stand
+ * out of what is about them: one in two thousand, or one in five hundred if of five thousand not
+ * one by much; where the surface is certain nearly everywhere, one in three thousand, as at its
+ * rims, and none is a spur. */
+static bool are_many(const struct edge_gaps *gaps, size_t points)
 {
     const double even = 0.6, sure = 1.0 / 3000, rough = 1.0 / 2000;
-    bool certain = (double)gaps->certain > even * (double)points;
-    double few = certain ? sure : rough;
-    bool many = (double)gaps->unknown > few * (double)points || (certain && gaps->spurs > 0);
+    const double small = 1.0 / 500, large = 1.0 / 5000;
+    double n = (double)points, unknown = (double)gaps->unknown;
+
+    if ((double)gaps->certain > even * n)
+        return unknown > sure * n || gaps->spurs > 0;
+    return unknown > ((double)gaps->large > large * n ? rough : small) * n;
+}
+
+/* Where they are not many they are said alone. */
+static void say_edges(const struct edge_gaps *gaps, size_t points, struct unmets *unmet)
+{
     struct vec3 at = gaps->at;
 
     if (gaps->n > 0)
@@ -322,7 +331,7 @@ static void say_edges(const struct edge_gaps *gaps, size_t points, struct unmets
     at = gaps->unknown_at;
     if (gaps->unknown > 0)
         unmet_say(
-            many ? unmet : NULL,
+            are_many(gaps, points) ? unmet : NULL,
             "sharp edge not resolved at %.3f %.3f %.3f, one of %zu such points: by the points "
             "beside it the part may go on up to %.3f mm in front of it, and further between such "
             "points; only so far it is guarded",
