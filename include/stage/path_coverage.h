@@ -29,9 +29,9 @@ struct path_coverage {
     bool nothing;          /* the ball comes near no point */
 };
 
-/* Of the points of the scan that guards, of a box or polygons those inside, or without a scan of
- * points on `region`, the mesh or a part of it.  Mesh and path must outlive it; when the rules of
- * the path are known and path_options has the scan. */
+/* Of the points of the scan that guards, or of the facets of meshes that do, of a box or polygons
+ * those inside, or where none guards of points on `region`, the mesh or a part of it.  Mesh and
+ * path must outlive it; when the rules of the path are known and path_options has the scan. */
 struct path_coverage path_coverage_new(const struct mesh *mesh, const struct mesh *region,
                                        const struct toolpath *t);
 

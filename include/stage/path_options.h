@@ -25,6 +25,7 @@ struct path_options {
     struct region_polygons polygons; /* of --region, once they are read */
     double said_noise; /* --noise, mm; below zero: not given, and `noise` is as measured */
     struct vec3s certain, doubtful, curtain, believed; /* points of the scan of -g (guard_read.h) */
+    struct vec3s facets;                               /* of meshes of -g, likewise */
     double clearance, approach, feed, plunge, spindle; /* clearance NAN: by the part */
     int layers, tool, coolant;
     double effort; /* effort.h */

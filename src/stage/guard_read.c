@@ -278,7 +278,7 @@ static void add_curtain(const struct point_grid *point_grid, struct guard_read_o
         note("and by %zu points under the rims of the scan", rule->curtain.n);
 }
 
-/* Beyond its rim the part goes on, unseen. */
+/* Beyond the rim of a scan the part goes on, unseen. */
 static void add_rim(const struct point_grid *point_grid, const struct guard_read_options *rule,
                     double sink, struct vec3s *points)
 {
@@ -478,11 +478,14 @@ static struct gouge_check *gouge_of(const struct guard_scan *scan, const struct 
         return NULL;
     struct guard_points surface = faceted ? surface_of_facets(&point_grid, scan, rule)
                                           : surface_of_scan(&point_grid, spacing, sink, rule);
+    if (mesh && faceted) /* who judges takes them for the part */
+        vec3s_add(&rule->facets, surface.point.item, surface.point.n);
     if (mesh) {
         vec3s_add(&rule->believed, point_grid.point, point_grid.n);
         add_edges(mesh, sqrt(8 * rule->radius * sink), &point_grid, &surface.point);
     }
-    add_rim(&point_grid, rule, sink, &surface.point);
+    if (!faceted) /* a mesh ends where it ends */
+        add_rim(&point_grid, rule, sink, &surface.point);
     add_curtain(&point_grid, rule, &surface.point);
     if (!faceted)
         vec3s_add(&surface.point, scan->facet.item, scan->facet.n);

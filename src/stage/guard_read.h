@@ -47,15 +47,16 @@ struct guard_read_options {
     struct unmets *unmet;           /* sharp edges that it does not know; NULL: only said */
     struct vec3s certain, doubtful; /* what becomes of it: its points (guard_points.h), ... */
     struct vec3s curtain;           /* ... those that hang under its rims (roof.h) ... */
-    struct vec3s believed;          /* ... and with a mesh its points as they are, no outliers */
+    struct vec3s believed; /* ... and with a mesh its points as they are, no outliers, ... */
+    struct vec3s facets;   /* ... where it is itself a mesh, close points of its facets */
 };
 
 /*
  * The gouge check of the scan's points, which are freed, and of the mesh's sharp edges.  Of a
  * scan whose files are all meshes its facets are the part, as they are: nothing is looked for
- * between them, nor noise.  NULL if there are too many points, or if the mesh is clearly elsewhere:
- * more of its vertices than guard_scan_near allows further than `near` mm from every point of the
- * scan.  rule->noise becomes what was taken out.
+ * between them or beyond their rim, nor noise.  NULL if there are too many points, or if the mesh
+ * is clearly elsewhere: more of its vertices than guard_scan_near allows further than `near` mm
+ * from every point of the scan.  rule->noise becomes what was taken out.
  */
 struct gouge_check *guard_read(struct guard_scan *scan, const struct mesh *mesh, double near,
                                struct guard_read_options *rule, struct error *error);

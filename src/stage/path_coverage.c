@@ -65,12 +65,17 @@ static void thin_points(double gap, struct vec3s *points)
     gouge_free(all);
 }
 
-/* The points that are to be cut: those of the scan, or points on the mesh half a row apart.  False
- * for these. */
+/* The points that are to be cut: those of the scan, or points on the mesh half a row apart, or as
+ * close ones on the facets of the meshes that guard.  False for these. */
 static bool add_points(const struct mesh *region, double spacing, int threads, struct vec3s *to)
 {
-    const struct path_options *c = &path_options;
+    struct path_options *c = &path_options;
 
+    if (c->facets.n > 0) {
+        thin_points(2 * spacing, &c->facets);
+        vec3s_add(to, c->facets.item, c->facets.n);
+        return false;
+    }
     vec3s_add(to, c->certain.item, c->certain.n);
     vec3s_add(to, c->doubtful.item, c->doubtful.n);
     if (to->n > 0)
@@ -131,8 +136,9 @@ struct path_coverage path_coverage_new(const struct mesh *mesh, const struct mes
     c.scan = add_points(region, c.spacing, t->threads, &points);
     if (c.scan)
         c.bare = bare_guard(&points, t->threads);
-    c.part = region == mesh || c.scan ? NULL : mesh;
-    if (c.scan)
+    bool guarded = c.scan || o->facets.n > 0;
+    c.part = region == mesh || guarded ? NULL : mesh;
+    if (guarded)
         keep_region(&points);
     c.coverage = coverage_new(points.item, points.n, t->threads);
     c.vertex = kdtree_new_by(mesh->vertex.item, mesh->vertex.n, t->threads);
@@ -306,12 +312,11 @@ static struct path_verdicts judged_left(const struct path_coverage *c)
 {
     size_t n;
     const struct coverage_point *point = coverage_points(c->coverage, &n);
-    const struct vec3s *believed = &path_options.believed;
+    const struct vec3s *guard = c->scan ? &path_options.believed : &path_options.facets;
     struct vec3s place = {0};
 
-    if (c->scan)
-        vec3s_add(&place, believed->item, believed->n);
-    for (size_t i = 0; !c->scan && i < n; i++)
+    vec3s_add(&place, guard->item, guard->n);
+    for (size_t i = 0; guard->n == 0 && i < n; i++)
         *array_push(&place) = point[i].p;
     if (c->part)
         add_mesh(c->part, c->spacing, c->options.threads, &place);

@@ -468,6 +468,7 @@ int path_options_guard(const struct mesh *mesh, const struct mesh_edges *edges, 
     path_options.doubtful = rule.doubtful;
     path_options.curtain = rule.curtain;
     path_options.believed = rule.believed;
+    path_options.facets = rule.facets;
     return *guard ? 0 : -1;
 }
 
@@ -606,7 +607,8 @@ int path_options_rules(const struct mesh *mesh, const struct gouge_check *guard,
              t->rule.smooth, t->rule.raise, c->scallop, path_options_row_scallop());
     t->lift.aside =
         t->rule.smooth > 0 && c->scallop > 0 ? ASIDE * scallop_step(c->scallop, c->radius, 0) : 0;
-    t->lift.even = t->lift.aside > 0 && c->guarded && c->avoid ? EVEN * c->radius : 0;
+    bool scan = c->guarded && c->facets.n == 0; /* over facets no mean of normals: they are exact */
+    t->lift.even = t->lift.aside > 0 && scan && c->avoid ? EVEN * c->radius : 0;
     t->lift.uncut = 3 * t->lift.tolerance + 2 * fmax(c->noise, 0);
     /* facets that are off by so much say no more */
     if (!c->guarded && isfinite(mesh->origin.ledger))
