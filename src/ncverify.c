@@ -315,8 +315,7 @@ static void add_coolant(const struct machine *machine, struct ncread_options *op
 /* The control that the head names has a word that calls a tool by its number. */
 static bool calls_tools(const struct machine *machine, const struct ncread_head *head)
 {
-    return head->numbered && strcasecmp(machine->used, head->control_file) == 0 &&
-           strstr(machine->blocks.tool_change, "{tool}");
+    return ncread_made_for(head, machine->used) && strstr(machine->blocks.tool_change, "{tool}");
 }
 
 static struct verify_program read_program(const struct settings *s, const struct machine *machine,

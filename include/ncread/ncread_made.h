@@ -10,6 +10,9 @@
 
 enum { NCREAD_MADE_TEXT = 60 };
 
+/* The head is ncpost's, and names this control's file; NULL, "": none. */
+bool ncread_made_for(const struct ncread_head *head, const char *control);
+
 /* The keys of --set that matter here, as the head says them (machine_set), where `own` does not
  * set them: over those of the machine. */
 void ncread_made_set(struct machine *machine, const struct ncread_head *head,

@@ -68,6 +68,17 @@ static inline struct stock_column *stock_at(const struct stock *s, int i, int j)
     return &s->column[(size_t)j * (size_t)s->nx + (size_t)i];
 }
 
+/* The column that a place is nearest to, as seen from above. */
+static inline void stock_nearest(const struct stock *s, struct vec3 p, size_t *i, size_t *j)
+{
+    *i = (size_t)fmin(fmax((p.x - s->x) / s->dx + 0.5, 0), s->nx - 1);
+    *j = (size_t)fmin(fmax((p.y - s->y) / s->dy + 0.5, 0), s->ny - 1);
+}
+
+/* Of n points column[i], along X first, is the one that point i is nearest to; the height of the
+ * highest of each column, -HUGE_VAL where there is none.  To be freed. */
+double *stock_highest(const struct stock *s, const struct vec3 *point, size_t n, size_t *column);
+
 /* What one straight move of the ball takes off. */
 struct stock_bite {
     double volume; /* mm^3 */

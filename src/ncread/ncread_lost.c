@@ -5,9 +5,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 #include "math/elementary.h"
+#include "ncread/ncread_made.h"
 #include "ncread_state.h"
 
 /* Ten times the number of a G word, -1: it is none that is kept. */
@@ -122,8 +122,7 @@ void ncread_lost_tell(struct ncread *c)
     const struct control_text *text = c->options->text;
     bool linuxcnc = c->options->dialect == &ncread_linuxcnc;
     bool siemens = c->options->dialect == &ncread_siemens;
-    if (!text || !ncread_ours(c) || !c->options->control ||
-        strcasecmp(c->options->control, c->options->head->control_file) != 0)
+    if (!text || !ncread_ours(c) || !ncread_made_for(c->options->head, c->options->control))
         return;
     look_at_section(c, SECTION_START, "at its start");
     look_at_section(c, SECTION_APPROACH, "in its approach");

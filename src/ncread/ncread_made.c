@@ -81,6 +81,11 @@ static bool same_file(const char *a, const char *b)
     return *a && strcasecmp(a, b) == 0;
 }
 
+bool ncread_made_for(const struct ncread_head *head, const char *control)
+{
+    return head->numbered && control && same_file(control, head->control_file);
+}
+
 /* G54, G54.1 P3, a preset of Klartext, or none: what the readers know. */
 static bool is_offset(const char *work)
 {
@@ -91,7 +96,7 @@ static bool is_offset(const char *work)
 bool ncread_made_work(const struct machine *machine, const struct ncread_head *head,
                       const struct cli_list *own, char work[NCREAD_MADE_TEXT])
 {
-    bool said = head->numbered && same_file(machine->used, head->control_file) &&
+    bool said = ncread_made_for(head, machine->used) &&
                 same_file(machine->file, head->machine_file) &&
                 strlen(head->set) < sizeof head->set / 2; /* longer ones are not all there */
     const char *first = machine->tool_offset[0];

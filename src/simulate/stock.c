@@ -24,6 +24,21 @@ struct stock stock_box(struct vec3 low, struct vec3 high, double cell)
     return s;
 }
 
+double *stock_highest(const struct stock *s, const struct vec3 *point, size_t n, size_t *column)
+{
+    size_t columns = (size_t)s->nx * (size_t)s->ny;
+    double *highest = mem_alloc(columns, sizeof *highest);
+    for (size_t k = 0; k < columns; k++)
+        highest[k] = -HUGE_VAL;
+    for (size_t k = 0; k < n; k++) {
+        size_t i, j;
+        stock_nearest(s, point[k], &i, &j);
+        column[k] = j * (size_t)s->nx + i;
+        highest[column[k]] = fmax(highest[column[k]], point[k].z);
+    }
+    return highest;
+}
+
 void stock_free(struct stock *stock)
 {
     free(stock->column);

@@ -85,17 +85,8 @@ static bool surface_at(const struct seen *seen, double x, double y, double reach
 static void keep_highest(const struct stock *s, const struct vec3 *point, size_t n,
                          struct vec3s *kept)
 {
-    size_t columns = (size_t)s->nx * (size_t)s->ny;
-    double *highest = mem_alloc(columns, sizeof *highest);
     size_t *column = mem_alloc(n, sizeof *column);
-    for (size_t k = 0; k < columns; k++)
-        highest[k] = -HUGE_VAL;
-    for (size_t i = 0; i < n; i++) {
-        double u = fmin(fmax((point[i].x - s->x) / s->dx + 0.5, 0), s->nx - 1);
-        double v = fmin(fmax((point[i].y - s->y) / s->dy + 0.5, 0), s->ny - 1);
-        column[i] = (size_t)v * (size_t)s->nx + (size_t)u;
-        highest[column[i]] = fmax(highest[column[i]], point[i].z);
-    }
+    double *highest = stock_highest(s, point, n, column);
     for (size_t i = 0; i < n; i++)
         if (point[i].z > highest[column[i]] - 2 * (s->dx + s->dy))
             *array_push(kept) = point[i];

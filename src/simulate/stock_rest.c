@@ -61,33 +61,21 @@ double stock_rest_at(const struct stock *s, struct vec3 p)
 
 static size_t tile_of(const struct stock *s, struct vec3 p)
 {
-    double i = fmin(fmax((p.x - s->x) / s->dx + 0.5, 0), s->nx - 1);
-    double j = fmin(fmax((p.y - s->y) / s->dy + 0.5, 0), s->ny - 1);
-    return (size_t)j / STOCK_TILE * (size_t)s->tiles_x + (size_t)i / STOCK_TILE;
-}
-
-static size_t column_of(const struct stock *s, struct vec3 p)
-{
-    double i = fmin(fmax((p.x - s->x) / s->dx + 0.5, 0), s->nx - 1);
-    double j = fmin(fmax((p.y - s->y) / s->dy + 0.5, 0), s->ny - 1);
-    return (size_t)j * (size_t)s->nx + (size_t)i;
+    size_t i, j;
+    stock_nearest(s, p, &i, &j);
+    return j / STOCK_TILE * (size_t)s->tiles_x + i / STOCK_TILE;
 }
 
 /* Which points are measured: not those far under the highest of their column. */
 static bool *points_in_sight(const struct vec3 *point, size_t n, const struct stock *s)
 {
-    size_t columns = (size_t)s->nx * (size_t)s->ny;
-    double *highest = mem_alloc(columns, sizeof *highest);
+    size_t *column = mem_alloc(n, sizeof *column);
+    double *highest = stock_highest(s, point, n, column);
     bool *asked = mem_alloc(n, sizeof *asked);
-    for (size_t k = 0; k < columns; k++)
-        highest[k] = -HUGE_VAL;
-    for (size_t i = 0; i < n; i++) {
-        double *at = &highest[column_of(s, point[i])];
-        *at = fmax(*at, point[i].z);
-    }
     for (size_t i = 0; i < n; i++)
-        asked[i] = point[i].z >= highest[column_of(s, point[i])] - UNDER * fmax(s->dx, s->dy);
+        asked[i] = point[i].z >= highest[column[i]] - UNDER * fmax(s->dx, s->dy);
     free(highest);
+    free(column);
     return asked;
 }
 

@@ -91,12 +91,12 @@ void verify_made(struct verdict *v)
     size_t cut = first_cut(v->program.motion);
     if (v->cut.n == 0)
         return;
-    if (v->program.path)
+    if (v->program.path) {
         judge_tool(v, cut);
-    else
+    } else {
         judge_only_tool(v, cut);
-    if (!v->program.path)
         judge_sense(v, cut);
+    }
     judge_coolant(v, cut);
     judge_work(v, cut);
 }
