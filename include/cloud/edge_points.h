@@ -40,12 +40,12 @@
  *      or a tip, and neither its surface nor a place of an edge is known, the part may go on in
  *      front of it; the same where a point stands out from those about it, and these are off any
  *      surface that bends, by more than noise explains, as on a rib as thin as points are apart;
- *      and at corners of less than 75 degrees of flanks that end above a wall, of which those are
- *      spurs that are such corners farther about, too.  It is counted, if there are two such points
- *      near each other, the scan goes on round them, and the surface of a third of the points about
- *      is certain (elsewhere all of it is rough).  Points are put so far in front of it, from there
- *      to its neighbours, and between two of them that may be on one feature; what is farther
- *      between and beyond these stays unknown.
+ *      and at corners of less than 75 degrees of flanks that end above a wall, and at spurs, which
+ *      are such corners farther about, whether their own few points tell or not.  It is counted, if
+ *      there are two such points near each other, the scan goes on round them, and the surface of a
+ *      third of the points about is certain (elsewhere all of it is rough).  Points are put so far
+ *      in front of it, from there to its neighbours, and between two of them that may be on one
+ *      feature; what is farther between and beyond these stays unknown.
  * On scan lines (scan_lines.h) flanks are those of neighbours on several lines, for through three
  * lines a smooth surface goes whatever is between; where these do not tell, of neighbours on few.
  * No edge is put where points near to it lie off both flanks, and on no flank of their own: there
@@ -84,6 +84,7 @@ struct edge_gaps {
     struct vec3 at;
     size_t certain;        /* points whose surface is */
     size_t unknown, spurs; /* spurs: how many of these are */
+    size_t features;       /* groups of these near each other */
     size_t large;          /* and stand out so far that the points do not tell their shape */
     double depth;          /* the edges may stand so far in front of these, mm, ... */
     struct vec3 unknown_at;

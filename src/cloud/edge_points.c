@@ -166,6 +166,7 @@ static size_t append_all(struct vec3s *found, size_t n, struct vec3s *to)
 static struct edge_gaps sum_gaps(const struct edge_work *work)
 {
     struct edge_gaps gaps = {.n = 0};
+    struct vec3 way;
 
     for (size_t i = 0; i < work->options->point_grid->n; i++) {
         gaps.n += work->gap[i] > 0;
@@ -177,7 +178,8 @@ static struct edge_gaps sum_gaps(const struct edge_work *work)
         if (!(work->unknown[i] > 0) || !edge_unknown_counts(work, i))
             continue;
         gaps.unknown++;
-        gaps.spurs += edge_unknown_spur(work, i);
+        gaps.features += edge_unknown_leads(work, i);
+        gaps.spurs += edge_unknown_spur(work, i, &way);
         gaps.large += edge_unknown_large(work, i);
         if (work->unknown[i] > gaps.depth) {
             gaps.depth = work->unknown[i];

@@ -189,13 +189,17 @@ bool edge_on_known(const struct edge_work *work, size_t i);
 /* There is one more such point near (work->unknown): a single one may be astray. */
 bool edge_unknown_counts(const struct edge_work *work, size_t i);
 
+/* Of such points about it none goes on farther: one of each feature. */
+bool edge_unknown_leads(const struct edge_work *work, size_t i);
+
 /* So far that the points do not tell the shape of what it is on; no corner above a wall, which is
  * guarded up to the points below. */
 bool edge_unknown_large(const struct edge_work *work, size_t i);
 
-/* The point is a corner above a wall, and wider about it, too, only points steeply below lie over
- * three quarters of a turn: a spur, and not the rim that points anywhere make. */
-bool edge_unknown_spur(const struct edge_work *work, size_t i);
+/* The point is above a wall on a flank that is certain, and wide about it only points steeply below
+ * that lie over three quarters of a turn: a spur, and not the rim that points anywhere make.
+ * *ahead: that way, along the flank, one mm long seen from above. */
+bool edge_unknown_spur(const struct edge_work *work, size_t i, struct vec3 *ahead);
 
 /* ---- edge_fill: appends places on the flank of point i, up to its edges (work->found) and into
  * sharp hollows, as dense as those of edges are on these. */

@@ -34,6 +34,12 @@ static const double LARGE = 0.6;
  * turn alone. */
 static const double WIDER = 5.6;
 
+/* In spacings: there a point so far below the flank is down the wall. */
+static const double DOWN = 1.4;
+
+/* Least z of the normal of a flank that ends in a spur. */
+static const double LEVEL = 0.5;
+
 /* Least z of the middle of these directions: no ball comes from below. */
 static const double UP = 0.05;
 
@@ -131,49 +137,79 @@ static unsigned turn_of(struct vec3 to)
     return 1u << (unsigned)((atan2(to.y, to.x) + PI) / (2 * PI) * TURNS) % TURNS;
 }
 
-static int widest_open(unsigned has)
+/* *amid: the middle of these, radians. */
+static int widest_open(unsigned has, double *amid)
 {
     int widest = 0, run = 0;
 
     for (int k = 0; k < 2 * TURNS; k++) {
         run = has & 1u << k % TURNS ? 0 : run + 1;
+        if (run > widest)
+            *amid = (k + 1 - run / 2.0) * 2 * PI / TURNS - PI;
         widest = run > widest ? run : widest;
     }
     return widest < TURNS ? widest : TURNS;
+}
+
+static bool is_open(unsigned has)
+{
+    enum { OPEN = 9 };
+    double amid = 0;
+
+    return widest_open(has, &amid) >= OPEN;
 }
 
 /* The scan ends beside the point: seen from above it has no neighbour over three eighths of the
  * turn. */
 static bool is_at_border(const struct edge_hood *near)
 {
-    enum { OPEN = 9 };
     unsigned has = 0;
 
     for (size_t k = 1; k < near->n; k++)
         has |= turn_of(vec_sub(near->point[k], near->point[0]));
-    return widest_open(has) >= OPEN;
+    return is_open(has);
 }
 
-bool edge_unknown_spur(const struct edge_work *work, size_t i)
+/* The turns in which a flank goes on, or what is above it, by points near and by those near as seen
+ * from above; all of them, where the scan ends beside it. */
+static unsigned goes_on_in(const struct edge_work *work, size_t i, double spacing, struct vec3 up)
+{
+    const struct point_grid *grid = work->options->point_grid;
+    struct edge_about about = edge_about(work, i);
+    struct sizes near = {0};
+    unsigned has = 0, seen = 0;
+
+    point_grid_within(grid, grid->point[i], WIDER * spacing, &near);
+    for (size_t k; edge_about_next(&about, &k);)
+        *array_push(&near) = k;
+    for (size_t k = 0; k < near.n; k++) {
+        struct vec3 to = vec_sub(grid->point[near.item[k]], grid->point[i]);
+        double far = hypot(to.x, to.y);
+        unsigned turn = far > 0 ? turn_of(to) : 0;
+        seen |= turn;
+        if (-vec_dot(to, up) < fmin(far, DOWN * spacing))
+            has |= turn;
+    }
+    array_free(&near);
+    return is_open(seen) ? ~0u : has;
+}
+
+bool edge_unknown_spur(const struct edge_work *work, size_t i, struct vec3 *ahead)
 {
     enum { OPEN = 18 };
-    const struct point_grid *grid = work->options->point_grid;
-    struct sizes about = {0};
+    const struct edge_flank *flank = &work->flank[i];
     struct edge_hood near;
-    unsigned has = 0;
+    double amid = 0;
 
-    if (!(work->gap[i] > 0))
+    if (!(work->gap[i] > 0) || !edge_flank_certain(work, flank))
         return false;
     edge_hood_find(work, i, &near);
-    point_grid_within(grid, near.point[0], WIDER * near.spacing, &about);
-    for (size_t k = 0; k < about.n; k++) {
-        struct vec3 to = vec_sub(grid->point[about.item[k]], near.point[0]);
-        double far = hypot(to.x, to.y);
-        if (far > 0 && -to.z < fmin(far, EDGE_REACH * near.spacing))
-            has |= turn_of(to);
-    }
-    array_free(&about);
-    return widest_open(has) >= OPEN;
+    struct vec3 up = quadric_normal_at(&flank->q, near.point[0]);
+    if (up.z < LEVEL || widest_open(goes_on_in(work, i, near.spacing, up), &amid) < OPEN)
+        return false;
+    double x = cos(amid), y = sin(amid);
+    *ahead = vec(x, y, -(x * up.x + y * up.y) / up.z);
+    return true;
 }
 
 bool edge_on_known(const struct edge_work *work, size_t i)
@@ -226,6 +262,16 @@ static double unresolved_depth(const struct edge_work *work, const struct edge_h
                                                                                   : 0;
 }
 
+/* Of a point above a wall, which may be higher than its neighbours are far: up to the points below,
+ * at a corner or spur. */
+static double above_wall(const struct edge_work *work, size_t i, const struct edge_hood *near,
+                         struct vec3 *ahead)
+{
+    double corner = is_at_border(near) ? 0 : edge_cliff_corner(work, i, ahead);
+
+    return corner > 0 || !edge_unknown_spur(work, i, ahead) ? corner : work->gap[i];
+}
+
 double edge_unknown_depth(const struct edge_work *work, size_t i, struct vec3 *ahead)
 {
     struct edge_hood near;
@@ -233,11 +279,9 @@ double edge_unknown_depth(const struct edge_work *work, size_t i, struct vec3 *a
     if (!(work->gap[i] > 0) && is_explained(work, i))
         return 0;
     edge_hood_find(work, i, &near);
-    if (is_at_border(&near))
-        return 0;
     if (work->gap[i] > 0)
-        return edge_cliff_corner(work, i, ahead);
-    if (!edge_on_known(work, i))
+        return above_wall(work, i, &near, ahead);
+    if (is_at_border(&near) || !edge_on_known(work, i))
         return 0;
     struct sharp_edge edge = find_sharp(&near);
     if (edge.cosine > SHARPER || edge.front.z < UP || has_place(work, &near, edge.front)) {
@@ -325,4 +369,19 @@ bool edge_unknown_counts(const struct edge_work *work, size_t i)
         if (work->unknown[near.index[k]] > 0)
             return true;
     return false;
+}
+
+bool edge_unknown_leads(const struct edge_work *work, size_t i)
+{
+    struct edge_hood near;
+
+    edge_hood_find(work, i, &near);
+    for (size_t k = 1; k < near.n; k++) {
+        size_t j = near.index[k];
+        double more = work->unknown[j] - work->unknown[i];
+        if (near.distance2[k] < BESIDE * BESIDE * near.spacing * near.spacing &&
+            (more > 0 || (!(more < 0) && j < i)) && edge_unknown_counts(work, j))
+            return false;
+    }
+    return true;
 }

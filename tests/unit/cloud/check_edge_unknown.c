@@ -35,6 +35,25 @@ static double post(double x, double y)
     return u > -3 && fabs(v) < 0.4663 * (3 - u) ? HIGH : 0;
 }
 
+/* The same, lower, on a slope, its top as steep. */
+static double post_on_slope(double x, double y)
+{
+    return 0.35 * x + 0.1 * y + 0.6 * post(x, y);
+}
+
+/* So high that no neighbour of a point of its top is at its foot. */
+static double high_post(double x, double y)
+{
+    return 4 * post(x, y);
+}
+
+/* Of corners of 90 degrees. */
+static double block_on_slope(double x, double y)
+{
+    double u = 0.97 * x + 0.24 * y - 0.31, v = 0.97 * y - 0.24 * x + 0.17;
+    return 0.35 * x + 0.1 * y + (fmax(fabs(u), fabs(v)) < 4 ? 1.8 : 0);
+}
+
 static double mesa(double x, double y)
 {
     return edge_trial_side(x, y) > 0.07 ? HIGH : 0;
@@ -98,6 +117,29 @@ START_TEST(ends_and_corners)
     ck_assert_double_gt(gaps.depth, 0);
     ck_assert_double_le(fabs(u - of[_i / 2].u), 1.5);
     ck_assert(v <= of[_i / 2].v + 1.5);
+}
+END_TEST
+
+/* A corner of 50 degrees is a spur, on a slope, too, where the foot up from it is little lower; a
+ * square one is none. */
+START_TEST(spurs)
+{
+    ck_assert_uint_gt(told(post, _i, 0).spurs, 0);
+    ck_assert_uint_gt(told(post_on_slope, _i, 0).spurs, 0);
+    ck_assert_uint_gt(told(high_post, _i, 0).spurs, 0);
+    ck_assert_uint_eq(told(block_on_slope, _i, 0).spurs, 0);
+}
+END_TEST
+
+/* Points of a ring are one feature each two spacings about, those of a post's corners one each. */
+START_TEST(features)
+{
+    struct edge_gaps on_ring = told(ring, _i, 0), of_post = told(post, _i, 0);
+
+    ck_assert_uint_gt(on_ring.features, 0);
+    ck_assert_uint_lt(2 * on_ring.features, on_ring.unknown);
+    ck_assert_uint_ge(of_post.features, 1);
+    ck_assert_uint_le(of_post.features, 3);
 }
 END_TEST
 
@@ -204,6 +246,8 @@ int main(void)
     SRunner *runner = srunner_create(suite);
     tcase_add_loop_test(tests, thin_ring, 0, 2);
     tcase_add_loop_test(tests, ends_and_corners, 0, 6);
+    tcase_add_loop_test(tests, spurs, 0, 2);
+    tcase_add_loop_test(tests, features, 0, 2);
     tcase_add_test(tests, rib_is_guarded);
     tcase_add_loop_test(tests, nothing_told, 0, 8);
     tcase_add_loop_test(tests, noise_is_none, 0, 6);
