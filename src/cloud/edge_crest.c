@@ -11,6 +11,10 @@ static const double ABOUT = 4, BESIDE = 4, REPLACED = 2;
 /* In spacings: a point beside a crest stands out from its nearest by more. */
 static const double OUT = 0.03;
 
+/* The same of a crest amid noise where points are on lines: few of these are on its sides, and how
+ * steep they are the noise tells. */
+static const double NOISY = 1.25;
+
 /* Of a spacing: so far a side goes on below its last point, where something begins at its foot. */
 static const double BEYOND = 0.7;
 
@@ -217,7 +221,8 @@ static void add_across(const struct edge_work *work, const struct crest_about *a
     const double dense = 0.65;
     const struct crest_fit *fit = about->fit;
     double pitch = dense * work->options->along;
-    double spacing = point_grid_spacing(work->options->point_grid), reach = ABOUT * spacing;
+    double spacing = point_grid_spacing(work->options->point_grid);
+    double reach = (work->lines && work->options->noise > 0 ? NOISY : ABOUT) * spacing;
     struct vec3 place;
 
     if (place_at(about, reach, s, 0, &place))

@@ -144,7 +144,8 @@ void edge_foot_add(const struct edge_work *work, size_t i, struct vec3s *to)
             continue;
         if (!(step > least_wall(work, &near, k, low) * spacing))
             break;
-        if (is_at_foot(&near, k, p, EDGE_REACH * spacing))
+        if (is_at_foot(&near, k, p, EDGE_REACH * spacing) &&
+            !edge_slope_goes_on(work->options->point_grid, p, rim))
             hang_wall(work, &near, k, p, to);
         break;
     }

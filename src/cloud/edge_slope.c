@@ -10,6 +10,9 @@ static const double FINE = 0.3;  /* ... where steps are known to be there */
 static const double ASIDE = 0.2; /* of the reach: what is above a wall is farther off on average */
 static const double AHEAD = 0.9; /* cosine: a point that low is before the wall */
 
+static const double PART = 0.25; /* of a step: lower by more points tell how steep it is below it */
+static const double BULGED = 1.6; /* times as steep it goes on, or that much less, at most */
+
 static int by_height(const void *pa, const void *pb)
 {
     const struct vec3 *a = pa, *b = pb;
@@ -80,4 +83,28 @@ bool edge_slope_seen(const struct point_grid *scan, struct vec3 foot, double top
 
     array_free(&above);
     return seen;
+}
+
+bool edge_slope_goes_on(const struct point_grid *scan, struct vec3 foot, struct vec3 rim)
+{
+    enum { FEWEST = 4, OTHERS = 4 };
+    double spacing = point_grid_spacing(scan), step = rim.z - foot.z;
+    double way = edge_plan_distance(rim, foot), u = (foot.x - rim.x) / way,
+           v = (foot.y - rim.y) / way;
+    struct edge_about about = edge_about_place(scan, foot, EDGE_REACH * spacing);
+    size_t same = 0, other = 0;
+
+    if (!(way > FINE * spacing))
+        return false;
+    for (size_t k; edge_about_next(&about, &k);) {
+        struct vec3 to = vec_sub(scan->point[k], foot);
+        double on = (to.x * u + to.y * v) * step, as = -to.z * way;
+        if (!(-to.z > PART * step) || -to.z > step)
+            continue;
+        if (on * BULGED > as && on < BULGED * as)
+            same++;
+        else
+            other++;
+    }
+    return same >= FEWEST && OTHERS * other <= same;
 }

@@ -151,6 +151,10 @@ double edge_cliff_add(const struct edge_work *work, size_t i, struct vec3s *edge
 bool edge_slope_climbs(const struct point_grid *scan, struct vec3 foot, double top);
 bool edge_slope_seen(const struct point_grid *scan, struct vec3 foot, double top);
 
+/* Away from the rim the scan goes down from the foot as steeply as it does to it: both are of one
+ * slope, and no wall hangs from the rim. */
+bool edge_slope_goes_on(const struct point_grid *scan, struct vec3 foot, struct vec3 rim);
+
 /* How far the flank may go on before point i of such a wall, mm seen from above, where that is a
  * sharp corner: a tip of it passes between points below; 0: it is none.  *ahead: that way, along
  * the flank, one mm long seen from above. */

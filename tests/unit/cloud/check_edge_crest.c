@@ -11,11 +11,18 @@ static double ring(double x, double y)
     return fmax(0, 4 - 4 * fabs(hypot(x - 0.1, y + 0.07) - 6));
 }
 
-static void add(struct edge_trial *trial, double (*height)(double x, double y))
+/* Smooth: bends of 2.5 1/mm at most, where lines are 0.8 mm apart. */
+static double waves(double x, double y)
+{
+    return 4 * cos(0.75 * (y + 0.3 * x));
+}
+
+/* With noise: on lines. */
+static void add(struct edge_trial *trial, double (*height)(double x, double y), double sigma)
 {
     size_t n;
 
-    edge_trial_make(trial, height, false, 0);
+    edge_trial_make(trial, height, sigma > 0, sigma);
     n = trial->grid.n;
     trial->work.between = mem_alloc(n, sizeof *trial->work.between);
     for (size_t i = 0; i < n; i++)
@@ -47,7 +54,7 @@ START_TEST(on_a_ring)
 {
     struct edge_trial trial;
 
-    add(&trial, ring);
+    add(&trial, ring, 0);
     for (size_t i = 0; i < trial.grid.n; i++) {
         struct vec3s list[] = {trial.work.found[i], trial.work.between[i]};
         for (int l = 0; l < 2; l++)
@@ -76,10 +83,38 @@ START_TEST(not_where_sides_are_certain)
     struct edge_trial trial;
     size_t found = 0;
 
-    add(&trial, edge_trial_roof);
+    add(&trial, edge_trial_roof, 0);
     for (size_t i = 0; i < trial.grid.n; i++)
         found += trial.work.found[i].n + trial.work.between[i].n;
     ck_assert_uint_eq(found, 0);
+    remove_all(&trial);
+}
+END_TEST
+
+/* Seen along y. */
+static double off_waves(struct vec3 p)
+{
+    double least = HUGE_VAL;
+
+    for (double y = -2; y <= 2; y += 0.02)
+        least = fmin(least, hypot(y, waves(p.x, p.y + y) - p.z));
+    return least;
+}
+
+/* Of noise on a few lines crests may be as steep as anything: they are near to what was scanned. */
+START_TEST(near_to_noisy_lines)
+{
+    const double most = 0.6; /* mm: 1.25 spacings, and the noise */
+    struct edge_trial trial;
+
+    add(&trial, waves, 0.02);
+    for (size_t i = 0; i < trial.grid.n; i++) {
+        struct vec3s list[] = {trial.work.found[i], trial.work.between[i]};
+        for (int l = 0; l < 2; l++)
+            for (size_t k = 0; k < list[l].n; k++)
+                if (fabs(list[l].item[k].x) < 7 && fabs(list[l].item[k].y) < 7)
+                    ck_assert_double_le(off_waves(list[l].item[k]), most);
+    }
     remove_all(&trial);
 }
 END_TEST
@@ -90,6 +125,7 @@ int main(void)
     TCase *tests = tcase_create("edge_crest");
     SRunner *runner = srunner_create(suite);
     tcase_add_test(tests, on_a_ring);
+    tcase_add_test(tests, near_to_noisy_lines);
     tcase_add_test(tests, not_where_sides_are_certain);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);

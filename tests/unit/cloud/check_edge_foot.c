@@ -81,6 +81,36 @@ START_TEST(none_over_others)
 }
 END_TEST
 
+/* A slope of 83 degrees on lines 0.2 mm apart, of which half a mm in the middle was not seen. */
+static struct vec3s steep_lines(void)
+{
+    struct vec3s scan = {0};
+
+    for (int k = -15; k <= 15; k++)
+        for (int j = -40; j <= 40; j++) {
+            double x = 0.05 * j + 0.004 * (k % 3);
+            if (x < 0 || x > 0.5)
+                *array_push(&scan) = vec(x, 0.2 * k, 8 * x);
+        }
+    return scan;
+}
+
+/* Its own points tell where it is: no wall hangs off it. */
+START_TEST(none_off_a_steep_slope)
+{
+    struct edge_trial trial;
+    struct vec3s to = {0};
+
+    edge_trial_of(&trial, steep_lines(), 0.2, 0);
+    for (size_t i = 0; i < trial.grid.n; i++)
+        if (fabs(trial.grid.point[i].y) < 2 && trial.grid.point[i].x > -1)
+            edge_foot_add(&trial.work, i, &to);
+    ck_assert_uint_eq(to.n, 0);
+    array_free(&to);
+    edge_trial_free(&trial);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("edge_foot");
@@ -88,6 +118,7 @@ int main(void)
     SRunner *runner = srunner_create(suite);
     tcase_add_test(tests, wall_over_feet);
     tcase_add_test(tests, low_wall_under_noise);
+    tcase_add_test(tests, none_off_a_steep_slope);
     tcase_add_loop_test(tests, none_over_others, 0, 2);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);

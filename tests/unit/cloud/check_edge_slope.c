@@ -134,6 +134,45 @@ START_TEST(behind_a_foot_is_none)
 }
 END_TEST
 
+/* Eight times as high as wide, but for a gap that 4 mm of height are missing in; level below it
+ * from there on. */
+static size_t scan_steep(double level, struct vec3 *point)
+{
+    size_t n = 0;
+
+    for (int k = -4; k <= 4; k++)
+        for (double x = -2; x <= 2; x += 0.1)
+            if (x < 0 || x > 0.5)
+                point[n++] = vec(x, 0.3 * k, fmax(8 * x, level));
+    return n;
+}
+
+static bool goes_on(struct vec3 *point, size_t n, struct vec3 foot, struct vec3 rim)
+{
+    struct point_grid grid;
+    struct error error;
+
+    ck_assert_int_eq(point_grid_make(point, n, 1, 1, &grid, &error), 0);
+    bool result = edge_slope_goes_on(&grid, foot, rim);
+    point_grid_free(&grid);
+    return result;
+}
+
+/* A wall that stands on what is level, on points of its own, or right over the foot is none. */
+START_TEST(one_slope_goes_on)
+{
+    struct vec3 point[400], foot = vec(-0.1, 0, -0.8), rim = vec(0.6, 0, 4.8);
+
+    ck_assert(goes_on(point, scan_steep(-20, point), foot, rim));
+    ck_assert(!goes_on(point, scan_steep(-0.8, point), foot, rim));
+    ck_assert(!goes_on(point, scan_steep(-20, point), foot, vec(-0.01, 0, 4.8)));
+    size_t n = scan_steep(-20, point);
+    for (size_t k = 0; k < n; k++)
+        point[k].x = fmax(point[k].x, -0.1);
+    ck_assert(!goes_on(point, n, foot, rim));
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("edge_slope");
@@ -145,6 +184,7 @@ int main(void)
     tcase_add_test(tests, fine_steps_climb);
     tcase_add_test(tests, roof_over_it_has_none);
     tcase_add_test(tests, behind_a_foot_is_none);
+    tcase_add_test(tests, one_slope_goes_on);
     suite_add_tcase(suite, tests);
     SRunner *runner = srunner_create(suite);
     srunner_run_all(runner, CK_ENV);
