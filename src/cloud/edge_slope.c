@@ -9,9 +9,8 @@ static const double STEP = 1;    /* spacings: a wall is higher; ... */
 static const double FINE = 0.3;  /* ... where steps are known to be there */
 static const double ASIDE = 0.2; /* of the reach: what is above a wall is farther off on average */
 static const double AHEAD = 0.9; /* cosine: a point that low is before the wall */
-
-static const double PART = 0.25; /* of a step: lower by more points tell how steep it is below it */
-static const double BULGED = 1.6; /* times as steep it goes on, or that much less, at most */
+static const double PART = 0.25; /* of a step: points lower by more tell how steep it is below */
+static const double BULGED = 1.6; /* a slope goes on as steeply, or so many times more or less */
 
 static int by_height(const void *pa, const void *pb)
 {
@@ -85,12 +84,17 @@ bool edge_slope_seen(const struct point_grid *scan, struct vec3 foot, double top
     return seen;
 }
 
+/* A point so far ahead of the foot and below it is on the slope of that step. */
+static bool is_on_slope(double ahead, double below, double way, double step)
+{
+    return ahead * step * BULGED > below * way && ahead * step < BULGED * below * way;
+}
+
 bool edge_slope_goes_on(const struct point_grid *scan, struct vec3 foot, struct vec3 rim)
 {
     enum { FEWEST = 4, OTHERS = 4 };
     double spacing = point_grid_spacing(scan), step = rim.z - foot.z;
-    double way = edge_plan_distance(rim, foot), u = (foot.x - rim.x) / way,
-           v = (foot.y - rim.y) / way;
+    double x = foot.x - rim.x, y = foot.y - rim.y, way = hypot(x, y);
     struct edge_about about = edge_about_place(scan, foot, EDGE_REACH * spacing);
     size_t same = 0, other = 0;
 
@@ -98,10 +102,9 @@ bool edge_slope_goes_on(const struct point_grid *scan, struct vec3 foot, struct 
         return false;
     for (size_t k; edge_about_next(&about, &k);) {
         struct vec3 to = vec_sub(scan->point[k], foot);
-        double on = (to.x * u + to.y * v) * step, as = -to.z * way;
         if (!(-to.z > PART * step) || -to.z > step)
             continue;
-        if (on * BULGED > as && on < BULGED * as)
+        if (is_on_slope((to.x * x + to.y * y) / way, -to.z, way, step))
             same++;
         else
             other++;
