@@ -236,18 +236,19 @@ static void free_cliff(struct cliff *cliff)
     array_free(&cliff->beyond);
 }
 
-/* No wall stands on points where the scan goes on as steeply as to them, nor, of a flank that is
- * `lone` or not certain, on those to which it goes down without one: these go last. */
-static void keep_feet(const struct edge_work *work, bool certain, bool lone, struct cliff *cliff)
+/* No wall stands on points where the scan goes on as steeply as to them, nor, of a flank of few
+ * points or one that is not certain, on those to which it goes down without one: these go last. */
+static void keep_feet(const struct edge_work *work, bool certain, struct cliff *cliff)
 {
     const struct point_grid *scan = work->options->point_grid;
+    bool doubtful = !certain || cliff->on.n < EDGE_FEWEST;
     struct vec3 *below = cliff->below.item;
 
     cliff->feet = 0;
     for (size_t k = 0; k < cliff->below.n; k++) {
         struct vec3 foot = below[k];
         double top = place_above(cliff, foot.x, foot.y).z;
-        if (lone && (certain ? edge_slope_climbs : edge_slope_seen)(scan, foot, top))
+        if (doubtful && (certain ? edge_slope_climbs : edge_slope_seen)(scan, foot, top))
             continue;
         if (edge_slope_goes_on(scan, foot, vec(cliff->from.x, cliff->from.y, top)))
             continue;
@@ -623,7 +624,7 @@ double edge_cliff_add(const struct edge_work *work, size_t i, struct vec3s *edge
     size_t before = to->n;
     double width = 0;
 
-    keep_feet(work, certain, !certain || cliff.on.n < EDGE_FEWEST, &cliff);
+    keep_feet(work, certain, &cliff);
     if (cliff.feet > 0 && certain && quadric_normal(&flank->q).z > FACING)
         fill_cliff(work, i, &cliff, to);
     if (cliff.feet > 0 && cliff.beyond.n == 0 && certain && quadric_normal(&flank->q).z > LEVEL) {

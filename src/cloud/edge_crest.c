@@ -11,8 +11,8 @@ static const double ABOUT = 4, BESIDE = 4, REPLACED = 2;
 /* In spacings: a point beside a crest stands out from its nearest by more. */
 static const double OUT = 0.03;
 
-/* The same of a crest amid noise where points are on lines: few of these are on its sides, and how
- * steep they are the noise tells. */
+/* In spacings: farther from its points a crest amid noise is not known where these are on lines,
+ * for few are on its sides, and how steep they are the noise tells. */
 static const double NOISY = 1.25;
 
 /* Of a spacing: so far a side goes on below its last point, where something begins at its foot. */
