@@ -22,6 +22,12 @@ extern const double num_ten[23];
  */
 bool num_read(const char **s, double *value);
 
+/* What a character is as a digit, 10 or more: it is none. */
+static inline unsigned num_digit(char c)
+{
+    return (unsigned)(unsigned char)c - '0';
+}
+
 /* The first eight characters, the first one lowest, on any processor. */
 static inline uint64_t num_eight(const char *p)
 {
@@ -169,8 +175,8 @@ static inline const char *num_in_column(const char *p, double *value, int *behin
     const char *first = p += negative;
     uint64_t mantissa = 0, more;
     size_t digits, decimals = 0;
-    for (; *p >= '0' && *p <= '9'; p++)
-        mantissa = mantissa * 10 + (uint64_t)(*p - '0');
+    for (unsigned digit; (digit = num_digit(*p)) < 10; p++)
+        mantissa = mantissa * 10 + digit;
     digits = (size_t)(p - first);
     if (*p == '.') {
         first = ++p;
@@ -178,11 +184,11 @@ static inline const char *num_in_column(const char *p, double *value, int *behin
             mantissa = mantissa * num_scale[*behind] + more;
             p += *behind;
         }
-        for (; *p >= '0' && *p <= '9'; p++)
-            mantissa = mantissa * 10 + (uint64_t)(*p - '0');
+        for (unsigned digit; (digit = num_digit(*p)) < 10; p++)
+            mantissa = mantissa * 10 + digit;
         decimals = (size_t)(p - first);
         digits += decimals;
-        if ((decimals < 8 ? (int)decimals : 8) != *behind)
+        if (decimals != (size_t)*behind)
             *behind = decimals < 8 ? (int)decimals : 8;
     }
     if (digits - 1 >= 15 || *p >= 'A') /* as in num_long */
@@ -270,33 +276,39 @@ static inline size_t num_put_short(char *buf, int64_t integer, bool negative, in
     return (size_t)(to - buf);
 }
 
-/* num_scaled where the product, s, was rounded to half a unit, or the sum with one half was rounded
- * up to a whole number. */
-int64_t num_scaled_doubtful(double x, int digits, double s);
+/* num_units where the product, s, may be half a unit or was rounded to it, or is large. */
+bool num_units_doubtful(double x, int digits, double s, double *whole);
 
 /*
- * |x| * 10^digits rounded half away from zero, by the double that x is, where that is below 2^53;
- * else false.  Signed, for that is what processors convert at once.
+ * x * 10^digits rounded half away from zero, by the double that x is, where that is below 2^53, and
+ * never -0; else false.  Below 2^51 a sum with 1.5 * 2^52 has no room for parts of one: it is
+ * rounded to the nearest whole number, which tells all but halves.
  */
+static inline bool num_units(double x, int digits, double *whole)
+{
+    const double no_parts = 6755399441055744.0, most = 2251799813685248.0;
+    double s = x * num_ten[digits];
+    *whole = (s + no_parts) - no_parts;
+    if (__builtin_expect(fabs(s - *whole) < 0.5 && fabs(s) < most, 1))
+        return true;
+    return num_units_doubtful(x, digits, s, whole);
+}
+
+/* The same of |x|, as an integer.  Signed, for that is what processors convert at once. */
 static inline bool num_scaled(double x, int digits, int64_t *integer)
 {
-    double s = fabs(x) * num_ten[digits];
-    if (!(s < 9007199254740992.0))
+    double whole;
+    if (!num_units(fabs(x), digits, &whole))
         return false;
-    *integer = (int64_t)(s + 0.5);
-    if (__builtin_expect((double)*integer - s >= 0.5, 0))
-        *integer = num_scaled_doubtful(x, digits, s);
+    *integer = (int64_t)whole;
     return true;
 }
 
 /* The value that num_write(x, digits) reads back as. */
 static inline double num_round(double x, int digits)
 {
-    int64_t integer;
-    if (!num_scaled(x, digits, &integer))
-        return x;
-    double r = (double)integer / num_ten[digits];
-    return x < 0 && integer ? -r : r;
+    double whole;
+    return num_units(x, digits, &whole) ? whole / num_ten[digits] : x;
 }
 
 #endif

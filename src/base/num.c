@@ -164,13 +164,17 @@ static double product_rest(double a, double b, double p)
     return ((ah * bh - p) + ah * bl + al * bh) + al * bl;
 }
 
-int64_t num_scaled_doubtful(double x, int digits, double s)
+bool num_units_doubtful(double x, int digits, double s, double *whole)
 {
-    int64_t below = (int64_t)s;
-    double part = s - (double)below;
-    bool half = part == 0.5 && product_rest(fabs(x), num_ten[digits], s) >= 0;
+    if (!(fabs(s) < 9007199254740992.0))
+        return false;
+    double below = trunc(fabs(s)), part = fabs(s) - below;
+    bool half = part == 0.5 && product_rest(fabs(x), num_ten[digits], fabs(s)) >= 0;
 
-    return below + (part > 0.5 || half);
+    *whole = below + (part > 0.5 || half);
+    if (x < 0 && *whole > 0)
+        *whole = -*whole;
+    return true;
 }
 
 size_t num_write(char *buf, double x, int digits)
