@@ -47,8 +47,8 @@ struct axis_time_way {
     double seconds;       /* up to that place */
 };
 
-/* A place more. */
-void axis_time_add(struct axis_time_way *way, const struct axis_time_place *place);
+/* A place more, to be filled before the next one. */
+struct axis_time_place *axis_time_add(struct axis_time_way *way);
 
 /* Seconds over all of them; then another way may begin. */
 double axis_time_end(struct axis_time_way *way);

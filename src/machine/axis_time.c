@@ -116,28 +116,40 @@ static struct unbound unbound_at(const struct axis_time_limits *limits, double f
     return u;
 }
 
-/* Up to a place no axis is too fast. */
-static inline bool is_slow(const struct unbound *u, const struct axis_time_place *to)
+/* What each axis does up to a place, from the one before. */
+struct step {
+    double length, axis[AXIS_TIME_AXES];
+};
+
+static inline struct step step_to(const struct axis_time_place *to)
 {
-    double length = to->way - to[-1].way;
+    struct step s = {.length = to->way - to[-1].way};
 
     for (int k = 0; k < AXIS_TIME_AXES; k++)
-        if (!(fabs(to->axis[k] - to[-1].axis[k]) <= u->slope[k] * length))
+        s.axis[k] = to->axis[k] - to[-1].axis[k];
+    return s;
+}
+
+/* In a step no axis is too fast. */
+static inline bool is_slow(const struct unbound *u, const struct step *s)
+{
+    for (int k = 0; k < AXIS_TIME_AXES; k++)
+        if (!(fabs(s->axis[k]) <= u->slope[k] * s->length))
             return false;
-    return length > 0;
+    return s->length > 0;
 }
 
 /* At a place between steps that are slow none changes too much: the slopes' difference times both
  * lengths, without a quotient. */
 static inline bool is_even(const struct unbound *u, const struct axis_time_limits *limits,
-                           const struct axis_time_place *at)
+                           const struct axis_time_place *at, const struct step *before,
+                           const struct step *after)
 {
-    double before = at->way - at[-1].way, after = at[1].way - at->way, both = before * after;
+    double both = before->length * after->length;
     double over = larger((at[1].way - at[-1].way) / 2, limits->smoothing);
 
     for (int k = 0; k < AXIS_TIME_AXES; k++) {
-        double change =
-            before * (at[1].axis[k] - at->axis[k]) - after * (at->axis[k] - at[-1].axis[k]);
+        double change = before->length * after->axis[k] - after->length * before->axis[k];
         if (!(fabs(change) <= (u->change[k] * over - u->rounding[k]) * both))
             return false;
     }
@@ -190,18 +202,23 @@ static void speeds_forth(const struct axis_time_limits *limits,
                          const struct axis_time_place place[], size_t first, size_t n, double v[])
 {
     struct unbound u = {0};
+    struct step before, after = {0};
     bool slow = false; /* up to this place */
 
+    if (first + 1 < n)
+        after = step_to(&place[first]);
     for (size_t i = first; i + 1 < n; i++) {
         double feed = smaller(place[i].feed, place[i + 1].feed);
+        before = after;
+        after = step_to(&place[i + 1]);
         if (!(feed <= u.feed && 2 * feed >= u.feed)) {
             u = unbound_at(limits, feed);
-            slow = is_slow(&u, &place[i]);
+            slow = is_slow(&u, &before);
         }
-        bool before = slow;
-        slow = is_slow(&u, &place[i + 1]);
+        bool was_slow = slow;
+        slow = is_slow(&u, &after);
         v[i] = feed;
-        if (!before || !slow || !is_even(&u, limits, &place[i])) {
+        if (!was_slow || !slow || !is_even(&u, limits, &place[i], &before, &after)) {
             struct rates r = rates_at(limits, place, i, n);
             v[i] = speed_at(limits, &r, feed);
         }
@@ -242,7 +259,7 @@ double axis_time_run(const struct axis_time_limits *limits, const struct axis_ti
 
 /* ---- the same while the way is being made */
 
-enum { BLOCK = 2048 }; /* places: they stay near */
+enum { BLOCK = 256 }; /* places: they stay near */
 
 /* Whatever comes, the speed at a place is not lowered by it: from there the axes come to any speed
  * up to the next one's before the next place.  The square of the speed that they may have is linear
@@ -295,7 +312,7 @@ static void settle(struct axis_time_way *w)
     memmove(w->speed.item, w->speed.item + last - 1, w->n * sizeof *w->speed.item);
 }
 
-void axis_time_add(struct axis_time_way *w, const struct axis_time_place *place)
+struct axis_time_place *axis_time_add(struct axis_time_way *w)
 {
     if (w->n == w->cap) {
         if (w->n > 0)
@@ -306,7 +323,7 @@ void axis_time_add(struct axis_time_way *w, const struct axis_time_place *place)
     if (w->n == 0)
         w->known = 1;
     w->speed.item[w->n] = 0;
-    w->item[w->n++] = *place;
+    return &w->item[w->n++];
 }
 
 double axis_time_end(struct axis_time_way *w)

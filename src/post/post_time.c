@@ -109,14 +109,16 @@ static double block_seconds(const struct timing *t, const struct nc_move *move, 
     return 60 * (feeds == NC_FEEDS_COMBINED ? hypot(straight, around) : around) / move->feed;
 }
 
-static void add_place(struct timing *t, const double axis[], double way, double feed, size_t move)
+static void add_place(struct timing *t, struct vec3 tip, const double q[], double way, double feed,
+                      size_t move)
 {
-    struct axis_time_place place = {.way = way, .feed = feed, .mark = move};
-    for (int k = 0; k < AXIS_TIME_AXES; k++)
-        place.axis[k] = axis[k];
+    struct axis_time_place *place = axis_time_add(&t->way);
+    axes_at(t, tip, q, place->axis);
+    place->way = way;
+    place->feed = feed;
+    place->mark = move;
     t->n++;
     t->reached = way;
-    axis_time_add(&t->way, &place);
 }
 
 /* The places of a move at feed: one at its end, and on the way to it where it bends or turns. */
@@ -128,24 +130,23 @@ static void add_move(struct timing *t, size_t index, const struct block_pose *fr
     double unit = t->plan->ability.unit, straight = vec_distance(from->p, to->p), length = straight;
     if (move->kind == NC_ARC)
         length = nc_arc_length(&t->plan->arc.item[move->index], from, to);
-    double way = larger(length, PER_DEGREE / unit * turn), axis[AXIS_TIME_AXES];
+    double way = larger(length, PER_DEGREE / unit * turn);
     double seconds = block_seconds(t, move, length, straight, from->q, to->q);
-    bool even = move->kind == NC_LINE && turn == 0;
-    int n = even ? 1 : (int)fmin(LOOKS_MOST, fmax(1, ceil(way * unit / STEP)));
+    bool even = move->kind == NC_LINE && (turn == 0 || way * unit <= STEP);
     if (!(way > 0) || !(seconds > 0))
         return;
-    if (t->n == 0) {
-        axes_at(t, from->p, from->q, axis);
-        add_place(t, axis, 0, way / seconds, index);
-    }
-    double start = t->reached;
-    for (int i = 1; i <= n; i++) {
+    double start = t->n == 0 ? 0 : t->reached, feed = way / seconds;
+    if (t->n == 0)
+        add_place(t, from->p, from->q, 0, feed, index);
+    int n = even ? 1 : (int)fmin(LOOKS_MOST, fmax(1, ceil(way * unit / STEP)));
+    for (int i = 1; i < n; i++) {
         double s = (double)i / n;
         double q[ROTARY_MAX] = {from->q[0] + s * (to->q[0] - from->q[0]),
                                 from->q[1] + s * (to->q[1] - from->q[1])};
-        axes_at(t, tip_at(t->plan, move, from, to, s), q, axis);
-        add_place(t, axis, start + s * way, way / seconds, index);
+        add_place(t, tip_at(t->plan, move, from, to, s), q, start + s * way, feed, index);
     }
+    struct vec3 end = move->kind == NC_LINE ? to->p : tip_at(t->plan, move, from, to, 1);
+    add_place(t, end, to->q, start + way, feed, index);
     t->wished += seconds;
 }
 
@@ -214,7 +215,9 @@ void post_time(struct nc_plan *plan, const struct machine *machine)
                 end_run(&t);
             continue;
         }
-        struct block_pose to = {.p = move->p, .q = {move->q[0], move->q[1]}};
+        struct block_pose to;
+        to.p = move->p;
+        to.q[0] = move->q[0], to.q[1] = move->q[1];
         if (move->kind == NC_ARC && last) { /* nothing else asks for the tool axes */
             at = nc_plan_pose(plan, &machine->chain, last);
             to = nc_plan_pose(plan, &machine->chain, move);
@@ -226,7 +229,8 @@ void post_time(struct nc_plan *plan, const struct machine *machine)
         } else {
             add_move(&t, i, &at, &to);
         }
-        at = to;
+        at.p = to.p;
+        at.q[0] = to.q[0], at.q[1] = to.q[1];
         last = move;
     }
     end_run(&t);
