@@ -270,9 +270,10 @@ static void limit_axis(struct settings *s, const struct path *path, const struct
 static void check_made(const struct post *post, struct gouge_refit_options tool, int threads,
                        struct path *path)
 {
+    if (path->head.scan.n == 0)
+        return;
     struct made_moves moves = post_made_moves(post);
     struct error error;
-
     if (made_moves_check(&moves, path, tool, post_report(post).ledger, threads, &path->head.unmet,
                          &error) != 0)
         die_error(&error);

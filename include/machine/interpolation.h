@@ -42,8 +42,16 @@ struct pose_deviation {
     double point, axis;
 };
 
-bool pose_deviation_within(struct pose_deviation d, struct pose_deviation allowed);
-struct pose_deviation pose_deviation_worst(struct pose_deviation a, struct pose_deviation b);
+static inline bool pose_deviation_within(struct pose_deviation d, struct pose_deviation allowed)
+{
+    return d.point <= allowed.point && d.axis <= allowed.axis;
+}
+
+static inline struct pose_deviation pose_deviation_worst(struct pose_deviation a,
+                                                         struct pose_deviation b)
+{
+    return (struct pose_deviation){fmax(a.point, b.point), fmax(a.axis, b.axis)};
+}
 
 /* The largest of n deviations at equal steps, and between them: the top of the parabola through the
  * three about a peak. */

@@ -7,16 +7,6 @@ static const double piece_turn = 0.15;
 static const double little_of = 0.05;  /* of what is allowed: a bound of it needs no closer look */
 static const double most_ahead = 0.25; /* of a block, that its time may run ahead or behind */
 
-bool pose_deviation_within(struct pose_deviation d, struct pose_deviation allowed)
-{
-    return d.point <= allowed.point && d.axis <= allowed.axis;
-}
-
-struct pose_deviation pose_deviation_worst(struct pose_deviation a, struct pose_deviation b)
-{
-    return (struct pose_deviation){fmax(a.point, b.point), fmax(a.axis, b.axis)};
-}
-
 static struct vec3 ball_of(const struct interpolation *f, struct pose at)
 {
     return vec_along(at.p, f->ball, at.a);

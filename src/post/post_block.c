@@ -21,9 +21,10 @@ struct nc_move *post_block_append(struct nc_planner *planner, enum nc_kind kind,
                              .q = {to->q[0], to->q[1]}};
     if (planner->follow.mode == INTERPOLATE_VECTOR) {
         move->vector = (unsigned)plan->vector.n;
-        *array_push(&plan->vector) = to->a;
+        *array_push_inline(&plan->vector) = to->a;
     }
-    if (state->begun && !state->over.is && (kind == NC_RAPID || kind == NC_LINE))
+    if (state->begun && !state->over.is && (kind == NC_RAPID || kind == NC_LINE) &&
+        !post_way_is_safe(planner, &state->at, to))
         state->over = post_way_over(planner, &state->at, to);
     state->at = *to;
     state->turned = target->turned;
@@ -61,26 +62,24 @@ void post_block_add(struct nc_planner *planner, enum nc_kind kind,
 static bool says_the_same(const struct nc_planner *planner, const struct block_pose *to)
 {
     const struct block_pose *at = &planner->state.at;
-    double last = 1 / num_ten[planner->plan->ability.digits.vector];
     if (at->p.x != to->p.x || at->p.y != to->p.y || at->p.z != to->p.z)
         return false;
     if (planner->follow.mode == INTERPOLATE_VECTOR)
-        return vec_distance(at->a, to->a) < 2 * last;
+        return vec_distance(at->a, to->a) < 2 / num_ten[planner->plan->ability.digits.vector];
     return at->q[0] == to->q[0] && at->q[1] == to->q[1];
 }
 
-/* The path stays where it is, and one place is rounded in two ways: half a last digit goes up or
+/* Of a path that stays where it is one place is rounded in two ways: half a last digit goes up or
  * down as what comes after it is, which differs where a curve ends and its end is named again. */
 static bool is_rounded_apart(const struct nc_planner *planner, const struct block_pose *to,
                              const struct pose *goal)
 {
-    const double same = 1e-9, along = 1e-7; /* mm; of a direction: a path's last digits are more */
+    const double along = 1e-7; /* of a direction: a path's last digits are more */
     const struct machine_digits *digits = &planner->plan->ability.digits;
     const struct block_pose *at = &planner->state.at;
     double last = 1.5 / num_ten[digits->linear], turn = RADIANS(1.5 / num_ten[digits->angle]);
 
-    if (vec_distance(planner->state.pose.p, goal->p) > same ||
-        vec_distance(planner->state.pose.a, goal->a) > along ||
+    if (vec_distance(planner->state.pose.a, goal->a) > along ||
         fmax(fabs(at->p.x - to->p.x), fabs(at->p.y - to->p.y)) > last ||
         fabs(at->p.z - to->p.z) > last)
         return false;
@@ -92,9 +91,12 @@ static bool is_rounded_apart(const struct nc_planner *planner, const struct bloc
 void post_block_straight(struct nc_planner *planner, enum nc_kind kind,
                          const struct machine_pose *to, const struct pose *goal)
 {
+    const double same = 1e-9; /* mm: the path stays */
     struct nc_state *state = &planner->state;
-    if (!says_the_same(planner, &to->at) && !is_rounded_apart(planner, &to->at, goal))
-        post_block_add(planner, kind, to, vec_distance(state->pose.p, goal->p), 0, NULL);
+    double way = vec_distance(state->pose.p, goal->p);
+    if (!says_the_same(planner, &to->at) &&
+        (way > same || !is_rounded_apart(planner, &to->at, goal)))
+        post_block_add(planner, kind, to, way, 0, NULL);
     state->off.point = state->off.axis = NAN;
     state->pose = *goal;
 }

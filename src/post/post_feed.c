@@ -119,12 +119,13 @@ static bool axes_keep_up(const struct nc_planner *planner, const struct block_po
                          double minutes)
 {
     const struct machine *m = planner->machine;
+    if (planner->follow.mode == INTERPOLATE_ROTARY || m->chain.n < 2)
+        return true;
     double up = vec_dot(m->chain.rotary[0].axis, to->a), slowest = HUGE_VAL;
     for (int i = 0; i < m->chain.n; i++)
         slowest = fmin(slowest, m->rapid[m->letter[i]]);
     double great = DEGREES(vec_distance(planner->state.at.a, to->a)), sine2 = 1 - up * up;
-    return planner->follow.mode == INTERPOLATE_ROTARY || m->chain.n < 2 ||
-           4 * great * great <= sine2 * minutes * minutes * slowest * slowest;
+    return 4 * great * great <= sine2 * minutes * minutes * slowest * slowest;
 }
 
 /* In how many pieces a block with vectors is looked at: beside the singular direction a peak is
@@ -204,23 +205,15 @@ struct feed_need {
     double minutes, strict;
 };
 
-static struct feed_need need_of(const struct nc_planner *planner, const struct machine_pose *to,
-                                double length, const struct nc_along *along, double least)
+/* The same, where `need` is what the ends of the block say. */
+static struct feed_need need_within(const struct nc_planner *planner, const struct machine_pose *to,
+                                    double length, const struct nc_along *along, double turn,
+                                    struct feed_need need)
 {
     const struct block_pose *from = &planner->state.at;
-    const struct machine *m = planner->machine;
     struct feed_pieces pieces = {.still = !(length > 0)};
-    double axes = post_feed_axes_minutes(planner, from, &to->at), turn = 0;
-    struct feed_need need = {larger(least, axes), axes};
-    double minutes = need.minutes;
     bool curve = along && along->motion->curve;
-    for (int i = 0; i < m->chain.n; i++)
-        turn += fabs(to->at.q[i] - from->q[i]);
-    if (planner->follow.mode == INTERPOLATE_JOINT || m->chain.n == 0)
-        return need;
-    if (!curve && axes_keep_up(planner, &to->at, minutes) &&
-        slides_keep_up(planner, &to->at, length, turn, minutes))
-        return need;
+    double minutes = need.minutes, axes = need.strict;
     int n = PIECES * (1 + (int)(3 * turn));
     if (planner->follow.mode == INTERPOLATE_VECTOR)
         n = pieces_of_vector(planner, length);
@@ -236,6 +229,25 @@ static struct feed_need need_of(const struct nc_planner *planner, const struct m
     need.strict = larger(axes, way * strictly_slowest(&pieces));
     array_free(&pieces);
     return need;
+}
+
+static inline struct feed_need need_of(const struct nc_planner *planner,
+                                       const struct machine_pose *to, double length,
+                                       const struct nc_along *along, double least)
+{
+    const struct block_pose *from = &planner->state.at;
+    const struct machine *m = planner->machine;
+    double axes = post_feed_axes_minutes(planner, from, &to->at), turn = 0;
+    struct feed_need need = {larger(least, axes), axes};
+    bool curve = along && along->motion->curve;
+    if (planner->follow.mode == INTERPOLATE_JOINT || m->chain.n == 0)
+        return need;
+    for (int i = 0; i < m->chain.n; i++)
+        turn += fabs(to->at.q[i] - from->q[i]);
+    if (!curve && axes_keep_up(planner, &to->at, need.minutes) &&
+        slides_keep_up(planner, &to->at, length, turn, need.minutes))
+        return need;
+    return need_within(planner, to, length, along, turn, need);
 }
 
 double post_feed_minutes(const struct nc_planner *planner, const struct machine_pose *to,
@@ -426,10 +438,10 @@ double post_feed_word(const struct nc_planner *planner, const struct machine_pos
                     planner->machine->rapid[planner->machine->letter[i]]); /* now one, now both */
     double may = feed < ability->feed_max ? feed : ability->feed_max;
     int digits = post_feed_digits(ability, may);
-    double said = num_round(may, digits), least = 1 / num_ten[digits];
-    if (said > feed * (1 + 1e-9) && slow)
-        said = num_round(said - least, digits);
-    said = said > 0 ? said : least;
+    double said = num_round(may, digits);
+    if (slow && said > feed * (1 + 1e-9))
+        said = num_round(said - 1 / num_ten[digits], digits);
+    said = said > 0 ? said : 1 / num_ten[digits];
     double way = ability->feeds == NC_FEEDS_INVERSE ? 1
                  : !tip || stays                    ? joint_length(planner, from, to)
                                                     : length;

@@ -56,13 +56,19 @@ static bool goes_home(const struct path_item *item)
     return item->kind == PATH_TOOL || item->kind == PATH_PLANE;
 }
 
+/* The item is the first of another group, where this one is, or not, in the part already. */
+static inline bool begins_group(const struct path_item *item, bool cutting)
+{
+    return (path_is_rapid(item) && cutting) || goes_home(item);
+}
+
 /* The end of the group that starts at the item `from`. */
 static size_t end_of_group(const struct path *path, size_t from)
 {
     bool cutting = false;
     for (size_t i = from; i < path->item.n; i++) {
         const struct path_item *item = &path->item.item[i];
-        if ((path_is_rapid(item) && cutting) || (goes_home(item) && i > from))
+        if (i > from && begins_group(item, cutting))
             return i;
         cutting = cutting || (path_moves(item) && !path_is_rapid(item));
     }
@@ -172,17 +178,22 @@ static int check_way(struct nc_planner *planner)
     return over->is ? post_way_tell(planner, over, "on the way a position of") : 0;
 }
 
-/* ahead: what was found by looking ahead over the group, NULL: nothing. */
+/* Up to *to at most, which becomes where the group ends.  ahead: what was found by looking ahead over
+ * the group, NULL: nothing. */
 static int plan_items(struct nc_planner *planner, const struct lookahead *ahead, size_t from,
-                      size_t to)
+                      size_t *to)
 {
     bool leading = true, leaving = in_cut(planner);
     planner->off_part = true;
     planner->doubtful = false;
     planner->next_tilted = from;
     planner->aim.n = planner->rewinds.n = 0;
-    for (size_t i = from; i < to; i++) {
+    for (size_t i = from; i < *to; i++) {
         const struct path_item *item = &planner->path->item.item[i];
+        if (i > from && begins_group(item, !leading)) {
+            *to = i;
+            break;
+        }
         planner->next = i + 1;
         if (leading && path_moves(item) && !path_is_rapid(item)) {
             turn_at_part(planner, ahead);
@@ -208,7 +219,7 @@ static int plan_along(struct nc_planner *planner, const struct lookahead *ahead,
 {
     restore_checkpoint(planner, checkpoint);
     planner->rewind = post_rewind_for;
-    if (plan_items(planner, ahead, from, to) != 0)
+    if (plan_items(planner, ahead, from, &to) != 0)
         return -1;
     bool more = planner->plan->total.turns > checkpoint->total.turns && way < HUGE_VAL;
     return more || post_travel_since(planner, &checkpoint->since) > way ? -1 : 0;
@@ -225,13 +236,15 @@ static bool look_ahead(struct nc_planner *planner, struct lookahead *ahead,
     return found;
 }
 
-/* Plans the items [from, to) of the path; -1: the error is filled. */
-static int plan_group(struct nc_planner *planner, size_t from, size_t to)
+/* Plans the group of items from `from` on; *end: where it ends.  -1: the error is filled. */
+static int plan_group(struct nc_planner *planner, size_t from, size_t *end)
 {
     struct checkpoint checkpoint = checkpoint_of(planner);
     struct lookahead ahead;
     planner->rewind = NULL;
-    int nearest = plan_items(planner, NULL, from, to);
+    *end = planner->path->item.n;
+    int nearest = plan_items(planner, NULL, from, end);
+    size_t to = nearest == 0 ? *end : (*end = end_of_group(planner->path, from));
     if (nearest == 0 ? post_travel_is_least(planner, &checkpoint.since, from, to)
                      : !planner->plan->unmet)
         return nearest;
@@ -246,7 +259,7 @@ static int plan_group(struct nc_planner *planner, size_t from, size_t to)
         return 0;
     restore_checkpoint(planner, &checkpoint);
     planner->rewind = nearest != 0 ? post_rewind_for : NULL;
-    return plan_items(planner, NULL, from, to);
+    return plan_items(planner, NULL, from, &to);
 }
 
 /* ---- a whole path */
@@ -278,6 +291,14 @@ static void trim_travel(struct kinematic_chain *chain, int digits)
     }
 }
 
+/* Memory for so many blocks at once: no array of millions is moved while it grows. */
+static void reserve_blocks(struct nc_plan *plan, size_t n)
+{
+    array_reserve(&plan->move, n);
+    if (plan->ability.mode == INTERPOLATE_VECTOR)
+        array_reserve(&plan->vector, n);
+}
+
 int nc_plan_make(struct nc_plan *plan, const struct path *path, const struct machine *machine,
                  struct nc_ability ability, struct nc_plan_options options, struct error *error)
 {
@@ -299,7 +320,7 @@ int nc_plan_make(struct nc_plan *plan, const struct path *path, const struct mac
     planner.cut = extent.cut;
     planner.clearance = isnan(path->head.clearance) ? extent.rapid : path->head.clearance;
     plan->top = top_of(&planner, extent.planes);
-    array_reserve(&plan->move, path->item.n + path->item.n / 16); /* most are blocks as they are */
+    reserve_blocks(plan, path->item.n + path->item.n / 16); /* most are blocks as they are */
     planner.near = ik_near_table(&own.chain);
     planner.safe_radius = post_ik_safe_radius(machine);
     planner.state.faster = 1;
@@ -310,8 +331,8 @@ int nc_plan_make(struct nc_plan *plan, const struct path *path, const struct mac
     planner.state.tool = path->head.tool;
     int result = post_item_length(&planner);
     for (size_t from = 0; from < path->item.n && result == 0;) {
-        size_t to = end_of_group(path, from);
-        result = plan_group(&planner, from, to);
+        size_t to;
+        result = plan_group(&planner, from, &to);
         from = to;
     }
     array_free(&planner.rewinds);

@@ -29,6 +29,13 @@ static bool turned_angles(const struct nc_planner *planner, struct pose goal, do
     return false;
 }
 
+/* Most points of a path are. */
+static inline bool is_within(const struct box *box, struct vec3 p)
+{
+    return p.x >= box->low.x && p.x <= box->high.x && p.y >= box->low.y && p.y <= box->high.y &&
+           p.z >= box->low.z && p.z <= box->high.z;
+}
+
 struct nc_extent post_rewind_extent(const struct path *path)
 {
     struct nc_extent extent = {.cut = box_empty(), .rapid = NAN};
@@ -36,7 +43,7 @@ struct nc_extent post_rewind_extent(const struct path *path)
         const struct path_item *item = &path->item.item[i];
         if (path_is_rapid(item))
             extent.rapid = fmax(extent.rapid, item->to.p.z);
-        else if (path_moves(item))
+        else if (path_moves(item) && !is_within(&extent.cut, item->to.p))
             box_add(&extent.cut, item->to.p);
         extent.planes = extent.planes || item->kind == PATH_PLANE;
     }

@@ -304,6 +304,26 @@ void nc_warn_no_tool(struct nc_program *p)
         nc_comment(&p->w, "*** NO TOOL IN THE PATH: THE ONE IN THE SPINDLE IS TAKEN ***");
 }
 
+/* A coolant that the machine has no word for. */
+static bool lacks_coolant(const struct nc_program *p, const struct nc_tooling *now)
+{
+    return now->coolant > COOLANT_OFF && !coolant_blocks(p->machine, now->coolant);
+}
+
+/* Nothing is missing wherever the path moves: its tools and statements tell, which are few. */
+static bool all_is_said(const struct nc_program *p)
+{
+    const struct path *path = p->path;
+    struct nc_tooling now = {.spindle = path->head.spindle, .coolant = path->head.coolant};
+    bool all = path->head.tool != 0 && now.spindle > 0 && !lacks_coolant(p, &now);
+    for (size_t i = 0; i < path->tool.n && all; i++)
+        all = path->tool.item[i].number != 0;
+    for (size_t i = 0; i < path->text.n && all; i++)
+        if (says_tooling(path->text.item[i], &now))
+            all = now.spindle > 0 && !lacks_coolant(p, &now);
+    return all;
+}
+
 struct nc_missing nc_missing(const struct nc_program *p)
 {
     const struct path_head *head = &p->path->head;
@@ -311,14 +331,15 @@ struct nc_missing nc_missing(const struct nc_program *p)
         .number = head->tool, .spindle = head->spindle, .coolant = head->coolant};
     struct nc_missing missing = {0};
     const struct nc_move *move = p->plan->move.item, *end = move + p->plan->move.n;
+    if (all_is_said(p))
+        return missing;
     while (move < end) { /* from what changes it on all moves have the same */
         bool moves = false, cuts = false;
         if (move->kind == NC_TOOL)
             now.number = p->path->tool.item[move->index].number;
         else if (move->kind == NC_TEXT)
             says_tooling(p->path->text.item[move->index], &now);
-        missing.coolant = missing.coolant ||
-                          (now.coolant > COOLANT_OFF && !coolant_blocks(p->machine, now.coolant));
+        missing.coolant = missing.coolant || lacks_coolant(p, &now);
         do {
             moves |= nc_moves(move);
             cuts |= nc_moves(move) && move->kind != NC_RAPID;

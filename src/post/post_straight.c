@@ -58,8 +58,52 @@ static struct pose_deviation deviation_bound(const struct nc_planner *planner,
 static bool turns_far(const struct nc_planner *planner, const struct machine_pose *to)
 {
     const double *q = planner->state.at.q;
-    return planner->follow.mode == INTERPOLATE_VECTOR &&
-           (fabs(to->at.q[0] - q[0]) >= PI / 2 || fabs(to->at.q[1] - q[1]) >= PI / 2);
+    return fabs(to->at.q[0] - q[0]) >= PI / 2 || fabs(to->at.q[1] - q[1]) >= PI / 2;
+}
+
+/* |a x b| squared. */
+static inline double cross2(struct vec3 a, struct vec3 b)
+{
+    struct vec3 cross = vec_cross(a, b);
+    return vec_dot(cross, cross);
+}
+
+/*
+ * Vectors far from the singular direction that turn little, and slowly: they pass no pole
+ * (post_ik_pole_between), need no block that is slow alone (post_feed_divide_even), and the rotary
+ * axes follow them (post_ik_follow).  Told by squares, with room to spare; false says nothing.
+ */
+static bool vectors_turn_little(const struct nc_planner *planner, const struct machine_pose *target,
+                                const struct pose *to)
+{
+    const double far = 0.05; /* the sine of the angle to the singular direction */
+    const struct nc_state *state = &planner->state;
+    const struct machine *m = planner->machine;
+    if (m->chain.n != 2)
+        return false;
+    struct vec3 pole = m->chain.rotary[0].axis, way = vec_sub(to->p, state->pose.p);
+    double off2 = smaller(cross2(pole, state->pose.a),
+                          smaller(cross2(pole, to->a), cross2(pole, target->at.a)));
+    struct vec3 turn = vec_sub(to->a, state->pose.a), said = vec_sub(target->at.a, state->pose.a);
+    double turn2 = vec_dot(turn, turn), feed = state->feed * state->faster;
+    double slowest = smaller(m->rapid[m->letter[0]], m->rapid[m->letter[1]]);
+    return off2 > far * far && 16 * larger(turn2, vec_dot(said, said)) < off2 &&
+           DEGREES(16 * DEGREES(turn2)) * feed * feed <=
+               off2 * vec_dot(way, way) * slowest * slowest;
+}
+
+/* One block with vectors may lead there: *target is where its rotary axes do. */
+static bool vectors_lead_to(const struct nc_planner *planner, struct machine_pose *target,
+                            const struct pose *to)
+{
+    if (turns_far(planner, target))
+        return false;
+    if (vectors_turn_little(planner, target, to))
+        return true;
+    struct motion line = motion_line(planner->state.pose, *to);
+    return post_ik_pole_between(planner, &line, 0, 1) >= 1 &&
+           post_feed_divide_even(planner, &line, 0, 1) >= 1 &&
+           post_ik_follow(planner, &line, 0, 1, target);
 }
 
 int post_straight_one(struct nc_planner *planner, const struct pose *to)
@@ -70,15 +114,8 @@ int post_straight_one(struct nc_planner *planner, const struct pose *to)
             ? post_ik_check_linear(planner, &target) != 0
             : post_ik_reach(planner, *to, 1, &target) != 0)
         return 1;
-    if (turns_far(planner, &target))
+    if (planner->follow.mode == INTERPOLATE_VECTOR && !vectors_lead_to(planner, &target, to))
         return 1;
-    if (planner->follow.mode == INTERPOLATE_VECTOR) {
-        struct motion line = motion_line(planner->state.pose, *to);
-        if (post_ik_pole_between(planner, &line, 0, 1) < 1 ||
-            post_feed_divide_even(planner, &line, 0, 1) < 1 ||
-            !post_ik_follow(planner, &line, 0, 1, &target))
-            return 1;
-    }
     if (!within_spent(planner, &target, to, off)) {
         struct pose_deviation d = deviation_bound(planner, &target, to);
         if (!pose_deviation_within(d, planner->allowed))

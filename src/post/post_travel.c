@@ -13,13 +13,18 @@ bool post_travel_saves(double travel, double than)
 
 double post_travel_since(const struct nc_planner *planner, const struct nc_group_start *since)
 {
+    const struct kinematic_chain *chain = &planner->machine->chain;
+    const double weight[ROTARY_MAX] = {ik_weight(chain, 0), ik_weight(chain, 1)};
     const double *q = since->q;
     double way = 0;
     for (size_t i = since->moves; i < planner->plan->move.n; i++) {
         const struct nc_move *move = &planner->plan->move.item[i];
         if (!nc_moves(move))
             continue;
-        way += ik_travel(&planner->machine->chain, q, move->q);
+        double sum = 0; /* ik_travel */
+        for (int k = 0; k < chain->n; k++)
+            sum += weight[k] * fabs(q[k] - move->q[k]);
+        way += sum;
         q = move->q;
     }
     return way;

@@ -58,14 +58,13 @@ static struct nc_over over_between(const struct nc_planner *planner, enum interp
 struct nc_over post_way_over(const struct nc_planner *planner, const struct block_pose *from,
                              const struct block_pose *to)
 {
-    double near = planner->safe_radius * planner->safe_radius;
+    if (post_way_is_safe(planner, from, to))
+        return (struct nc_over){0};
     if (planner->follow.mode == INTERPOLATE_JOINT) {
         struct nc_over over = over_of(planner, to->p, to->p);
         over.tip = over.is ? chain_tip(&planner->machine->chain, to->p, to->q) : to->p;
         return over;
     }
-    if (vec_dot(from->p, from->p) < near && vec_dot(to->p, to->p) < near)
-        return (struct nc_over){0};
     if (hardly_turns(planner, from, to))
         return over_at(planner, to->p, to->q);
     return over_between(planner, planner->follow.mode, from, to);

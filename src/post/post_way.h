@@ -10,6 +10,20 @@
 
 #include "post_planner.h"
 
+/* No linear axis can leave its travel on a straight block, and at its end: both ends are so near to
+ * 0, or, where the linear axes are what the block says, the end is within. */
+static inline bool post_way_is_safe(const struct nc_planner *planner, const struct block_pose *from,
+                                    const struct block_pose *to)
+{
+    const struct machine *m = planner->machine;
+    double near = planner->safe_radius * planner->safe_radius;
+    if (planner->follow.mode != INTERPOLATE_JOINT)
+        return vec_dot(from->p, from->p) < near && vec_dot(to->p, to->p) < near;
+    return to->p.x >= m->min[MACHINE_X] && to->p.x <= m->max[MACHINE_X] &&
+           to->p.y >= m->min[MACHINE_Y] && to->p.y <= m->max[MACHINE_Y] &&
+           to->p.z >= m->min[MACHINE_Z] && to->p.z <= m->max[MACHINE_Z];
+}
+
 /* A straight block, at its end and, by steps, on its way. */
 struct nc_over post_way_over(const struct nc_planner *planner, const struct block_pose *from,
                              const struct block_pose *to);
