@@ -35,9 +35,10 @@ const struct nc_move *nc_first_move(const struct nc_program *p)
 
 void nc_place(struct nc_program *p, struct vec3 to)
 {
-    static const char *const address[] = {"X", "Y", "Z"};
-    const double value[] = {to.x, to.y, to.z};
-    nc_modal_place(&p->w, NC_X, address, value, p->plan->ability.digits.linear);
+    int digits = p->plan->ability.digits.linear;
+    const struct nc_word word[] = {
+        {NC_X, digits, "X", to.x}, {NC_Y, digits, "Y", to.y}, {NC_Z, digits, "Z", to.z}};
+    nc_modal_words(&p->w, word, 3);
 }
 
 static void vector_words(struct nc_program *p, const char *const address[3], struct vec3 a)
@@ -46,8 +47,11 @@ static void vector_words(struct nc_program *p, const char *const address[3], str
     if (w->known[NC_I] && w->value[NC_I] == a.x && w->value[NC_J] == a.y && w->value[NC_K] == a.z)
         return;
     nc_forget(w, NC_I, NC_K);
-    const double value[] = {a.x, a.y, a.z};
-    nc_modal_place(w, NC_I, address, value, p->plan->ability.digits.vector);
+    int digits = p->plan->ability.digits.vector;
+    const struct nc_word word[] = {{NC_I, digits, address[0], a.x},
+                                   {NC_J, digits, address[1], a.y},
+                                   {NC_K, digits, address[2], a.z}};
+    nc_modal_words(w, word, 3);
 }
 
 enum { ENDLESS = 3600 /* degrees: an axis with more travel turns without end */ };
@@ -73,40 +77,52 @@ static double within_turn(double degrees, int digits)
     return within >= 360 ? 0 : within;
 }
 
-/* The word of one axis where it is not what the last one said. */
-static void rotary_word(struct nc_program *p, int i, double degrees)
+/* The word of one axis, which is not what the last one said, as an axis without an end has it. */
+static void turn_word(struct nc_program *p, const struct nc_word *word,
+                      enum machine_rotary_words words)
 {
     struct nc_writer *w = &p->w;
-    enum nc_slot slot = i ? NC_Q1 : NC_Q0;
-    int digits = p->plan->ability.digits.angle;
-    enum machine_rotary_words words = rotary_words(p, i);
-    char address[8] = {machine_letter(p->machine->letter[i]), '\0'}, text[NUM_MAX + 12];
-    if (words == ROTARY_PLAIN) {
-        nc_modal(w, slot, address, degrees, digits);
+    int digits = word->digits;
+    char text[NUM_MAX + 12];
+    double said = num_round(word->value, digits), before = w->value[word->slot];
+    if (w->known[word->slot] && before == said)
         return;
-    }
-    double said = num_round(degrees, digits), before = w->value[slot];
-    if (w->known[slot] && before == said)
-        return;
-    bool back = w->known[slot] && said < before;
-    nc_remember(w, slot, said);
+    bool back = w->known[word->slot] && said < before;
+    nc_remember(w, word->slot, said);
     double within = within_turn(said, digits);
     if (words == ROTARY_DC) {
-        size_t n = (size_t)snprintf(text, sizeof text, "%s=DC(", address);
+        size_t n = (size_t)snprintf(text, sizeof text, "%s=DC(", word->address);
         n += num_write_short(text + n, within, digits, false);
         memcpy(text + n, ")", 2);
         nc_code(w, text);
     } else if (words == ROTARY_SIGNED && back) {
-        nc_number(w, address, within > 0 ? -within : -360, digits);
+        nc_number(w, word->address, within > 0 ? -within : -360, digits);
     } else {
-        nc_number(w, address, within, digits);
+        nc_number(w, word->address, within, digits);
     }
 }
 
 void nc_rotary_axes(struct nc_program *p, int n, const double q[])
 {
-    for (int i = n - 1; i >= 0; i--) /* the tilting axis first, as people write it */
-        rotary_word(p, i, DEGREES(q[i]));
+    const int digits = p->plan->ability.digits.angle;
+    char address[ROTARY_MAX][2];
+    struct nc_word word[ROTARY_MAX];
+    size_t plain = 0;                  /* words that are not written yet */
+    for (int i = n - 1; i >= 0; i--) { /* the tilting axis first, as people write it */
+        enum machine_rotary_words words = rotary_words(p, i);
+        struct nc_word *next = &word[plain];
+        address[i][0] = machine_letter(p->machine->letter[i]);
+        address[i][1] = '\0';
+        *next = (struct nc_word){i ? NC_Q1 : NC_Q0, digits, address[i], DEGREES(q[i])};
+        if (words == ROTARY_PLAIN) {
+            plain++;
+            continue;
+        }
+        nc_modal_words(&p->w, word, plain);
+        plain = 0;
+        turn_word(p, next, words);
+    }
+    nc_modal_words(&p->w, word, plain);
 }
 
 void nc_rotary(struct nc_program *p, const double q[])

@@ -37,6 +37,16 @@ static void append_text(struct nc_writer *w, const char *s, size_t n)
     w->n += n;
 }
 
+/* Of struct nc_format_options, what numbers are written by. */
+struct number_style {
+    bool point, sign;
+};
+
+static inline struct number_style style_of(const struct nc_writer *w)
+{
+    return (struct number_style){w->style.point, w->style.sign};
+}
+
 static inline char *put_address(char *to, const char *address)
 {
     while (*address)
@@ -95,27 +105,32 @@ void nc_code(struct nc_writer *w, const char *word)
     append_text(w, word, strlen(word));
 }
 
-/* A word with a number that num_scaled has made whole. */
-static inline void put_number(struct nc_writer *w, const char *address, int64_t integer,
-                              bool negative, int digits)
+/* A word with a number that num_scaled has made whole; returns its end. */
+static inline char *put_number(char *to, struct number_style style, const char *address,
+                               int64_t integer, bool negative, int digits)
 {
-    char *to = put_address(begin_word(w), address);
-    bool place = *address && *address != 'F'; /* feeds and the like never have a sign */
-    if (w->style.sign && place && !(negative && integer))
+    char first = *address;
+    to = put_address(to, address);
+    if (style.sign && first && first != 'F' && !(negative && integer)) /* feeds have no sign */
         *to++ = '+';
-    to += num_put_short(to, integer, negative, digits, w->style.point);
-    w->n = (size_t)(to - w->line);
+    return to + num_put_short(to, integer, negative, digits, style.point);
+}
+
+/* The same of any number. */
+static char *put_large(char *to, struct number_style style, const char *address, double value,
+                       int digits)
+{
+    to = put_address(to, address);
+    return to + num_write_short(to, value, digits, style.point);
 }
 
 void nc_number(struct nc_writer *w, const char *address, double value, int digits)
 {
     int64_t integer;
-    if (num_scaled(value, digits, &integer)) {
-        put_number(w, address, integer, value < 0, digits);
-        return;
-    }
-    char *to = put_address(begin_word(w), address);
-    to += num_write_short(to, value, digits, w->style.point);
+    char *to = begin_word(w);
+    to = num_scaled(value, digits, &integer)
+             ? put_number(to, style_of(w), address, integer, value < 0, digits)
+             : put_large(to, style_of(w), address, value, digits);
     w->n = (size_t)(to - w->line);
 }
 
@@ -134,37 +149,52 @@ bool nc_motion(struct nc_writer *w, const char *code)
     return true;
 }
 
-static inline bool modal_word(struct nc_writer *w, enum nc_slot slot, const char *address,
-                              double value, int digits)
+/* A modal word of a number that is too large for num_units. */
+static void modal_large(struct nc_writer *w, const struct nc_word *word)
 {
-    if (w->known[slot] && w->value[slot] == value) /* most are rounded already */
-        return false;
-    int64_t integer;
-    if (!num_scaled(value, digits, &integer)) {
-        nc_remember(w, slot, value);
-        nc_number(w, address, value, digits);
-        return true;
+    if (w->known[word->slot] && w->value[word->slot] == word->value)
+        return;
+    nc_remember(w, word->slot, word->value);
+    nc_number(w, word->address, word->value, word->digits);
+}
+
+/* Where the block ends is known to this loop alone: characters that are stored might else be it. */
+void nc_modal_words(struct nc_writer *w, const struct nc_word word[], size_t n)
+{
+    const struct number_style style = style_of(w);
+    char *const line = w->line, *to = line + w->n;
+    for (size_t i = 0; i < n; i++) {
+        const struct nc_word *x = &word[i];
+        double whole, said = x->value;
+        if (w->known[x->slot] && w->value[x->slot] == said) /* most are rounded already */
+            continue;
+        if (!num_units(x->value, x->digits, &whole)) {
+            w->n = (size_t)(to - line);
+            modal_large(w, x);
+            to = line + w->n;
+            continue;
+        }
+        said = whole / num_ten[x->digits];
+        if (w->known[x->slot] && w->value[x->slot] == said)
+            continue;
+        nc_remember(w, x->slot, said);
+        if (to == line || to > line + NC_BLOCK_MAX) {
+            w->n = (size_t)(to - line);
+            to = begin_block(w);
+        } else {
+            *to++ = ' ';
+        }
+        to = put_number(to, style, x->address, (int64_t)fabs(whole), whole < 0, x->digits);
     }
-    double said = (double)integer / num_ten[digits];
-    said = value < 0 && integer ? -said : said;
-    if (w->known[slot] && w->value[slot] == said)
-        return false;
-    w->value[slot] = said;
-    w->known[slot] = true;
-    put_number(w, address, integer, value < 0, digits);
-    return true;
+    w->n = (size_t)(to - line);
 }
 
 bool nc_modal(struct nc_writer *w, enum nc_slot slot, const char *address, double value, int digits)
 {
-    return modal_word(w, slot, address, value, digits);
-}
-
-void nc_modal_place(struct nc_writer *w, enum nc_slot slot, const char *const address[3],
-                    const double value[3], int digits)
-{
-    for (int i = 0; i < 3; i++)
-        modal_word(w, slot + (enum nc_slot)i, address[i], value[i], digits);
+    const struct nc_word word = {slot, digits, address, value};
+    size_t before = w->n;
+    nc_modal_words(w, &word, 1);
+    return w->n != before;
 }
 
 void nc_forget(struct nc_writer *w, enum nc_slot from, enum nc_slot to)

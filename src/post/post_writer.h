@@ -69,10 +69,14 @@ bool nc_motion(struct nc_writer *w, const char *code);
 bool nc_modal(struct nc_writer *w, enum nc_slot slot, const char *address, double value,
               int digits);
 
-/* The same for three words with the slots from `slot` on: most of a program, without a call for
- * each. */
-void nc_modal_place(struct nc_writer *w, enum nc_slot slot, const char *const address[3],
-                    const double value[3], int digits);
+/* The same for several words: most of a program, without a call for each. */
+struct nc_word {
+    enum nc_slot slot;
+    int digits;
+    const char *address;
+    double value;
+};
+void nc_modal_words(struct nc_writer *w, const struct nc_word word[], size_t n);
 
 /* Makes the next word of the slots from..to be written whatever its value. */
 void nc_forget(struct nc_writer *w, enum nc_slot from, enum nc_slot to);
