@@ -178,8 +178,8 @@ static int check_way(struct nc_planner *planner)
     return over->is ? post_way_tell(planner, over, "on the way a position of") : 0;
 }
 
-/* Up to *to at most, which becomes where the group ends.  ahead: what was found by looking ahead over
- * the group, NULL: nothing. */
+/* Up to *to at most, which becomes where the group ends.  ahead: what was found by looking ahead
+ * over the group, NULL: nothing. */
 static int plan_items(struct nc_planner *planner, const struct lookahead *ahead, size_t from,
                       size_t *to)
 {
