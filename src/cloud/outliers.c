@@ -122,6 +122,30 @@ static size_t stand_out(const double *off, double least)
     return n;
 }
 
+/* The origin is on the side of the surface that the tool comes from; of an upright one on any. */
+static bool is_over(struct quadric *q)
+{
+    const double upright = 0.2; /* the normal's rise: 11 degrees */
+
+    quadric_face_up(q);
+    return q->c[0] < 0 || quadric_normal(q).z < upright;
+}
+
+/* Beside it another neighbour stands over the surface, too, by more than `least` and no less than a
+ * part of its height: it is the top of a spike or a cone. */
+static bool is_top(const struct quadric *q, const struct vec3 *point, double spacing, double least)
+{
+    const double beside = OUTLIERS_BESIDE * spacing, part = 0.25, side = q->c[0] < 0 ? 1 : -1;
+
+    least = fmax(least, part * quadric_distance(q));
+    for (size_t k = 0; k < NEAR; k++) {
+        struct vec3 p = quadric_local(q, point[k]);
+        if (hypot(p.x, p.y) < beside && side * quadric_off(q, point[k]) > least)
+            return true;
+    }
+    return false;
+}
+
 static bool is_outlier(const struct search *s, size_t i)
 {
     const double spreads = OUTLIERS_SPREADS;
@@ -142,7 +166,7 @@ static bool is_outlier(const struct search *s, size_t i)
     if (s->floating)
         return false;
     double spacing = sqrt(PI * distance2[NEAR] / NEAR);
-    double least = fmax(OUTLIERS_SIGMAS * s->sigma, OUTLIERS_SPACINGS * spacing);
+    double least = fmax(OUTLIERS_SIGMAS * s->sigma, OUTLIERS_BELOW * spacing);
     struct vec3 across = plane_normal(point, NEAR);
     if (quadric_fit(point, NEAR, b->point[i], across, &q) < 0 ||
         quadric_distance(&q) < least / 3 || /* for most: more turns would change nothing */
@@ -151,6 +175,11 @@ static bool is_outlier(const struct search *s, size_t i)
     double spread = refit_robustly(point, NEAR, s->sigma, &q, off);
     if (stand_out(off, fmax(least, spreads * spread)) >= FEW)
         return false;
+    if (is_over(&q)) {
+        if (is_top(&q, point, spacing, fmax(least, spreads / 2 * spread)))
+            return false;
+        least = fmax(least, OUTLIERS_OVER * spacing);
+    }
     return quadric_distance(&q) > fmax(least, spreads * spread) * sqrt(1 + q.variance);
 }
 

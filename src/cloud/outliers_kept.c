@@ -33,37 +33,73 @@ static const double FEATURE_WITHIN = 6, FEATURE_LONG = 3;
  * over it by so much. */
 static const double LEVEL = 0.2, STANDS = 0.6;
 
-/* A feature that the marked points make: those within reach of each other. */
+/* In spacings: members of a group are so near to the next, and one to a point not marked. */
+static const double REACH = 1.5, ATTACHED = 2.5;
+
+/* A feature that the marked points make: those near each other. */
 struct group {
     struct sizes member;
+    size_t kept;   /* points near a member that were marked and are kept */
     bool attached; /* to points that are not marked */
 };
 
-/* The points within reach of point i: those marked go to the group, and are unmarked. */
-static void spread_group(const struct point_grid *b, double reach, size_t i, unsigned char *out,
+/* One quadric takes in point i and its neighbours, far apart as they may be: a smooth wall that was
+ * seen at a few places. */
+static bool is_on_one_surface(const struct point_grid *b, double sigma, size_t i)
+{
+    uint32_t index[NEAR + 1];
+    double distance2[NEAR + 1], off[NEAR];
+    struct vec3 point[NEAR], p = b->point[i];
+    struct quadric q;
+    size_t n = 0;
+
+    if (point_grid_nearest(b, p, NEAR + 1, index, distance2) < NEAR + 1)
+        return false;
+    for (size_t k = 0; k <= NEAR && n < NEAR; k++)
+        if (index[k] != i)
+            point[n++] = b->point[index[k]];
+    double least =
+        fmax(OUTLIERS_SIGMAS * sigma, OUTLIERS_BELOW * sqrt(PI * distance2[NEAR] / NEAR));
+    struct vec3 across = plane_normal(point, NEAR);
+    if (quadric_fit(point, NEAR, p, across, &q) < 0 ||
+        quadric_settle(point, NEAR, p, across, &q) < 0 || quadric_distance(&q) > least)
+        return false;
+    quadric_off_all(&q, point, NEAR, off);
+    for (size_t k = 0; k < NEAR; k++)
+        if (fabs(off[k]) > least)
+            return false;
+    return true;
+}
+
+/* The points about point i: those marked and near go to the group, and are unmarked; others attach
+ * the group. */
+static void spread_group(const struct point_grid *b, const bool *kept, size_t i, unsigned char *out,
                          struct group *group)
 {
+    const double near = REACH * point_grid_spacing(b), far = ATTACHED * point_grid_spacing(b);
     uint32_t index[NEAR];
     double distance2[NEAR];
     size_t n = point_grid_nearest(b, b->point[i], NEAR, index, distance2);
 
-    for (size_t k = 0; k < n && distance2[k] <= reach * reach; k++) {
+    for (size_t k = 0; k < n && distance2[k] <= far * far; k++) {
         if (index[k] == i)
             continue;
-        if (out[index[k]] == MARKED) {
+        if (out[index[k]] == MARKED && distance2[k] <= near * near) {
             out[index[k]] = GROUPED;
             *array_push(&group->member) = index[k];
         } else if (!out[index[k]]) {
             group->attached = true;
+            group->kept += kept[index[k]] && distance2[k] <= near * near;
         }
     }
 }
 
 /* The point goes on the way of its two nearest, which no point off a surface does: the second is
  * half as far again and more, in the same direction. */
-static bool is_on_needle(const struct point_grid *b, double reach, size_t i)
+static bool is_on_needle(const struct point_grid *b, size_t i)
 {
     enum { SOME = 8 };
+    const double reach = REACH * point_grid_spacing(b);
     const double further = 1.5, furthest = 3, straight = 0.9; /* cosine of 26 degrees */
     uint32_t index[SOME];
     double distance2[SOME];
@@ -280,13 +316,13 @@ static void keep_as_high(const struct point_grid *b, const unsigned char *out, s
 
 void outliers_keep(const struct point_grid *b, double sigma, unsigned char *out)
 {
-    const double reach = 1.5 * point_grid_spacing(b);
     struct group group = {.attached = false};
     bool *kept = mem_alloc(b->n + 1, sizeof *kept);
 
     for (size_t i = 0; i < b->n; i++)
-        kept[i] = out[i] == MARKED &&
-                  (edge_flank_holds(b, sigma, i) || is_on_step(b, out, i) || is_in_row(b, out, i));
+        kept[i] =
+            out[i] == MARKED && (edge_flank_holds(b, sigma, i) || is_on_one_surface(b, sigma, i) ||
+                                 is_on_step(b, out, i) || is_in_row(b, out, i));
     for (size_t i = 0; i < b->n; i++)
         if (out[i] == MARKED && !kept[i])
             keep_as_high(b, out, i, kept);
@@ -297,12 +333,13 @@ void outliers_keep(const struct point_grid *b, double sigma, unsigned char *out)
         if (out[i] != MARKED)
             continue;
         group.member.n = 0;
+        group.kept = 0;
         group.attached = false;
         out[i] = GROUPED;
         *array_push(&group.member) = i;
         for (size_t k = 0; k < group.member.n; k++)
-            spread_group(b, reach, group.member.item[k], out, &group);
-        bool feature = group.member.n >= FEATURE || is_on_needle(b, reach, i);
+            spread_group(b, kept, group.member.item[k], out, &group);
+        bool feature = group.member.n + group.kept >= FEATURE || is_on_needle(b, i);
         for (size_t k = 0; k < group.member.n; k++)
             out[group.member.item[k]] = group.attached && feature ? 0 : DONE;
     }
