@@ -18,8 +18,9 @@
 #include "io/mesh/ply.h"
 #include "math/box.h"
 
-/* Part of a scan that is under others from where on it folds under itself. */
-static const double FOLDS = 0.02;
+/* Part of a scan that is under others from where on it folds under itself; parts of a mesh that
+ * face against its points, and that are steep, from where on it is no mesh to be cut. */
+static const double FOLDS = 0.02, MUCH_TURNED = 0.1, MOST_STEEP = 0.5;
 
 struct settings {
     struct cloudmesh_options meshing;
@@ -218,10 +219,10 @@ static void say_left_out(const struct settings *settings, const struct grid_mesh
 static void say_steep(const char *name, const struct settings *settings, double part, bool folds,
                       struct unmets *unmet)
 {
-    const double little = 0.005, most = 0.5;
+    const double little = 0.005;
     if (!(part > little) || settings->meshing.subdivide || settings->meshing.paper)
         return;
-    if (part > most && folds)
+    if (part > MOST_STEEP && folds)
         unmet_say(unmet,
                   "%s: %.1f %% of the surface is steeper than 70 degrees, and it folds under "
                   "itself: a grid seen from above does not serve it, expected --subdivide",
@@ -258,19 +259,53 @@ static void say_facing(const char *name, struct vec3 facing, struct unmets *unme
 static void say_turned(const char *name, const struct settings *s, const struct cloudmesh *result,
                        size_t facets, struct unmets *unmet)
 {
-    const double few = 0.1;
     const char *why = s->meshing.subdivide
                           ? "parts fold under themselves"
                           : "the surface folds under itself, seen from above (--subdivide)";
-    if (result->turned_part > few)
+    if (result->turned_part > MUCH_TURNED)
         unmet_say(
             unmet,
             "%s: %.1f %% of the mesh would face against the points about it, expected at most "
             "%g %%: %s",
-            name, 100 * result->turned_part, 100 * few, why);
+            name, 100 * result->turned_part, 100 * MUCH_TURNED, why);
     else if (result->turned > 0)
         say("%zu of %zu facets would face against the points about them and are left out: %s",
             result->turned, facets + result->turned, why);
+}
+
+/* Whether a mesh seen from above is none to be cut, where one by parts may be. */
+static bool must_divide(const struct settings *s, const struct cloudmesh *result,
+                        const struct mesh *mesh, bool folds)
+{
+    if (s->meshing.subdivide || s->meshing.paper || s->extend > 0 ||
+        s->meshing.method == CLOUDMESH_DELAUNAY)
+        return false;
+    return result->turned_part > MUCH_TURNED ||
+           (folds && mesh_steep_part(mesh, vec(0, 0, 1)) > MOST_STEEP);
+}
+
+/* The mesh by parts in its place; points under others have their place in one. */
+static void divide(const char *name, struct settings *s, struct vec3s *points,
+                   const struct vec3s *covered, double noise, int threads, struct mesh *mesh,
+                   struct cloudmesh *result)
+{
+    struct error error;
+    const struct mesh_origin *from = &mesh->origin;
+    struct mesh parts = {.origin = {.ledger = NAN,
+                                    .placed = from->placed,
+                                    .place = from->place,
+                                    .noise = from->noise}};
+
+    say("%s: the surface folds under itself, seen from above: %.1f %% of its mesh is steeper than "
+        "70 degrees, and %.1f %% would face against the points about it",
+        name, 100 * mesh_steep_part(mesh, vec(0, 0, 1)), 100 * result->turned_part);
+    for (size_t i = 0; i < covered->n; i++)
+        *array_push(points) = covered->item[i];
+    s->meshing.subdivide = true;
+    if (cloudmesh_make(&s->meshing, points, noise, threads, &parts, result, &error) < 0)
+        die("%s: %s", name, error.text);
+    mesh_free(mesh);
+    *mesh = parts;
 }
 
 static void extend_over_border(const char *name, const struct settings *s, struct vec3s *points,
@@ -459,9 +494,13 @@ int main(int argc, char **argv)
     struct cloudmesh result;
     if (cloudmesh_make(&settings.meshing, &points, noise, cli.threads, &mesh, &result, &error) < 0)
         die("%s: %s", name, error.text);
+    bool folds = (double)prepared.under > FOLDS * (double)read;
+    if (must_divide(&settings, &result, &mesh, folds)) {
+        left_out -= prepared.covered.n;
+        divide(name, &settings, &points, &prepared.covered, noise, cli.threads, &mesh, &result);
+    }
     say_left_out(&settings, &result.count);
     say_turned(name, &settings, &result, mesh.face.n, &mesh.origin.unmet);
-    bool folds = (double)prepared.under > FOLDS * (double)read;
     say_steep(name, &settings, mesh_steep_part(&mesh, vec(0, 0, 1)), folds, &mesh.origin.unmet);
     if (!settings.meshing.smooth && !settings.outside_given) /* what is streamed does not know it */
         say_facing(name, mesh_facing(&mesh), &mesh.origin.unmet);
@@ -486,5 +525,6 @@ int main(int argc, char **argv)
     out_close(out);
     mesh_free(&mesh);
     array_free(&points);
+    array_free(&prepared.covered);
     return status;
 }

@@ -106,6 +106,7 @@ static void prepare(const char *name, struct settings *s, struct vec3s *points, 
                             s->outliers == OUTLIERS_KEEP ? CLOUD_PREPARE_KEEP : CLOUD_PREPARE_DROP,
                             threads, &found, &error) < 0)
         die("%s: %s", name, error.text);
+    array_free(&found.covered);
     s->fit.noise = s->noise_given ? s->noise : found.noise;
     s->fit.threads = threads;
     if (!(s->fit.gap > 0))

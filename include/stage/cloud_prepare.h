@@ -35,6 +35,7 @@ int cloud_prepare_place(struct vec3s *points, const char *unit, const char *matr
 struct cloud_prepare {
     size_t twice, outliers, under; /* taken out: outliers.h */
     double noise;                  /* noise.h, mm */
+    struct vec3s covered;          /* those under others, which a mesh by parts has room for */
 };
 
 enum cloud_prepare_drop { CLOUD_PREPARE_KEEP, CLOUD_PREPARE_DROP_OUTLIERS, CLOUD_PREPARE_DROP };
@@ -48,7 +49,8 @@ double cloud_prepare_noise(double asked, double measured, double spacing);
  * Takes out points that are there twice and, as `drop` says, outliers or these and points under a
  * roof, and measures the noise; says what it found.  `spacing` is the mean spacing, mm, `noise`
  * what the user says of it (believed.h); with 0 all points are believed.  The points
- * are in the order of point_grid.h afterwards, whatever it was.  -1: too many of them.
+ * are in the order of point_grid.h afterwards, whatever it was.  The caller frees what is covered.
+ * -1: too many of them.
  */
 int cloud_prepare_clean(struct vec3s *points, double spacing, double noise,
                         enum cloud_prepare_drop drop, int threads,

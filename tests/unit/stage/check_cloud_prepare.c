@@ -210,6 +210,10 @@ START_TEST(under_a_roof)
     /* those with the lid all around: a point or two from its rim */
     ck_assert_uint_ge(found.under, 17 * 17);
     ck_assert_uint_le(found.under, 20 * 20);
+    ck_assert_uint_eq(found.covered.n, found.under);
+    for (size_t i = 0; i < found.covered.n; i++)
+        ck_assert_double_eq(found.covered.item[i].z, 0);
+    array_free(&found.covered);
     for (size_t i = 0; i < points.n; i++) {
         struct vec3 p = points.item[i];
         ck_assert(p.z > 1 || fabs(p.x - 20.25) > 8 || fabs(p.y - 20.25) > 8);
