@@ -28,6 +28,9 @@ struct vec3 edge_handle(struct vec3 p, struct vec3 normal, struct vec3 q);
 struct edge_curve edge_curve(struct vec3 p, struct vec3 p_normal, struct vec3 q,
                              struct vec3 q_normal);
 
+/* The straight one. */
+struct edge_curve edge_chord(struct vec3 p, struct vec3 q);
+
 /* How far the curve is off the chord, mm, at most: an eighth of how far the ends are off each
  * other's tangent planes. */
 double edge_bulge(struct vec3 p, struct vec3 p_normal, struct vec3 q, struct vec3 q_normal);

@@ -13,6 +13,11 @@ struct vec3 edge_handle(struct vec3 p, struct vec3 normal, struct vec3 q)
     return vec_along(p, 2 * length / (3 * (1 + cosine)), vec_unit(tangent));
 }
 
+struct edge_curve edge_chord(struct vec3 p, struct vec3 q)
+{
+    return (struct edge_curve){{p, vec_mix(p, q, 1 / 3.0), vec_mix(p, q, 2 / 3.0), q}};
+}
+
 struct edge_curve edge_curve(struct vec3 p, struct vec3 p_normal, struct vec3 q,
                              struct vec3 q_normal)
 {
@@ -20,7 +25,7 @@ struct edge_curve edge_curve(struct vec3 p, struct vec3 p_normal, struct vec3 q,
     double steep = STEP * vec_length(chord);
 
     if (fabs(vec_dot(chord, p_normal)) > steep || fabs(vec_dot(chord, q_normal)) > steep)
-        return (struct edge_curve){{p, vec_mix(p, q, 1 / 3.0), vec_mix(p, q, 2 / 3.0), q}};
+        return edge_chord(p, q);
     return (struct edge_curve){{p, edge_handle(p, p_normal, q), edge_handle(q, q_normal, p), q}};
 }
 

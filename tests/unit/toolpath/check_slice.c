@@ -72,6 +72,34 @@ START_TEST(points_are_on_the_sphere_and_on_the_plane)
 }
 END_TEST
 
+/* Edges far longer than the grid is fine span what nobody saw: they are straight. */
+START_TEST(long_edges_are_straight)
+{
+    struct mesh mesh = shape_grid(shape_sphere, -20, -20, 20, 20, 20, 20);
+    double chord = 3.5, sagitta = chord * chord / (8 * 50);
+    struct vec3 normal = vec_unit(vec(1, 2, 0.1));
+    struct slice_chains flat = cut_at(&mesh, normal, 3.3, false);
+    struct slice_chains smooth = cut_at(&mesh, normal, 3.3, true);
+    mesh.origin.spacing = chord;
+    struct slice_chains usual = cut_at(&mesh, normal, 3.3, true);
+    mesh.origin.spacing = sagitta / 4;
+    struct slice_chains gap = cut_at(&mesh, normal, 3.3, true);
+
+    ck_assert_uint_gt(gap.point.n, 0);
+    ck_assert_uint_eq(gap.point.n, flat.point.n);
+    for (size_t k = 0; k < gap.point.n; k++)
+        ck_assert_double_lt(vec_distance(gap.point.item[k].p, flat.point.item[k].p), 1e-9);
+    ck_assert_uint_eq(usual.point.n, smooth.point.n);
+    for (size_t k = 0; k < usual.point.n; k++)
+        ck_assert_double_eq(vec_distance(usual.point.item[k].p, smooth.point.item[k].p), 0);
+    slice_chains_free(&flat);
+    slice_chains_free(&smooth);
+    slice_chains_free(&usual);
+    slice_chains_free(&gap);
+    mesh_free(&mesh);
+}
+END_TEST
+
 START_TEST(the_error_is_of_the_fourth_order)
 {
     double off[2], turned;
@@ -292,6 +320,7 @@ int main(void)
     TCase *tests = tcase_create("slice");
     tcase_add_test(tests, points_are_on_the_sphere_and_on_the_plane);
     tcase_add_test(tests, the_error_is_of_the_fourth_order);
+    tcase_add_test(tests, long_edges_are_straight);
     tcase_add_test(tests, neighbours_lie_in_one_facet);
     tcase_add_test(tests, every_facet_on_the_plane_is_cut_once);
     tcase_add_test(tests, counts_of_the_paper);
