@@ -6,7 +6,7 @@
 #include "math/band.h"
 #include "math/pair.h"
 
-/* Of the spacing: the search begins on a raster so far apart, and with these steps; it ends below
+/* Of the spacing across the axis: the search begins on a raster so far apart, and with these steps; it ends below
  * the last. */
 static const double APART = 0.3, FIRST = 0.15, LAST = 1e-4;
 
@@ -236,26 +236,33 @@ static int fit_along(const struct vec3 *point, size_t n, struct vec3 up, double 
                      struct cone_tip *tip)
 {
     struct vec3 local[CONE_POINTS];
-    double far = vec_distance(point[n - 1], point[0]), spacing = far * sqrt(PI / (double)n);
+    double far = 0;
 
     *tip = (struct cone_tip){.frame = quadric_frame(point[0], up)};
-    for (size_t k = 0; k < n; k++)
+    for (size_t k = 0; k < n; k++) {
         local[k] = quadric_local(&tip->frame, point[k]);
+        far = fmax(far, hypot(local[k].x, local[k].y));
+    }
+    double spacing = far * sqrt(PI / (double)n);
     if (!search(local, n, spacing, rms, tip) || !is_pointed(tip))
         return -1;
     tip->reach = find_reach(local, n, tip);
-    return tip->reach > ROUND * spacing / hypot(1, tip->c[1]) ? 0 : -1;
+    return tip->reach > ROUND * spacing ? 0 : -1;
 }
 
 int cone_tip_fit(const struct vec3 *point, size_t n, double rms, struct cone_tip *tip)
 {
     if (n < 2 * CONE_TERMS + 2 || n > CONE_POINTS)
         return -1;
-    /* The plane nearest to the points of a slender one is upright. */
+    /* The plane nearest to the points of a slender one is upright; seen along a way that leans, the
+     * terms do not describe it as well. */
     struct vec3 up = plane_normal(point, n);
-    if (fit_along(point, n, up.z < 0 ? vec_scale(-1, up) : up, rms, tip) == 0)
-        return 0;
-    return fit_along(point, n, vec(0, 0, 1), rms, tip);
+    struct cone_tip above;
+    int leaning = fit_along(point, n, up.z < 0 ? vec_scale(-1, up) : up, rms, tip);
+    int upright = fit_along(point, n, vec(0, 0, 1), rms, &above);
+    if (upright == 0 && (leaning != 0 || above.rms < tip->rms))
+        *tip = above;
+    return leaning == 0 || upright == 0 ? 0 : -1;
 }
 
 struct vec3 cone_tip_at(const struct cone_tip *tip, double r, double t)

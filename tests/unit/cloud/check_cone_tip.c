@@ -67,6 +67,11 @@ static double four_sides(double x, double y)
     return 5 - 1.2 * fmax(fabs(x - 0.1), fabs(y + 0.07));
 }
 
+static double slender(double x, double y)
+{
+    return 5 - 2.7474774 * hypot(x - 0.1, y + 0.07);
+}
+
 static double (*const cone[])(double, double) = {upright, elliptic, ogive};
 static double (*const other[])(double, double) = {sphere, ridge, four_sides};
 
@@ -112,6 +117,26 @@ START_TEST(found)
 }
 END_TEST
 
+/* A cone of 40 degrees: its points are far apart down the flanks, but the tip is as near to them
+ * across the axis as that of any cone.  All but those that leave a sector empty are found. */
+START_TEST(slender_found)
+{
+    enum { DESIGNS = 40 };
+    struct cone_tip tip;
+    int tips = 0;
+
+    noisy_seed(55);
+    for (int design = 0; design < DESIGNS; design++) {
+        make(slender, 0);
+        if (cone_tip_fit(point, N, 0.004, &tip) < 0)
+            continue;
+        tips++;
+        ck_assert_double_le(vec_distance(cone_tip_at(&tip, 0, 0), vec(0.1, -0.07, 5)), 0.01);
+    }
+    ck_assert_int_ge(tips, DESIGNS * 3 / 4);
+}
+END_TEST
+
 START_TEST(none)
 {
     struct cone_tip tip;
@@ -146,6 +171,7 @@ int main(void)
     TCase *tests = tcase_create("cone_tip");
     SRunner *runner = srunner_create(suite);
     tcase_add_loop_test(tests, found, 0, 6);
+    tcase_add_test(tests, slender_found);
     tcase_add_loop_test(tests, none, 0, 3);
     tcase_add_test(tests, none_to_one_side);
     suite_add_tcase(suite, tests);
