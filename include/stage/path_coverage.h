@@ -11,7 +11,7 @@
 
 struct path_coverage {
     struct coverage *coverage; /* NULL: nothing is measured */
-    struct coverage *odd;      /* of the points that who judges takes for elsewhere, there */
+    struct coverage *judged;   /* of noisy points where who judges has them, NULL: the same */
     struct coverage_options options;
     struct kdtree *vertex;
     struct gouge_check *bare; /* the points of the scan and none between them: what is in the way of

@@ -167,7 +167,7 @@ struct path_coverage path_coverage_new(const struct mesh *mesh, const struct mes
 void path_coverage_free(struct path_coverage *c)
 {
     coverage_free(c->coverage);
-    coverage_free(c->odd);
+    coverage_free(c->judged);
     gouge_free(c->bare);
     kdtree_free(c->vertex);
     array_free(&c->options.axes);
@@ -231,32 +231,10 @@ void path_coverage_rest(struct path_coverage *c, struct vec3 planes, struct tool
     }
 }
 
-/* Of points those that are farther from all that the path was made by. */
-static void keep_odd(const struct path_coverage *c, double far, struct vec3s *points)
-{
-    size_t n, kept = 0;
-    const struct coverage_point *own = coverage_points(c->coverage, &n);
-    struct vec3s known = {0};
-
-    for (size_t i = 0; i < n; i++)
-        *array_push(&known) = own[i].p;
-    struct kdtree *tree = kdtree_new_by(known.item, known.n, c->options.threads);
-    for (size_t i = 0; i < points->n; i++) {
-        size_t at;
-        double distance2;
-        if (kdtree_nearest(tree, points->item[i], 1, &at, &distance2) > 0 && distance2 > far * far)
-            points->item[kept++] = points->item[i];
-    }
-    points->n = kept;
-    kdtree_free(tree);
-    array_free(&known);
-}
-
 /* Noise is taken out of a scan by the surfaces that guard, and by who judges in a way of its own:
- * where that puts a point elsewhere, more may be left of it. */
-static void measure_odd(struct path_coverage *c, const struct toolpath *t)
+ * where that puts a point elsewhere, more or less is left of it. */
+static void measure_judged(struct path_coverage *c, const struct toolpath *t)
 {
-    const double far = 0.25; /* of the limit */
     struct vec3s points = {0};
 
     if (!c->scan || c->scallop == 0 || !(path_options.noise > 0))
@@ -264,9 +242,8 @@ static void measure_odd(struct path_coverage *c, const struct toolpath *t)
     vec3s_add(&points, path_options.believed.item, path_options.believed.n);
     coverage_judge_settle(&points, c->options.radius, path_options.noise, c->options.threads);
     keep_region(&points);
-    keep_odd(c, far * c->options.limit, &points);
-    c->odd = coverage_new(points.item, points.n, c->options.threads);
-    coverage_cut(c->odd, &c->options, &t->ball, &t->ball_end);
+    c->judged = coverage_new(points.item, points.n, c->options.threads);
+    coverage_cut(c->judged, &c->options, &t->ball, &t->ball_end);
     array_free(&points);
 }
 
@@ -304,7 +281,7 @@ void path_coverage_measure(struct path_coverage *c, const struct toolpath *t)
     coverage_restart(c->coverage);
     coverage_cut(c->coverage, &c->options, &t->ball, &t->ball_end);
     c->nothing = !any_is_cut(c->coverage);
-    measure_odd(c, t);
+    measure_judged(c, t);
 }
 
 /* What who judges a program by the points takes for left: of a scan by all of its points. */

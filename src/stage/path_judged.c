@@ -42,33 +42,24 @@ static bool is_much(const struct path_coverage *c, const struct path_judged *jud
 struct asked {
     struct coverage_point *point;
     double *height;
-    size_t n, own; /* own: those before the ones that it takes for elsewhere */
+    size_t n;
 };
 
-/* Of points those on which is more than `least` are asked for: those cut are not. */
-static void add_asked(const struct coverage_point *point, size_t n, double least, bool left,
-                      struct asked *asked)
-{
-    for (size_t i = 0; i < n; i++) {
-        bool may = point[i].state == COVERAGE_KEPT || point[i].state == COVERAGE_OUT ||
-                   (left && point[i].state == COVERAGE_LEFT);
-        asked->point[asked->n] = point[i];
-        asked->height[asked->n++] = may && point[i].height > least ? point[i].height : 0;
-    }
-}
-
-/* The points out of reach or kept off, and those left, too, that a judge takes for elsewhere. */
+/* Of noisy points those that a judge has, also those that are left, for it takes them to be
+ * elsewhere; of others those out of reach or kept off on which is more than `least`. */
 static struct asked ask(const struct path_coverage *c, double least)
 {
-    size_t n, odd = 0;
-    const struct coverage_point *point = coverage_points(c->coverage, &n), *other = NULL;
-    if (c->odd)
-        other = coverage_points(c->odd, &odd);
-    struct asked asked = {mem_alloc(n + odd + 1, sizeof *asked.point),
-                          mem_alloc(n + odd + 1, sizeof *asked.height), 0, n};
+    size_t n;
+    const struct coverage_point *point = coverage_points(c->judged ? c->judged : c->coverage, &n);
+    struct asked asked = {mem_alloc(n + 1, sizeof *asked.point),
+                          mem_alloc(n + 1, sizeof *asked.height), n};
 
-    add_asked(point, n, least, false, &asked);
-    add_asked(other, odd, least, true, &asked);
+    for (size_t i = 0; i < n; i++) {
+        bool may = point[i].state == COVERAGE_KEPT || point[i].state == COVERAGE_OUT ||
+                   (c->judged && point[i].state == COVERAGE_LEFT);
+        asked.point[i] = point[i];
+        asked.height[i] = may && point[i].height > least ? point[i].height : 0;
+    }
     return asked;
 }
 
@@ -103,17 +94,23 @@ static void judge(const struct path_coverage *c, struct vec3s *place, double lim
 }
 
 /* Where so much may be left. */
-static struct path_judged judged_by(const struct asked *asked, double limit)
+static struct path_judged judged_by(const struct path_coverage *c, const struct asked *asked,
+                                    double limit)
 {
     struct path_judged judged = {.limit = limit};
 
     for (size_t i = 0; i < asked->n; i++) {
         if (asked->height[i] <= limit)
             continue;
-        judged.odd += i >= asked->own;
+        if (asked->point[i].state == COVERAGE_LEFT) {
+            judged.left++;
+            continue;
+        }
         if (judged.n++ == 0 || asked->height[i] > judged.worst.height)
             judged.worst = asked->point[i];
     }
+    if (!c->judged)
+        judged.left = left_beyond(c, limit);
     return judged;
 }
 
@@ -123,16 +120,14 @@ struct path_verdicts path_judged(const struct path_coverage *c, struct vec3s *pl
     struct asked asked = ask(c, limit);
 
     judge(c, place, limit, &asked);
-    struct path_verdicts verdicts = {.worse = judged_by(&asked, last),
-                                     .as_is = judged_by(&asked, limit)};
+    struct path_verdicts verdicts = {.worse = judged_by(c, &asked, last),
+                                     .as_is = judged_by(c, &asked, limit)};
     free(asked.point);
     free(asked.height);
-    verdicts.worse.left = coverage_report(c->coverage).left.n;
-    verdicts.as_is.left = left_beyond(c, limit);
+    if (!c->judged)
+        verdicts.worse.left = coverage_report(c->coverage).left.n;
     verdicts.worse.much = is_much(c, &verdicts.worse, verdicts.worse.n, 1);
-    /* a tolerance makes up for what another place of a point leaves: that is no row too far off */
-    size_t own = verdicts.as_is.n - verdicts.as_is.odd;
-    if (!verdicts.worse.much && is_much(c, &verdicts.as_is, own, FITTED)) {
+    if (!verdicts.worse.much && is_much(c, &verdicts.as_is, verdicts.as_is.n, FITTED)) {
         verdicts.worse = verdicts.as_is;
         verdicts.worse.much = true;
     }

@@ -18,7 +18,6 @@ struct path_judged {
     double limit;                /* so much may be left */
     size_t left;                 /* points that are, though within reach */
     size_t n;                    /* of those out of reach or kept off who judges takes for it ... */
-    size_t odd;                  /* (of which so many are elsewhere by the judge alone) ... */
     struct coverage_point worst; /* ... what is on one of them */
     bool much; /* both together: more than path_options.left_share, or twice that */
 };
