@@ -324,6 +324,30 @@ START_TEST(noise)
 }
 END_TEST
 
+/* What is left on points that were put elsewhere is told by where a judge has them. */
+START_TEST(judged_where_the_judge_has_them)
+{
+    struct vec3s lower = {0};
+    struct path_head head = {0};
+    const char *text;
+
+    make(false);
+    for (size_t i = 0; i < scan.n; i++)
+        *array_push(&lower) = vec_sub(scan.item[i], vec(0, 0, scan.item[i].x > 5 ? 0.2 : 0));
+    path_options.noise = 0.04;
+    *(_i == 0 ? &path_options.certain : &path_options.believed) = lower;
+    struct path_coverage c = path_coverage_new(&mesh, &mesh, &t);
+    close_rows();
+    toolpath_end(&t);
+    path_coverage_measure(&c, &t);
+    ck_assert_int_eq(concluded(&c, &head, &text), _i == 0 ? EXIT_DONE : EXIT_UNMET);
+    unmets_free(&head.unmet);
+    unmets_free(&head.unfitted);
+    path_coverage_free(&c);
+    array_free(&lower);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("path_coverage");
@@ -336,6 +360,7 @@ int main(void)
     tcase_add_loop_test(tests, kept_off_is_left, 0, 4);
     tcase_add_test(tests, of_the_mesh);
     tcase_add_test(tests, noise);
+    tcase_add_loop_test(tests, judged_where_the_judge_has_them, 0, 2);
     suite_add_tcase(suite, tests);
     SRunner *runner = srunner_create(suite);
     srunner_run_all(runner, CK_ENV);
