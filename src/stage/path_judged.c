@@ -116,7 +116,9 @@ static struct path_judged judged_by(const struct path_coverage *c, const struct 
 
 struct path_verdicts path_judged(const struct path_coverage *c, struct vec3s *place)
 {
-    double limit = c->allowed + ROUNDED, last = c->allowed + STAGES * c->tolerance;
+    /* what is left of points by a hair a fitter may leave more of: of exact ones few are */
+    int stages = c->judged ? STAGES - 1 : STAGES;
+    double limit = c->allowed + ROUNDED, last = c->allowed + stages * c->tolerance;
     struct asked asked = ask(c, limit);
 
     judge(c, place, limit, &asked);

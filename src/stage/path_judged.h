@@ -3,9 +3,9 @@
  * (coverage_judge.h).
  *
  * Scallop and the tolerances of all stages may be left, so that what is left depends on the stages
- * to come: by a larger limit fewer points are asked for.  A path is judged as STAGES with as much
- * tolerance each may leave it, and as it is, where it becomes a program at once; as it is by twice
- * the share, for most paths get a fitter.  Lengths in mm.
+ * to come: by a larger limit fewer points are asked for.  A path is judged as STAGES (of noisy
+ * points one less) with as much tolerance each may leave it, and as it is, where it becomes a
+ * program at once; as it is by twice the share, for most paths get a fitter.  Lengths in mm.
  */
 #ifndef CLOUDMILL_PATH_JUDGED_H
 #define CLOUDMILL_PATH_JUDGED_H
