@@ -6,8 +6,8 @@
 #include "math/band.h"
 #include "math/pair.h"
 
-/* Of the spacing across the axis: the search begins on a raster so far apart, and with these steps; it ends below
- * the last. */
+/* Of the spacing across the axis: the search begins on a raster so far apart, and with these steps;
+ * it ends below the last. */
 static const double APART = 0.3, FIRST = 0.15, LAST = 1e-4;
 
 /* And so far from the highest point a tip may be: from afar a cone is as smooth as anything. */
