@@ -4,6 +4,7 @@
 #ifndef CLOUDMILL_MESH_EDGES_H
 #define CLOUDMILL_MESH_EDGES_H
 
+#include "curve/edge_curve.h"
 #include "mesh/mesh.h"
 
 enum { EDGE_BORDER = -1, EDGE_MANY = -2 };
@@ -26,5 +27,10 @@ void mesh_edges_free(struct mesh_edges *edges);
 
 /* The facet on the other side of an edge; negative where there is none, or more than one. */
 int mesh_edge_beyond(const struct mesh_edges *edges, int edge, int facet);
+
+/* The way from one vertex to another as the surface runs there.  Straight where it would be off its
+ * chord by more than half the spacing of the mesh's grid: such an edge spans what nobody has seen,
+ * as a wall that scan lines pass by, and the normals of its ends say nothing of it. */
+struct edge_curve mesh_edge_curve(const struct mesh *mesh, int from, int to);
 
 #endif

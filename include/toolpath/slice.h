@@ -47,9 +47,8 @@ struct slice;
 
 /*
  * Prepares a mesh with normals for planes of this unit normal.  The mesh must outlive it.  `smooth`
- * takes the edges as the surface runs there (edge_curve.h), not as straight: points are then on the
- * surface to the fourth order of an edge's length; but an edge that would be off its chord by more
- * than half the spacing of the mesh's grid is straight.  `threads` as in parallel.h.
+ * takes the edges as the surface runs there (mesh_edge_curve), not as straight: points are then on
+ * the surface to the fourth order of an edge's length.  `threads` as in parallel.h.
  */
 struct slice *slice_new(const struct mesh *mesh, struct vec3 normal, bool smooth, int threads);
 

@@ -3,7 +3,6 @@
 
 #include <stdlib.h>
 
-#include "curve/edge_curve.h"
 #include "mesh/mesh_edges.h"
 
 enum { NONE = -1 };
@@ -40,7 +39,7 @@ static int vertex_on(struct clip *c, int edge)
     bool rises = c->value[v[0]] < c->value[v[1]];
     int low = rises ? v[0] : v[1], high = rises ? v[1] : v[0];
     struct vec3 n = mesh->normal.item[low], m = mesh->normal.item[high];
-    struct edge_curve curve = edge_curve(mesh->vertex.item[low], n, mesh->vertex.item[high], m);
+    struct edge_curve curve = mesh_edge_curve(mesh, low, high);
     double s = c->value[low] / (c->value[low] - c->value[high]);
     if (c->direction)
         s = edge_curve_crossing(&curve, *c->direction, c->at);

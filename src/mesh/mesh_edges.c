@@ -91,3 +91,15 @@ int mesh_edge_beyond(const struct mesh_edges *edges, int edge, int facet)
         return f[1];
     return f[0] == facet ? f[1] : f[0];
 }
+
+struct edge_curve mesh_edge_curve(const struct mesh *mesh, int from, int to)
+{
+    const double most = 0.5; /* of the spacing */
+    struct vec3 p = mesh->vertex.item[from], q = mesh->vertex.item[to];
+    struct vec3 pn = mesh->normal.item[from], qn = mesh->normal.item[to];
+    double spacing = mesh->origin.spacing;
+
+    if (spacing > 0 && edge_bulge(p, pn, q, qn) > most * spacing)
+        return edge_chord(p, q);
+    return edge_curve(p, pn, q, qn);
+}

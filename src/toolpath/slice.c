@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "base/parallel.h"
-#include "curve/edge_curve.h"
 #include "mesh/mesh_edges.h"
 
 /* Points nearer than this say more of rounding than of a direction, mm. */
@@ -14,10 +13,6 @@ static const double CROWDED = 1e-3;
 
 /* A vertex within this of a plane is on it, mm: coordinates of a mesh stream have 6 decimals. */
 static const double ON_PLANE = 2e-6;
-
-/* In spacings of the mesh's grid: an edge that would be off its chord by more spans what nobody has
- * seen, as a wall that scan lines pass by, and the normals of its ends say nothing of it. */
-static const double BULGE = 0.5;
 
 enum { NONE = -1, LEAF = 8 };
 
@@ -244,18 +239,6 @@ static bool crosses(const struct slice *cut, int edge, double height)
     return is_below(cut, v[0], height) != is_below(cut, v[1], height);
 }
 
-/* The edge as the surface runs there. */
-static struct edge_curve curve_of(const struct slice *cut, int low, int high)
-{
-    struct vec3 p = cut->mesh->vertex.item[low], q = cut->mesh->vertex.item[high];
-    struct vec3 pn = cut->mesh->normal.item[low], qn = cut->mesh->normal.item[high];
-    double spacing = cut->mesh->origin.spacing;
-
-    if (spacing > 0 && edge_bulge(p, pn, q, qn) > BULGE * spacing)
-        return edge_chord(p, q);
-    return edge_curve(p, pn, q, qn);
-}
-
 static struct contact contact_on(const struct slice *cut, int edge, double height)
 {
     const int *v = cut->edges.edge[edge].v;
@@ -268,7 +251,7 @@ static struct contact contact_on(const struct slice *cut, int edge, double heigh
     struct contact c = {vec_mix(p, q, s), vec_unit(vec_mix(pn, qn, s))};
 
     if (cut->smooth) {
-        struct edge_curve curve = curve_of(cut, low, high);
+        struct edge_curve curve = mesh_edge_curve(cut->mesh, low, high);
         s = edge_curve_crossing(&curve, cut->normal, height);
         c.p = edge_curve_at(&curve, s);
         struct vec3 along = vec_unit(edge_curve_slope(&curve, s));

@@ -68,6 +68,21 @@ START_TEST(planes)
 }
 END_TEST
 
+/* Edges far longer than the grid is fine are cut as they are: on their chords, inside the ball. */
+START_TEST(long_edges_are_straight)
+{
+    struct mesh m = half_ball();
+    double deepest = 0;
+
+    m.origin.spacing = 1e-3;
+    mesh_clip_plane(&m, vec(0, 0, 1), 4.63);
+    for (size_t v = 0; v < m.vertex.n; v++)
+        deepest = fmax(deepest, R - vec_length(m.vertex.item[v]));
+    ck_assert_double_gt(deepest, 2e-3); /* of what holds() lets by */
+    mesh_free(&m);
+}
+END_TEST
+
 /* Two halves are the whole. */
 START_TEST(halves)
 {
@@ -153,6 +168,7 @@ int main(void)
     SRunner *runner = srunner_create(suite);
     tcase_add_test(tests, planes);
     tcase_add_test(tests, halves);
+    tcase_add_test(tests, long_edges_are_straight);
     tcase_add_test(tests, steep);
     tcase_add_test(tests, surfaces);
     tcase_add_test(tests, polygons_seen_from_above);
