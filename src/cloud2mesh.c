@@ -274,14 +274,20 @@ static void say_turned(const char *name, const struct settings *s, const struct 
 }
 
 /* Whether a mesh seen from above is none to be cut, where one by parts may be. */
-static bool must_divide(const struct settings *s, const struct cloudmesh *result,
-                        const struct mesh *mesh, bool folds)
+static bool must_divide(const struct settings *s, const struct cloudmesh *result, double steep,
+                        bool folds)
 {
     if (s->meshing.subdivide || s->meshing.paper || s->extend > 0 ||
         s->meshing.method == CLOUDMESH_DELAUNAY)
         return false;
-    return result->turned_part > MUCH_TURNED ||
-           (folds && mesh_steep_part(mesh, vec(0, 0, 1)) > MOST_STEEP);
+    return result->turned_part > MUCH_TURNED || (folds && steep > MOST_STEEP);
+}
+
+static void say_divided(const char *name, const struct cloudmesh *result, double steep)
+{
+    say("%s: the surface folds under itself, seen from above: %.1f %% of its mesh is steeper than "
+        "70 degrees, and %.1f %% would face against the points about it",
+        name, 100 * steep, 100 * result->turned_part);
 }
 
 /* The mesh by parts in its place; points under others have their place in one. */
@@ -296,11 +302,7 @@ static void divide(const char *name, struct settings *s, struct vec3s *points,
                                     .place = from->place,
                                     .noise = from->noise}};
 
-    say("%s: the surface folds under itself, seen from above: %.1f %% of its mesh is steeper than "
-        "70 degrees, and %.1f %% would face against the points about it",
-        name, 100 * mesh_steep_part(mesh, vec(0, 0, 1)), 100 * result->turned_part);
-    for (size_t i = 0; i < covered->n; i++)
-        *array_push(points) = covered->item[i];
+    vec3s_add(points, covered->item, covered->n);
     s->meshing.subdivide = true;
     if (cloudmesh_make(&s->meshing, points, noise, threads, &parts, result, &error) < 0)
         die("%s: %s", name, error.text);
@@ -495,13 +497,15 @@ int main(int argc, char **argv)
     if (cloudmesh_make(&settings.meshing, &points, noise, cli.threads, &mesh, &result, &error) < 0)
         die("%s: %s", name, error.text);
     bool folds = (double)prepared.under > FOLDS * (double)read;
-    if (must_divide(&settings, &result, &mesh, folds)) {
+    double steep = mesh_steep_part(&mesh, vec(0, 0, 1));
+    if (must_divide(&settings, &result, steep, folds)) {
+        say_divided(name, &result, steep);
         left_out -= prepared.covered.n;
         divide(name, &settings, &points, &prepared.covered, noise, cli.threads, &mesh, &result);
     }
     say_left_out(&settings, &result.count);
     say_turned(name, &settings, &result, mesh.face.n, &mesh.origin.unmet);
-    say_steep(name, &settings, mesh_steep_part(&mesh, vec(0, 0, 1)), folds, &mesh.origin.unmet);
+    say_steep(name, &settings, steep, folds, &mesh.origin.unmet);
     if (!settings.meshing.smooth && !settings.outside_given) /* what is streamed does not know it */
         say_facing(name, mesh_facing(&mesh), &mesh.origin.unmet);
     if (settings.meshing.method != CLOUDMESH_CHUI)

@@ -35,7 +35,7 @@ int cloud_prepare_place(struct vec3s *points, const char *unit, const char *matr
 struct cloud_prepare {
     size_t twice, outliers, under; /* taken out: outliers.h */
     double noise;                  /* noise.h, mm */
-    struct vec3s covered;          /* those under others, which a mesh by parts has room for */
+    struct vec3s covered;          /* those under others that were: a mesh by parts has room */
 };
 
 enum cloud_prepare_drop { CLOUD_PREPARE_KEEP, CLOUD_PREPARE_DROP_OUTLIERS, CLOUD_PREPARE_DROP };

@@ -122,15 +122,15 @@ static void say_cleaned(const struct cloud_prepare *c, bool drop)
             c->under == 1 ? "" : "s");
 }
 
-/* Marks points under others beside what is marked already, and keeps them. */
-static void cover(const struct point_grid *point_grid, int threads, unsigned char *out,
+/* Marks points under others beside what is marked already; those to be taken out are kept. */
+static void cover(const struct point_grid *point_grid, bool drop, int threads, unsigned char *out,
                   struct cloud_prepare *done)
 {
     unsigned char *before = mem_alloc(point_grid->n, 1);
 
     memcpy(before, out, point_grid->n);
     done->under = outliers_under_roof(point_grid, threads, out);
-    for (size_t i = 0; i < point_grid->n; i++)
+    for (size_t i = 0; drop && i < point_grid->n; i++)
         if (out[i] && !before[i])
             *array_push(&done->covered) = point_grid->point[i];
     free(before);
@@ -153,7 +153,7 @@ int cloud_prepare_clean(struct vec3s *points, double spacing, double noise,
     cloud_prepare->noise = believed.noise.even > 0 ? believed.noise.even : believed.noise.sigma;
     cloud_prepare->outliers = believed.outliers;
     if (drop != CLOUD_PREPARE_DROP_OUTLIERS)
-        cover(&point_grid, threads, out, cloud_prepare);
+        cover(&point_grid, drop == CLOUD_PREPARE_DROP, threads, out, cloud_prepare);
     if (drop != CLOUD_PREPARE_KEEP)
         point_grid_remove(&point_grid, out);
     points->n = point_grid.n;

@@ -45,6 +45,10 @@ below "no facet faces into it" "$(inward "$TMP/cap.ply")" 0
 has "which side was taken" 'was taken for the outside' "$TMP/err"
 cloud2mesh -q --subdivide -o "$TMP/parts.ply" "$TMP/cap.xyz"
 same "the same as by parts at once" "$TMP/parts.ply" "$TMP/cap.ply"
+ok "with what is under others kept" cloud2mesh -v --outliers keep -o "$TMP/cap.ply" "$TMP/cap.xyz"
+has "no point is there twice" '439 points in, 0 left out' "$TMP/err"
+cloud2mesh -q --subdivide --outliers keep -o "$TMP/parts.ply" "$TMP/cap.xyz"
+same "and as by parts at once" "$TMP/parts.ply" "$TMP/cap.ply"
 status 3 "extended it is not by parts" cloud2mesh --extend 1 -o "$TMP/cap.ply" "$TMP/cap.xyz"
 has "which is told" 'steeper than 70 degrees, and it folds under itself' "$TMP/err"
 

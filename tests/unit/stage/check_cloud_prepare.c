@@ -180,6 +180,7 @@ START_TEST(cleaning)
         ck_assert_int_eq(status, 0);
         ck_assert_uint_eq(found.twice, DOUBLES);
         ck_assert_uint_eq(found.outliers, STRAYS);
+        ck_assert_uint_eq(found.covered.n, 0);
         ck_assert_uint_eq(points.n, SIDE * SIDE + (drops[k] ? 0 : STRAYS));
         ck_assert_uint_eq(above(1), drops[k] ? 0 : STRAYS);
         /* an estimate of sigma from n points that is half as good as the best is off by no more
