@@ -297,10 +297,9 @@ static void divide(const char *name, struct settings *s, struct vec3s *points,
 {
     struct error error;
     const struct mesh_origin *from = &mesh->origin;
-    struct mesh parts = {.origin = {.ledger = NAN,
-                                    .placed = from->placed,
-                                    .place = from->place,
-                                    .noise = from->noise}};
+    struct mesh parts = {
+        .origin = {
+            .ledger = NAN, .placed = from->placed, .place = from->place, .noise = from->noise}};
 
     vec3s_add(points, covered->item, covered->n);
     s->meshing.subdivide = true;
