@@ -98,7 +98,7 @@ small := io/nurbs/nurbs_text% machine/machine machine/machine_options machine/te
   io/path/path_head io/path/path_write io/mesh/ply_origin io/cloud/cloud_formats nurbs/primitive \
   nurbs/approximate stage/toolpath simulate/unseen_% mesh/mesh_outline io/mesh/stl io/mesh/off \
   io/mesh/meshfile io/cloud/cloud io/cloud/cloud_las gouge/holder_text cloud/steep_facets \
-  cloud/rim_points cloud/roof cloud/edge_cliff cloud/edge_points cloud/noise cloud/outliers \
+  cloud/rim_points cloud/roof cloud/edge_cliff% cloud/edge_points cloud/noise cloud/outliers \
   cloud/outliers_kept cloud/edge_unknown gouge/link gouge/link_retract nurbs/trim_told \
   nurbs/trim_tidy nurbs/trim_order nurbs/trim_follow nurbs/trim_loops nurbs/pullback cloud/sheets \
   toolpath/passes toolpath/scallop gouge/axis_lone cloud/edge_flank cloud/edge_meet \

@@ -136,12 +136,18 @@ void edge_meet_add(const struct edge_work *work, const struct edge_hood *near, s
 void edge_meet_across(const struct edge_work *work, size_t i, const struct sizes *across,
                       struct vec3s *to);
 
-/* ---- edge_cliff: appends places on the flank of point i, continued to the points so steeply below
- * that a wall must be between, and on that wall; returns how far these are, seen from above; 0:
- * there are none.  To `edge`: places of edges with surfaces that begin farther down than the
- * nearest points of its own neighbourhood. */
+/* ---- edge_cliff: a flank that ends above a wall without points (its steps: edge_cliff.h). */
 
+/* Appends places on the flank of point i, continued to the points so steeply below that a wall must
+ * be between, and on that wall; returns how far these points are, mm seen from above; 0: there are
+ * none.  To `edge`: places of edges with surfaces that begin farther down than the nearest points
+ * of its own neighbourhood. */
 double edge_cliff_add(const struct edge_work *work, size_t i, struct vec3s *edge, struct vec3s *to);
+
+/* How far the flank may go on before point i, above such a wall, mm seen from above, where that is
+ * a sharp corner: a tip of it passes between points below; 0: it is none.  *ahead: that way, along
+ * the flank, one mm long seen from above. */
+double edge_cliff_corner(const struct edge_work *work, size_t i, struct vec3 *ahead);
 
 /* ---- edge_slope: the points close about a foot, seen from above, were scanned at all heights from
  * it up to `top`, no two of them 0.3 spacings apart.  Or, where less is known, those farther about,
@@ -154,11 +160,6 @@ bool edge_slope_seen(const struct point_grid *scan, struct vec3 foot, double top
 /* Away from the rim the scan goes down from the foot as steeply as it does to it: both are of one
  * slope, and no wall hangs from the rim. */
 bool edge_slope_goes_on(const struct point_grid *scan, struct vec3 foot, struct vec3 rim);
-
-/* How far the flank may go on before point i of such a wall, mm seen from above, where that is a
- * sharp corner: a tip of it passes between points below; 0: it is none.  *ahead: that way, along
- * the flank, one mm long seen from above. */
-double edge_cliff_corner(const struct edge_work *work, size_t i, struct vec3 *ahead);
 
 /* ---- edge_foot: appends places on the wall that may stand over point i: a gap of heights over it,
  * steeper than any slope that was scanned, whatever is known of the surfaces of its rim and
