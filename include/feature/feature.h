@@ -14,8 +14,9 @@
  *   4. The mesh is cut open along the features (feature_cut.c; Chui, Chiu, Yu 2007, section 7,
  *      figures 45 and 46), with a vertex where they meet within a facet (feature_corner.c).
  *   5. Only features that bring the mesh closer to the scan are kept (feature_accept.c).
- *   6. Ribs and grooves: the surface over an edge is followed from end to end, and the mesh gets
- *      the places on its crest (crest.c).
+ *   6. Ribs and grooves: of edges that may cut one off (crest_mesh.c) the surface over each is
+ *      followed from end to end (crest.c), and the mesh gets the places on its crest
+ *      (crest_insert.c).
  */
 #ifndef CLOUDMILL_FEATURE_H
 #define CLOUDMILL_FEATURE_H

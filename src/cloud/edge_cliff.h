@@ -6,8 +6,8 @@
  *
  * The flank of a point is the surface of its own side, as far as one is known (struct edge_flank).
  * Lengths in mm; a place (u, v) is so far from the point, seen from above.  Lists may be empty; no
- * function fails.  No paper: rules that scans of parts known exactly were measured by.  Its two
- * doors, edge_cliff_add and edge_cliff_corner, are in edge_steps.h.
+ * function fails.  No paper: the rules were found on scans of parts that are known exactly.  The
+ * two doors, edge_cliff_add and edge_cliff_corner, are in edge_steps.h.
  */
 #ifndef CLOUDMILL_EDGE_CLIFF_H
 #define CLOUDMILL_EDGE_CLIFF_H

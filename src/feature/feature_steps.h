@@ -194,4 +194,25 @@ struct crest {
 struct crest crest_find(const struct feature_cloud *cloud, struct vec3 a, struct vec3 b,
                         struct vec3 up);
 
+/* ---- crest_insert: crests put into a mesh; crest_mesh.c looks for them, as feature.h says. */
+
+/* Edges of a mesh and what was found over them. */
+struct crest_edges {
+    struct faces face;              /* some facets of the mesh ... */
+    struct sizes facet;             /* ... and which they are of it, rising */
+    const struct mesh_edges *edges; /* of these facets alone */
+    struct sizes edge;              /* those of the edges that were looked at */
+    struct crest *crest;            /* [edge.n]: over each of them */
+    int *of;                        /* [edges->n]: which of them each edge is; -1: none */
+};
+
+/*
+ * Puts the points of each crest into the mesh as vertices, in the order from its edge's first
+ * vertex to its second, and cuts up the facets beside it: from crest to crest, or from the only
+ * crest to the corner opposite, and what is left by ears (math/earclip.h).  Vertices on an edge
+ * along a row get its row and the column of its first vertex, the others row and column -1.
+ * Returns how many edges got points; the mesh must have normals.
+ */
+size_t crest_insert(struct mesh *mesh, const struct crest_edges *at);
+
 #endif

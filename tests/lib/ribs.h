@@ -37,4 +37,25 @@ static inline struct vec3s rib_cloud(double high, double noise)
     return p;
 }
 
+/* Of what noise leaves a quadric through 48 points along the rib: 4 / 48 of its variance at the
+ * middle, six deviations for the best of many directions. */
+static inline double rib_fit_noise(double sigma)
+{
+    return 6 * sigma * sqrt(4.0 / 48);
+}
+
+/* The deviation of the slope that 48 points have across the rib. */
+static inline double rib_slope_noise(double sigma)
+{
+    return 1.7 * sigma / 0.4 / sqrt(48);
+}
+
+/* How far aside of the crest the slope of the fit vanishes, for the rib is no quadric and has
+ * noise: five deviations of the slope over the curvature. */
+static inline double rib_aside(double noise)
+{
+    const double curvature = 2 * 0.8 / 0.36;
+    return 0.1 + 5 * 6 * rib_slope_noise(noise) / curvature;
+}
+
 #endif
