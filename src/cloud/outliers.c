@@ -1,7 +1,6 @@
 /* outliers - see outliers.h. */
 #include "cloud/outliers.h"
 
-#include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -90,25 +89,25 @@ static bool is_sparse_surface(const struct point_grid *b, const uint32_t *near, 
     return wider > CLUMP;
 }
 
-/* `distance2` of the point's neighbours, `near` without itself.  On a surface the last of them is
- * 1.7 times as far as number CLUMP; from a place apart both are about equally far. */
-static bool is_isolated(const struct search *s, const uint32_t *near, const double *distance2)
+/* On a surface the last of the neighbours is 1.7 times as far as number CLUMP; from a place apart
+ * both are about equally far. */
+static bool is_isolated(const struct search *s, const struct outliers_hood *hood)
 {
     const double much = OUTLIERS_ISOLATED, apart = 1.5, far = OUTLIERS_FAR;
     const struct point_grid *b = s->point_grid;
-    double reach = sqrt(distance2[CLUMP]);
+    double reach = sqrt(hood->distance2[CLUMP]);
     if (reach > far * s->spacing)
         return true;
-    if (distance2[NEAR] > apart * apart * distance2[CLUMP])
+    if (hood->distance2[NEAR] > apart * apart * hood->distance2[CLUMP])
         return false;
     /* By the middle one of their reaches. */
     int wider = 0, closer = 0;
     for (int i = 0; wider < CLUMP / 2 && closer <= CLUMP / 2; i++) {
-        bool far_less = reach > much * clump_radius(b, b->point[near[CLUMP + i]]);
+        bool far_less = reach > much * clump_radius(b, b->point[hood->index[CLUMP + i]]);
         closer += far_less;
         wider += !far_less;
     }
-    return closer > CLUMP / 2 && !is_sparse_surface(b, near, reach / much);
+    return closer > CLUMP / 2 && !is_sparse_surface(b, hood->index, reach / much);
 }
 
 /* How many of the neighbours are off their own surface by more than that: where several are, there
@@ -149,36 +148,30 @@ static bool is_top(const struct quadric *q, const struct vec3 *point, double spa
 static bool is_outlier(const struct search *s, size_t i)
 {
     const double spreads = OUTLIERS_SPREADS;
-    const struct point_grid *b = s->point_grid;
-    uint32_t index[NEAR + 1], near[NEAR];
-    double distance2[NEAR + 1], off[NEAR];
-    struct vec3 point[NEAR];
+    const struct vec3 p = s->point_grid->point[i];
+    struct outliers_hood hood;
     struct quadric q;
-    if (point_grid_nearest(b, b->point[i], NEAR + 1, index, distance2) < NEAR + 1)
+    double off[NEAR];
+
+    if (!outliers_hood_find(s->point_grid, i, &hood))
         return false;
-    for (size_t k = 0, n = 0; k <= NEAR && n < NEAR; k++)
-        if (index[k] != i) {
-            point[n] = b->point[index[k]];
-            near[n++] = index[k];
-        }
-    if (is_isolated(s, near, distance2))
+    if (is_isolated(s, &hood))
         return true;
     if (s->floating)
         return false;
-    double spacing = sqrt(PI * distance2[NEAR] / NEAR);
-    double least = fmax(OUTLIERS_SIGMAS * s->sigma, OUTLIERS_BELOW * spacing);
-    struct vec3 across = plane_normal(point, NEAR);
-    if (quadric_fit(point, NEAR, b->point[i], across, &q) < 0 ||
+    double least = outliers_least(&hood, s->sigma);
+    struct vec3 across = plane_normal(hood.point, NEAR);
+    if (quadric_fit(hood.point, NEAR, p, across, &q) < 0 ||
         quadric_distance(&q) < least / 3 || /* for most: more turns would change nothing */
-        quadric_settle(point, NEAR, b->point[i], across, &q) < 0 || quadric_distance(&q) < least)
+        quadric_settle(hood.point, NEAR, p, across, &q) < 0 || quadric_distance(&q) < least)
         return false;
-    double spread = refit_robustly(point, NEAR, s->sigma, &q, off);
+    double spread = refit_robustly(hood.point, NEAR, s->sigma, &q, off);
     if (stand_out(off, fmax(least, spreads * spread)) >= FEW)
         return false;
     if (is_over(&q)) {
-        if (is_top(&q, point, spacing, fmax(least, spreads / 2 * spread)))
+        if (is_top(&q, hood.point, hood.spacing, fmax(least, spreads / 2 * spread)))
             return false;
-        least = fmax(least, OUTLIERS_OVER * spacing);
+        least = fmax(least, OUTLIERS_OVER * hood.spacing);
     }
     return quadric_distance(&q) > fmax(least, spreads * spread) * sqrt(1 + q.variance);
 }

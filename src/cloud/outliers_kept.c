@@ -1,12 +1,10 @@
 /* outliers_kept - see outliers_kept.h. */
 #include "outliers_kept.h"
 
-#include <stdbool.h>
 #include <stdlib.h>
 
 #include "base/array.h"
 #include "cloud/edge_points.h"
-#include "cloud/outliers.h"
 #include "math/quadric.h"
 
 /* Points that are looked at about one; of those seen from above at most. */
@@ -43,28 +41,44 @@ struct group {
     bool attached; /* to points that are not marked */
 };
 
+bool outliers_hood_find(const struct point_grid *b, size_t i, struct outliers_hood *hood)
+{
+    uint32_t index[NEAR + 1];
+    size_t n = 0;
+
+    if (point_grid_nearest(b, b->point[i], NEAR + 1, index, hood->distance2) < NEAR + 1)
+        return false;
+    for (size_t k = 0; k <= NEAR && n < NEAR; k++)
+        if (index[k] != i) {
+            hood->index[n] = index[k];
+            hood->point[n++] = b->point[index[k]];
+        }
+    hood->spacing = sqrt(PI * hood->distance2[NEAR] / NEAR);
+    return true;
+}
+
+double outliers_least(const struct outliers_hood *hood, double sigma)
+{
+    return fmax(OUTLIERS_SIGMAS * sigma, OUTLIERS_BELOW * hood->spacing);
+}
+
 /* One quadric takes in point i and its neighbours, far apart as they may be: a smooth wall that was
  * seen at a few places. */
 static bool is_on_one_surface(const struct point_grid *b, double sigma, size_t i)
 {
-    uint32_t index[NEAR + 1];
-    double distance2[NEAR + 1], off[NEAR];
-    struct vec3 point[NEAR], p = b->point[i];
+    struct vec3 p = b->point[i];
+    struct outliers_hood hood;
     struct quadric q;
-    size_t n = 0;
+    double off[NEAR];
 
-    if (point_grid_nearest(b, p, NEAR + 1, index, distance2) < NEAR + 1)
+    if (!outliers_hood_find(b, i, &hood))
         return false;
-    for (size_t k = 0; k <= NEAR && n < NEAR; k++)
-        if (index[k] != i)
-            point[n++] = b->point[index[k]];
-    double least =
-        fmax(OUTLIERS_SIGMAS * sigma, OUTLIERS_BELOW * sqrt(PI * distance2[NEAR] / NEAR));
-    struct vec3 across = plane_normal(point, NEAR);
-    if (quadric_fit(point, NEAR, p, across, &q) < 0 ||
-        quadric_settle(point, NEAR, p, across, &q) < 0 || quadric_distance(&q) > least)
+    double least = outliers_least(&hood, sigma);
+    struct vec3 across = plane_normal(hood.point, NEAR);
+    if (quadric_fit(hood.point, NEAR, p, across, &q) < 0 ||
+        quadric_settle(hood.point, NEAR, p, across, &q) < 0 || quadric_distance(&q) > least)
         return false;
-    quadric_off_all(&q, point, NEAR, off);
+    quadric_off_all(&q, hood.point, NEAR, off);
     for (size_t k = 0; k < NEAR; k++)
         if (fabs(off[k]) > least)
             return false;
