@@ -16,9 +16,9 @@ struct path_coverage {
     struct kdtree *vertex;
     struct gouge_check *bare; /* the points of the scan and none between them: what is in the way of
                                  a ball that could cut more (NULL: the guard is) */
-    double
-        scallop; /* of the rows, mm; 0: none was asked for, and nothing that is left is a fault */
-    bool scan;   /* the points are a scan */
+    double scallop;           /* of the rows, mm; 0: none was asked for, nothing left is a fault */
+    bool scan;                /* the points are a scan */
+    struct vec3s facets; /* points on the facets of meshes that guard, so many as are measured */
     const struct mesh *part; /* points on a mesh are of a part of this; NULL: of all */
     double spacing;          /* of points on a mesh, mm */
     const struct toolpath_options *rule;

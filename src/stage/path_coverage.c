@@ -47,42 +47,50 @@ static void add_mesh(const struct mesh *mesh, double spacing, int threads, struc
 }
 
 /* Of very many points so many that each of the others has one of them within `gap`. */
-static void thin_points(double gap, struct vec3s *points)
+static void add_thinned(double gap, const struct vec3s *from, struct vec3s *to)
 {
-    size_t n = points->n;
+    size_t n = from->n;
     struct box around;
 
-    if (n < MANY)
+    if (n < MANY) {
+        vec3s_add(to, from->item, n);
         return;
-    struct gouge_check *all = gouge_from_points(points->item, n);
+    }
+    struct gouge_check *all = gouge_from_points(from->item, n);
     bool *kept = mem_alloc(n, sizeof *kept);
     gouge_thinned(all, gap, kept, &around);
-    points->n = 0;
     for (size_t i = 0; i < n; i++)
         if (kept[i])
-            points->item[points->n++] = points->item[i];
+            *array_push(to) = from->item[i];
     free(kept);
     gouge_free(all);
 }
 
 /* The points that are to be cut: those of the scan, or points on the mesh half a row apart, or as
- * close ones on the facets of the meshes that guard.  False for these. */
-static bool add_points(const struct mesh *region, double spacing, int threads, struct vec3s *to)
+ * close ones on the facets of the meshes that guard, which c->facets gets.  False for these. */
+static bool add_points(struct path_coverage *c, const struct mesh *region, int threads,
+                       struct vec3s *to)
 {
-    struct path_options *c = &path_options;
+    const struct path_options *o = &path_options;
+    struct vec3s on_mesh = {0};
 
-    if (c->facets.n > 0) {
-        thin_points(2 * spacing, &c->facets);
+    if (o->facets.n > 0) {
+        add_thinned(2 * c->spacing, &o->facets, &c->facets);
         vec3s_add(to, c->facets.item, c->facets.n);
         return false;
     }
-    vec3s_add(to, c->certain.item, c->certain.n);
-    vec3s_add(to, c->doubtful.item, c->doubtful.n);
+    vec3s_add(to, o->certain.item, o->certain.n);
+    vec3s_add(to, o->doubtful.item, o->doubtful.n);
     if (to->n > 0)
         return true;
-    add_mesh(region, spacing, threads, to);
-    if (path_options.scallop == 0) /* nothing is promised: half a row apart in the mean */
-        thin_points(2 * spacing, to);
+    if (o->scallop > 0) {
+        add_mesh(region, c->spacing, threads, to);
+        return false;
+    }
+    add_mesh(region, c->spacing, threads, &on_mesh);
+    add_thinned(2 * c->spacing, &on_mesh,
+                to); /* nothing is promised: half a row apart in the mean */
+    array_free(&on_mesh);
     return false;
 }
 
@@ -133,7 +141,7 @@ struct path_coverage path_coverage_new(const struct mesh *mesh, const struct mes
     c.rule = &t->rule;
     c.tolerance = t->lift.tolerance;
     c.spacing = scallop_step(h, o->radius, 0) / 2;
-    c.scan = add_points(region, c.spacing, t->threads, &points);
+    c.scan = add_points(&c, region, t->threads, &points);
     if (c.scan)
         c.bare = bare_guard(&points, t->threads);
     bool guarded = c.scan || o->facets.n > 0;
@@ -170,6 +178,7 @@ void path_coverage_free(struct path_coverage *c)
     coverage_free(c->judged);
     gouge_free(c->bare);
     kdtree_free(c->vertex);
+    array_free(&c->facets);
     array_free(&c->options.axes);
 }
 
@@ -289,7 +298,7 @@ static struct path_verdicts judged_left(const struct path_coverage *c)
 {
     size_t n;
     const struct coverage_point *point = coverage_points(c->coverage, &n);
-    const struct vec3s *guard = c->scan ? &path_options.believed : &path_options.facets;
+    const struct vec3s *guard = c->scan ? &path_options.believed : &c->facets;
     struct vec3s place = {0};
 
     vec3s_add(&place, guard->item, guard->n);
