@@ -93,6 +93,10 @@ struct vec3 chain_linear_of(const struct kinematic_chain *chain, struct vec3 tip
 /* Its angles at zero, or as near as their travel lets them be; q[ROTARY_MAX], 0 beyond chain->n. */
 void chain_zero(const struct kinematic_chain *chain, double q[]);
 
+/* How far the tool of two axes can lean off `pole`, the first one's direction or its opposite, if
+ * the axes turn without end, radians. */
+double chain_most_lean(const struct kinematic_chain *chain, struct vec3 pole);
+
 /* The direction is singular: the axis nearest the work may have any angle. */
 bool chain_free(const struct kinematic_chain *chain, struct vec3 axis);
 

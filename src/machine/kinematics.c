@@ -170,6 +170,15 @@ bool chain_free(const struct kinematic_chain *chain, struct vec3 axis)
     return chain->n == 2 && vec_dot(off, off) < singular * singular;
 }
 
+double chain_most_lean(const struct kinematic_chain *chain, struct vec3 pole)
+{
+    struct chain_triangle t = triangle_of(chain);
+    double sum = t.between + t.tool;
+
+    return vec_dot(pole, chain->rotary[0].axis) > 0 ? fmin(sum, 2 * PI - sum)
+                                                    : PI - fabs(t.between - t.tool);
+}
+
 struct chain_solutions chain_angles(const struct kinematic_chain *chain, struct vec3 axis)
 {
     if (chain->n == 2)

@@ -239,16 +239,34 @@ static void stay_inside(struct rotary *r, double keep)
     r->max -= keep <= r->max ? fmin(inside, r->max - keep) : inside;
 }
 
+/* The second axis, which stands at `upright` at the pole, is not to lean the tool off it quite as far
+ * as it can, which may be less far than it travels: one at 45 degrees lays the tool flat at 180. */
+static void leave_reach(struct kinematic_chain *chain, struct rotary_frame frame, double upright)
+{
+    struct rotary *r = &chain->rotary[1];
+    double most = chain_most_lean(chain, frame.pole), lean = most - RADIANS(INSIDE);
+    struct chain_solutions s =
+        chain_angles(chain, rotary_axis(&frame, (struct rotary_angles){.lean = lean}));
+
+    if (most > PI - RADIANS(INSIDE) || s.n == 0)
+        return;
+    double turn = fabs(angle_remainder(s.q[0][1] - upright));
+    r->min = fmax(r->min, upright - turn);
+    r->max = fmin(r->max, upright + turn);
+}
+
 /* Two rotary axes: the second one has the pole, where the tool is upright on most machines. */
 static void leave_ends(struct kinematic_chain *chain)
 {
-    struct vec3 pole = rotary_frame_of(chain).pole;
-    struct chain_solutions at_pole = chain_angles(chain, pole);
+    struct rotary_frame frame = rotary_frame_of(chain);
+    struct chain_solutions at_pole = chain_angles(chain, frame.pole);
 
     if (chain->n != 2)
         return;
     stay_inside(&chain->rotary[0], HUGE_VAL);
     stay_inside(&chain->rotary[1], at_pole.n > 0 ? at_pole.q[0][1] : HUGE_VAL);
+    if (at_pole.n > 0)
+        leave_reach(chain, frame, at_pole.q[0][1]);
 }
 
 /* With fewer than two rotary axes and no circle a fixed axis is left, if the machine has it. */

@@ -38,4 +38,17 @@ for machine in table-bc nutating-head; do
 		status 0 "... that is accepted" ncverify -q -g hill.xyz -m ./own.txt program
 	done
 done
+
+# A head at 45 degrees lays the tool flat at most, however far it travels: a fit that is off such an
+# axis is off what the machine reaches.
+awk 'BEGIN { for (a = 0; a <= 88; a += 2) for (y = 0; y <= 12; y += 0.4)
+	print 12 * sin(a / 57.29578), y + 0.1 * sin(a), 12 * cos(a / 57.29578) + 0.3 * sin(y / 2)
+}' >bent.xyz
+cloud2mesh -q -o bent.ply bent.xyz
+status 0 "nutating-head: a path down to where it is upright" meshnorm -q -r 2 --scallop 0.06 \
+	--avoid -m nutating-head -a 90 --lead 20 -o path.cl bent.ply
+ok "... its axes are no flatter than half a degree" awk -F, '/^GOTO/ && NF > 5 {
+	if ($6 < 0.0087) bad = 1
+	n++
+} END { exit bad || n < 100 }' path.cl
 done_testing
