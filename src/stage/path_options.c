@@ -239,8 +239,9 @@ static void stay_inside(struct rotary *r, double keep)
     r->max -= keep <= r->max ? fmin(inside, r->max - keep) : inside;
 }
 
-/* The second axis, which stands at `upright` at the pole, is not to lean the tool off it quite as far
- * as it can, which may be less far than it travels: one at 45 degrees lays the tool flat at 180. */
+/* The second axis, which stands at `upright` at the pole, is not to lean the tool off it quite as
+ * far as it can, which may be less far than it travels: one at 45 degrees lays the tool flat at
+ * 180. */
 static void leave_reach(struct kinematic_chain *chain, struct rotary_frame frame, double upright)
 {
     struct rotary *r = &chain->rotary[1];
