@@ -127,7 +127,7 @@ static void find_unknown(void *context, size_t from, size_t to)
     const struct edge_work *work = context;
 
     for (size_t i = from; i < to; i++)
-        work->unknown[i] = edge_unknown_depth(work, i, &work->ahead[i]);
+        work->unknown[i] = edge_unknown_find(work, i);
 }
 
 static void add_unknown(void *context, size_t from, size_t to)
@@ -166,7 +166,6 @@ static size_t append_all(struct vec3s *found, size_t n, struct vec3s *to)
 static struct edge_gaps sum_gaps(const struct edge_work *work)
 {
     struct edge_gaps gaps = {.n = 0};
-    struct vec3 way;
 
     for (size_t i = 0; i < work->options->point_grid->n; i++) {
         gaps.n += work->gap[i] > 0;
@@ -175,16 +174,7 @@ static struct edge_gaps sum_gaps(const struct edge_work *work)
             gaps.widest = work->gap[i];
             gaps.at = work->options->point_grid->point[i];
         }
-        if (!(work->unknown[i] > 0) || !edge_unknown_counts(work, i))
-            continue;
-        gaps.unknown++;
-        gaps.features += edge_unknown_leads(work, i);
-        gaps.spurs += edge_unknown_spur(work, i, &way);
-        gaps.large += edge_unknown_large(work, i);
-        if (work->unknown[i] > gaps.depth) {
-            gaps.depth = work->unknown[i];
-            gaps.unknown_at = work->options->point_grid->point[i];
-        }
+        edge_unknown_sum(work, i, &gaps);
     }
     return gaps;
 }
@@ -218,13 +208,13 @@ size_t edge_points(const struct edge_points_options *options, struct vec3s *to,
                              .found = mem_alloc(n, sizeof *work.found),
                              .between = mem_alloc(n, sizeof *work.between),
                              .gap = mem_alloc(n, sizeof *work.gap),
-                             .unknown = mem_alloc(n, sizeof *work.unknown),
-                             .ahead = mem_alloc(n, sizeof *work.ahead)};
+                             .unknown = mem_alloc(n, sizeof *work.unknown)};
 
     for (size_t i = 0; i < n; i++) {
         work.flank[i] = (struct edge_flank){.valid = false};
         work.found[i] = work.between[i] = (struct vec3s){0};
-        work.gap[i] = work.unknown[i] = 0;
+        work.gap[i] = 0;
+        work.unknown[i] = (struct edge_unknown){.depth = 0};
     }
     edge_flanks_find(&work);
     work.met = options->met && !has_walls(&work);
@@ -242,7 +232,6 @@ size_t edge_points(const struct edge_points_options *options, struct vec3s *to,
     *gaps = sum_gaps(&work);
     free(work.gap);
     free(work.unknown);
-    free(work.ahead);
     free(work.flank);
     return append_all(work.found, n, to);
 }

@@ -47,17 +47,28 @@ struct edge_flank {
     struct quadric q; /* if valid, or of the neighbourhood; faces up */
 };
 
+/* What may be in front of a point that the scan does not tell of.  A spur is a point above a wall
+ * that has only points steeply below wide about it, over three quarters of a turn: no rim that
+ * points anywhere make. */
+struct edge_unknown {
+    double depth;      /* so far the part may go on, mm; 0: it does not, and nothing else is told */
+    struct vec3 ahead; /* that way, unit; above a wall, which it leaves along the flank, one mm long
+                          seen from above */
+    bool spur;
+    bool large; /* the points do not tell the shape of what it is on; above a wall, which is guarded
+                   up to the points below, never */
+};
+
 struct edge_work {
     const struct edge_points_options *options;
     bool lines; /* the scan is on lines, far apart against the points on them */
     bool wide;  /* neighbours on many of them are looked at, or those on few */
     bool met;   /* as the options have it, unless walls are what the scan is of */
     struct edge_flank *flank, *chosen;
-    struct vec3s *found;   /* places of edges, of each point */
-    struct vec3s *between; /* and of its flank */
-    double *gap;           /* so far its flank goes on to points below; 0: it does not */
-    double *unknown;       /* so far in front of it the part may go on */
-    struct vec3 *ahead;    /* that way */
+    struct vec3s *found;          /* places of edges, of each point */
+    struct vec3s *between;        /* and of its flank */
+    double *gap;                  /* so far its flank goes on to points below; 0: it does not */
+    struct edge_unknown *unknown; /* in front of it */
 };
 
 /* ---- edge_hood: the neighbours of a point, itself the first; n < EDGE_NEAR: too few. */
@@ -177,34 +188,27 @@ void edge_wall_add(const struct edge_work *work, struct vec3 at, struct vec3 foo
 
 void edge_crests_add(const struct edge_work *work);
 
-/* ---- edge_unknown: how far the part may go on in front of point i, mm, where it is on a sharp
- * edge or tip and no guard was found there, or stands out on something that the points do not
- * resolve, though no surface is known of it, but of most about it, or is a corner above a wall;
- * else 0.  *ahead: that way, of unit length (a corner's seen from above). */
+/* ---- edge_unknown: edges that the scan does not resolve. */
 
-double edge_unknown_depth(const struct edge_work *work, size_t i, struct vec3 *ahead);
+/* How far the part may go on in front of point i, where it is on a sharp edge or tip and no guard
+ * was found there, or stands out on something that the points do not resolve, though no surface is
+ * known of it, but of most about it, or is a corner or spur above a wall.  By all flanks, and the
+ * gap of point i. */
+struct edge_unknown edge_unknown_find(const struct edge_work *work, size_t i);
 
-/* Appends places from so far in front of point i down to its neighbours, and to those of which the
- * same is told the ways between both, if that counts (edge_unknown_counts). */
+/* Both of these are by work->unknown of all points.  A point counts where there is one more such
+ * point near, for a single one may be astray, or where it is above a wall.
+ *
+ * Appends places from so far in front of point i down to its neighbours, and to those of which the
+ * same is told the ways between both, if it counts. */
 void edge_unknown_add(const struct edge_work *work, size_t i, struct vec3s *to);
+
+/* Adds point i, if it counts, to what *gaps says of such points; to the features where none near it
+ * goes on farther. */
+void edge_unknown_sum(const struct edge_work *work, size_t i, struct edge_gaps *gaps);
 
 /* The surface of a third of the points about is known: the scan is even, but for an edge. */
 bool edge_on_known(const struct edge_work *work, size_t i);
-
-/* There is one more such point near (work->unknown): a single one may be astray. */
-bool edge_unknown_counts(const struct edge_work *work, size_t i);
-
-/* Of such points about it none goes on farther: one of each feature. */
-bool edge_unknown_leads(const struct edge_work *work, size_t i);
-
-/* So far that the points do not tell the shape of what it is on; no corner above a wall, which is
- * guarded up to the points below. */
-bool edge_unknown_large(const struct edge_work *work, size_t i);
-
-/* The point is above a wall on a flank that is certain, and wide about it only points steeply below
- * that lie over three quarters of a turn: a spur, and not the rim that points anywhere make.
- * *ahead: that way, along the flank, one mm long seen from above. */
-bool edge_unknown_spur(const struct edge_work *work, size_t i, struct vec3 *ahead);
 
 /* ---- edge_fill: appends places on the flank of point i, up to its edges (work->found) and into
  * sharp hollows, as dense as those of edges are on these. */

@@ -43,12 +43,12 @@ static const double LEVEL = 0.5;
 /* Least z of the middle of these directions: no ball comes from below. */
 static const double UP = 0.05;
 
-/* Its surface is known by itself, or it is guarded as the points below let it be. */
+/* Its surface is known by itself. */
 static bool is_explained(const struct edge_work *work, size_t i)
 {
     const struct edge_flank *own = &work->flank[i];
 
-    return work->gap[i] > 0 || (edge_flank_certain(work, own) && !own->continued);
+    return edge_flank_certain(work, own) && !own->continued;
 }
 
 /* A place that an edge was found at, or that is on a cone, lies in front of the point, or no
@@ -194,18 +194,20 @@ static unsigned goes_on_in(const struct edge_work *work, size_t i, double spacin
     return is_open(seen) ? ~0u : has;
 }
 
-bool edge_unknown_spur(const struct edge_work *work, size_t i, struct vec3 *ahead)
+/* The point is above a wall on a flank that is certain, and wide about it only points steeply below
+ * that lie over three quarters of a turn: a spur, and not the rim that points anywhere make.
+ * *ahead: that way, along the flank, one mm long seen from above. */
+static bool is_spur(const struct edge_work *work, size_t i, const struct edge_hood *near,
+                    struct vec3 *ahead)
 {
     enum { OPEN = 18 };
     const struct edge_flank *flank = &work->flank[i];
-    struct edge_hood near;
     double amid = 0;
 
-    if (!(work->gap[i] > 0) || !edge_flank_certain(work, flank))
+    if (!edge_flank_certain(work, flank))
         return false;
-    edge_hood_find(work, i, &near);
-    struct vec3 up = quadric_normal_at(&flank->q, near.point[0]);
-    if (up.z < LEVEL || widest_open(goes_on_in(work, i, near.spacing, up), &amid) < OPEN)
+    struct vec3 up = quadric_normal_at(&flank->q, near->point[0]);
+    if (up.z < LEVEL || widest_open(goes_on_in(work, i, near->spacing, up), &amid) < OPEN)
         return false;
     double x = cos(amid), y = sin(amid);
     *ahead = vec(x, y, -(x * up.x + y * up.y) / up.z);
@@ -264,33 +266,51 @@ static double unresolved_depth(const struct edge_work *work, const struct edge_h
 
 /* Of a point above a wall, which may be higher than its neighbours are far: up to the points below,
  * at a corner or spur. */
-static double above_wall(const struct edge_work *work, size_t i, const struct edge_hood *near,
-                         struct vec3 *ahead)
+static struct edge_unknown above_wall(const struct edge_work *work, size_t i,
+                                      const struct edge_hood *near)
 {
-    double corner = is_at_border(near) ? 0 : edge_cliff_corner(work, i, ahead);
+    struct edge_unknown u = {.depth = 0}, corner = u;
 
-    return corner > 0 || !edge_unknown_spur(work, i, ahead) ? corner : work->gap[i];
+    u.spur = is_spur(work, i, near, &u.ahead);
+    if (u.spur)
+        u.depth = work->gap[i];
+    if (!is_at_border(near))
+        corner.depth = edge_cliff_corner(work, i, &corner.ahead);
+    if (corner.depth > 0) {
+        u.depth = corner.depth;
+        u.ahead = corner.ahead;
+    }
+    return u;
 }
 
-double edge_unknown_depth(const struct edge_work *work, size_t i, struct vec3 *ahead)
+/* Of one on a sharp edge, or on what the points do not resolve. */
+static struct edge_unknown in_front(const struct edge_work *work, const struct edge_hood *near)
 {
+    struct sharp_edge edge = find_sharp(near);
+    struct edge_unknown u = {.ahead = edge.front};
+
+    if (edge.cosine > SHARPER || edge.front.z < UP || has_place(work, near, edge.front)) {
+        struct vec3 normal = plane_normal(near->point, EDGE_SMOOTH);
+        u.ahead = normal.z < 0 ? vec_scale(-1, normal) : normal;
+        u.depth = unresolved_depth(work, near);
+    } else {
+        u.depth = goes_on(near, &edge);
+    }
+    u.large = u.depth > LARGE * near->spacing;
+    return u;
+}
+
+struct edge_unknown edge_unknown_find(const struct edge_work *work, size_t i)
+{
+    struct edge_unknown none = {.depth = 0};
     struct edge_hood near;
 
     if (!(work->gap[i] > 0) && is_explained(work, i))
-        return 0;
+        return none;
     edge_hood_find(work, i, &near);
     if (work->gap[i] > 0)
-        return above_wall(work, i, &near, ahead);
-    if (is_at_border(&near) || !edge_on_known(work, i))
-        return 0;
-    struct sharp_edge edge = find_sharp(&near);
-    if (edge.cosine > SHARPER || edge.front.z < UP || has_place(work, &near, edge.front)) {
-        struct vec3 normal = plane_normal(near.point, EDGE_SMOOTH);
-        *ahead = normal.z < 0 ? vec_scale(-1, normal) : normal;
-        return unresolved_depth(work, &near);
-    }
-    *ahead = edge.front;
-    return goes_on(&near, &edge);
+        return above_wall(work, i, &near);
+    return is_at_border(&near) || !edge_on_known(work, i) ? none : in_front(work, &near);
 }
 
 /* From the tip down to a point, as dense as places of edges are. */
@@ -307,7 +327,9 @@ static void add_side(const struct edge_work *work, struct vec3 tip, struct vec3 
 /* So far the part may go on before point i. */
 static struct vec3 tip_of(const struct edge_work *work, size_t i)
 {
-    return vec_along(work->options->point_grid->point[i], work->unknown[i], work->ahead[i]);
+    const struct edge_unknown *u = &work->unknown[i];
+
+    return vec_along(work->options->point_grid->point[i], u->depth, u->ahead);
 }
 
 /* A point lies below the way to neighbour k, and seen from above hardly beside it. */
@@ -327,18 +349,53 @@ static bool has_below(const struct edge_hood *near, size_t k)
     return false;
 }
 
+/* There is one more such point near, or point i is above a wall: a single one may be astray. */
+static bool counts(const struct edge_work *work, size_t i, const struct edge_hood *near)
+{
+    if (work->gap[i] > 0)
+        return true;
+    for (size_t k = 1; k < near->n; k++)
+        if (work->unknown[near->index[k]].depth > 0)
+            return true;
+    return false;
+}
+
+/* The same of any point. */
+static bool does_count(const struct edge_work *work, size_t i)
+{
+    struct edge_hood near;
+
+    edge_hood_find(work, i, &near);
+    return counts(work, i, &near);
+}
+
+/* Of such points about it that count none goes on farther: one of each feature. */
+static bool leads(const struct edge_work *work, size_t i, const struct edge_hood *near)
+{
+    for (size_t k = 1; k < near->n; k++) {
+        size_t j = near->index[k];
+        double more = work->unknown[j].depth - work->unknown[i].depth;
+        if (near->distance2[k] < BESIDE * BESIDE * near->spacing * near->spacing &&
+            (more > 0 || (!(more < 0) && j < i)) && does_count(work, j))
+            return false;
+    }
+    return true;
+}
+
 void edge_unknown_add(const struct edge_work *work, size_t i, struct vec3s *to)
 {
     struct edge_hood near;
 
-    if (!(work->unknown[i] > 0) || !edge_unknown_counts(work, i))
+    if (!(work->unknown[i].depth > 0))
         return;
     edge_hood_find(work, i, &near);
+    if (!counts(work, i, &near))
+        return;
     struct vec3 tip = tip_of(work, i);
     for (size_t k = 1; k < near.n; k++) {
         size_t j = near.index[k];
         double far = sqrt(near.distance2[k]);
-        if (!(work->unknown[j] > 0)) {
+        if (!(work->unknown[j].depth > 0)) {
             if (far < BESIDE * near.spacing)
                 add_side(work, tip, near.point[k], to);
         } else if (j > i && far < LINKED * near.spacing && !has_below(&near, k)) {
@@ -348,40 +405,22 @@ void edge_unknown_add(const struct edge_work *work, size_t i, struct vec3s *to)
     }
 }
 
-bool edge_unknown_large(const struct edge_work *work, size_t i)
+void edge_unknown_sum(const struct edge_work *work, size_t i, struct edge_gaps *gaps)
 {
+    const struct edge_unknown *u = &work->unknown[i];
     struct edge_hood near;
 
-    if (work->gap[i] > 0)
-        return false;
+    if (!(u->depth > 0))
+        return;
     edge_hood_find(work, i, &near);
-    return work->unknown[i] > LARGE * near.spacing;
-}
-
-bool edge_unknown_counts(const struct edge_work *work, size_t i)
-{
-    struct edge_hood near;
-
-    if (work->gap[i] > 0)
-        return true;
-    edge_hood_find(work, i, &near);
-    for (size_t k = 1; k < near.n; k++)
-        if (work->unknown[near.index[k]] > 0)
-            return true;
-    return false;
-}
-
-bool edge_unknown_leads(const struct edge_work *work, size_t i)
-{
-    struct edge_hood near;
-
-    edge_hood_find(work, i, &near);
-    for (size_t k = 1; k < near.n; k++) {
-        size_t j = near.index[k];
-        double more = work->unknown[j] - work->unknown[i];
-        if (near.distance2[k] < BESIDE * BESIDE * near.spacing * near.spacing &&
-            (more > 0 || (!(more < 0) && j < i)) && edge_unknown_counts(work, j))
-            return false;
+    if (!counts(work, i, &near))
+        return;
+    gaps->unknown++;
+    gaps->features += leads(work, i, &near);
+    gaps->spurs += u->spur;
+    gaps->large += u->large;
+    if (u->depth > gaps->depth) {
+        gaps->depth = u->depth;
+        gaps->unknown_at = work->options->point_grid->point[i];
     }
-    return true;
 }
