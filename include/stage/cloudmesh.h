@@ -54,6 +54,7 @@ struct cloudmesh_options {
     bool explained;      /* noise is taken out only where a surface soon explains the points */
     bool edges_only; /* a trial that shows where creases and walls are: no ribs are looked for */
     const struct feature_zone *zone; /* where they are known to be; NULL: nothing is known */
+    struct smoothed_parts *parts; /* of a part: they get what is said of noise; NULL: of no part */
 };
 
 /* What came of it. */

@@ -19,6 +19,17 @@
 enum { NORMALS_NEIGHBOURS = 40 };
 #define LEDGER_SIGMAS 3.0
 
+/* What is to be said of vertices that were rid of noise, of all parts of a cloud together. */
+struct smoothed_parts {
+    size_t n;                 /* parts */
+    double noise;             /* one standard deviation, mm, of all of them */
+    size_t vertices;          /* of these: */
+    size_t thin, moved, kept; /* as of struct smooth_nodes */
+    size_t points[2];         /* that most vertices of a part begin with: the fewest and the most */
+    double error[2]; /* of the vertices moved, one standard deviation, mm: the least and the most
+                        of a part */
+};
+
 /* What normals are estimated from, besides the mesh. */
 struct normals_options {
     struct vec3 *point; /* of the scan, which are sorted; NULL: there is only the mesh */
@@ -30,8 +41,9 @@ struct normals_options {
     int threads;
     double *certain; /* vertices that have theirs: meshing/node_heights.h; NULL: none */
     double effort;   /* effort.h */
-    bool silent;     /* a trial: nothing is said */
-    bool explained;  /* vertices are rid of noise only where a surface soon explains the points */
+    struct smoothed_parts *parts; /* they get what is said of noise; NULL: it is said at once */
+    bool silent;                  /* a trial: nothing is said */
+    bool explained; /* vertices are rid of noise only where a surface soon explains the points */
 };
 
 struct normal_estimator {
@@ -54,6 +66,9 @@ const struct normal_estimator *normals_find(bool of_scan, int k);
 void say_fitted(const struct scan_normals *r, size_t vertices, struct vec3 at);
 void say_smoothed(const struct smooth_nodes *r, size_t vertices, struct vec3 at,
                   const struct normals_options *options);
+
+/* Says that of all parts, none: nothing. */
+void say_smoothed_parts(const struct smoothed_parts *all);
 
 /* The estimator of that name. */
 const struct normal_estimator *normals_of(const char *name);

@@ -63,11 +63,13 @@ static int mesh_of_parts(const struct cloudmesh_options *asked, const struct vec
     const struct segments_options how = {1.5 * options.spacing, options.direction,
                                          outside_of(asked), threads};
     struct segments parts = segments_find(points->item, points->n, &how);
+    struct smoothed_parts smoothed = {.n = 0};
     int status = 0;
     options.spacing =
         options.spacing > 0 ? options.spacing : cloudmesh_default_spacing(parts.spacing);
     options.direction = 0;
     options.mean = 0; /* each part has its own */
+    options.parts = &smoothed;
     mesh->origin.spacing = options.spacing;
     for (size_t i = 0; i < parts.n && status == 0; i++) {
         struct segment *part = &parts.item[i];
@@ -78,6 +80,8 @@ static int mesh_of_parts(const struct cloudmesh_options *asked, const struct vec
     if (status == 0)
         say("divided into %zu part%s, each with a projection of its own", parts.n,
             parts.n == 1 ? "" : "s");
+    if (status == 0)
+        say_smoothed_parts(&smoothed);
     if (status == 0 && parts.left_out > 0)
         say("%zu points belong to no part and are left out", parts.left_out);
     segments_free(&parts);

@@ -117,6 +117,7 @@ static int normals_of_nodes(const struct cloudmesh_options *options, struct vec3
                                       .neighbours = options->neighbours,
                                       .effort = options->effort,
                                       .threads = threads,
+                                      .parts = options->parts,
                                       .silent = options->silent,
                                       .explained = options->explained};
 

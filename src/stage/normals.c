@@ -24,16 +24,53 @@ void say_fitted(const struct scan_normals *r, size_t vertices, struct vec3 at)
          r->worst, at.x, at.y, at.z, r->rms, LEDGER_SIGMAS * r->sigma);
 }
 
+/* The least and the most are of parts that had a vertex moved, if there is one. */
+static void add_to(struct smoothed_parts *all, const struct smooth_nodes *r, size_t vertices,
+                   const struct normals_options *o)
+{
+    bool first = all->moved == 0;
+
+    if (first || r->moved > 0) {
+        all->points[0] = first || r->typical < all->points[0] ? r->typical : all->points[0];
+        all->points[1] = first || r->typical > all->points[1] ? r->typical : all->points[1];
+        all->error[0] = first ? r->error : fmin(r->error, all->error[0]);
+        all->error[1] = first ? r->error : fmax(r->error, all->error[1]);
+    }
+    all->n++;
+    all->noise = o->noise;
+    all->vertices += vertices;
+    all->thin += o->explained ? 0 : r->thin;
+    all->moved += r->moved;
+    all->kept += r->kept;
+}
+
+void say_smoothed_parts(const struct smoothed_parts *all)
+{
+    char parts[40] = "", points[48], error[48];
+
+    if (all->n == 0)
+        return;
+    if (all->n > 1)
+        snprintf(parts, sizeof parts, "in %zu parts ", all->n);
+    snprintf(points, sizeof points, all->points[0] < all->points[1] ? "%zu to %zu" : "%zu",
+             all->points[0], all->points[1]);
+    snprintf(error, sizeof error, all->error[0] < all->error[1] ? "%.4f to %.4f" : "%.4f",
+             all->error[0], all->error[1]);
+    say_thin(all->thin, all->vertices);
+    say("noise %.4f mm (one standard deviation): %s%zu of %zu vertices moved onto surfaces through "
+        "about %s points, to within %s mm (one standard deviation)",
+        all->noise, parts, all->moved, all->vertices, points, error);
+    if (all->kept > 0)
+        say("%zu vertices not moved: no surface explains the points about them", all->kept);
+}
+
 void say_smoothed(const struct smooth_nodes *r, size_t vertices, struct vec3 at,
                   const struct normals_options *o)
 {
-    if (!o->explained)
-        say_thin(r->thin, vertices);
-    say("noise %.4f mm (one standard deviation): %zu of %zu vertices moved onto surfaces through "
-        "about %zu points, to within %.4f mm (one standard deviation)",
-        o->noise, r->moved, vertices, r->typical, r->error);
-    if (r->kept > 0)
-        say("%zu vertices not moved: no surface explains the points about them", r->kept);
+    struct smoothed_parts one = {.n = 0};
+
+    add_to(o->parts ? o->parts : &one, r, vertices, o);
+    say_smoothed_parts(&one);
     if (!o->explained)
         effort_say(EFFORT_ALONG, o->effort, vertices);
     if (r->typical < r->wanted)

@@ -44,7 +44,15 @@ ok "rows by a scallop in each of the parts" meshnorm -r 3 -g "$TMP/ball.xyz" --s
 judge "half-ball by a scallop" 3 0.012 0.05
 
 ball 5 -1 9000 0.005 >"$TMP/ball.xyz"
-cloud2mesh --nodes scan -q --subdivide "$TMP/ball.xyz" -o "$TMP/ball.ply"
+ok "beyond the equator, noise: a mesh" cloud2mesh --nodes scan --subdivide "$TMP/ball.xyz" \
+	-o "$TMP/ball.ply"
+grep '^cloud2mesh: noise ' "$TMP/err" >"$TMP/noise"
+ok "noise is said of all parts at once" test "$(wc -l <"$TMP/noise")" -eq 1
+has "with the least and the most of them" \
+	'in [5-9] parts [0-9]* of .* to within 0\.00[0-9]* to 0\.00[0-9]* mm' "$TMP/noise"
+vertices=$(sed -n 's/^element vertex //p' "$TMP/ball.ply")
+moved=$(sed 's/.* parts \([0-9]*\) of .*/\1/' "$TMP/noise")
+ok "and their vertices are summed" test "$moved" -gt $((vertices / 2))
 ok "beyond the equator, noise: a path" meshnorm -r 2 --rows mesh -g "$TMP/ball.xyz" "$TMP/ball.ply" -o "$TMP/ball.cl"
 judge "beyond the equator" 2 0.03 0.05
 
