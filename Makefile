@@ -102,7 +102,8 @@ small := io/nurbs/nurbs_text% machine/machine machine/machine_options machine/te
   cloud/outliers_kept cloud/edge_unknown gouge/link gouge/link_retract nurbs/trim_told \
   nurbs/trim_tidy nurbs/trim_order nurbs/trim_follow nurbs/trim_loops nurbs/pullback cloud/sheets \
   toolpath/passes toolpath/scallop gouge/axis_lone cloud/edge_flank cloud/edge_meet \
-  cloud/edge_wide cloud/edge_slope cloud/edge_foot stage/normals
+  cloud/edge_wide cloud/edge_slope cloud/edge_foot stage/normals stage/path_judged \
+  nurbs/trim_seam
 $(small:%=$(BUILD)/src/%.o): CFLAGS := $(patsubst -O2,-Os,$(CFLAGS:-O3=-Os))
 
 # The file VERSION is what `--version`, the tarball and the packages say.
