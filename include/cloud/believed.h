@@ -5,6 +5,7 @@
  *   noise      noise.h: one standard deviation, and whether it is the scanner's
  *   outliers   outliers.h: points that nothing else of the scan bears out
  *   sheets     sheets.h: scans over each other that do not meet
+ *   rounding   rounding.h: heights that were rounded, spread where that makes noise of it
  */
 #ifndef CLOUDMILL_BELIEVED_H
 #define CLOUDMILL_BELIEVED_H
@@ -41,5 +42,12 @@ struct believed believed_in_grid(const struct point_grid *point_grid,
  */
 int believed_find(const struct vec3 *point, size_t n, const struct believed_options *options,
                   unsigned char *out, struct believed *believed, struct error *error);
+
+/*
+ * Spreads heights that were rounded, unless each point is believed as it is, or their noise is to
+ * be measured and is none, or cannot be told from the shape, even so.  `noise`, threads: as of the
+ * options.  Returns the step that they were rounded to; 0: they stay as they are.
+ */
+double believed_unround(struct vec3 *point, size_t n, double noise, int threads);
 
 #endif

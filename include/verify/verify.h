@@ -40,6 +40,7 @@ int verify_part_read(const char *file, const struct transform *place, double rad
 /* What the points of a scan stand for (verify_surface_find). */
 struct verify_surface {
     double noise;          /* one standard deviation, mm, taken out of the points; 0: none */
+    double rounded;        /* the step that their heights were rounded to, mm; 0: none */
     struct vec3s outliers; /* taken out */
     unsigned char *under;  /* of each point that is left: 1 under a roof, out of reach from above */
     double spacing;        /* of the points, mean, mm */
@@ -51,11 +52,12 @@ struct verify_surface {
 };
 
 /*
- * The surface of n points that were read from scans: outliers are taken out, and where the noise is
- * alike everywhere each point moves onto the quadric through as many of its neighbours as lie about
- * one within it; where even the fewest do not, at an edge, it stays.  The points are sorted.
- * `noise`: of the scan, mm; below zero: measured; 0: every point is believed as it is.  -1: no
- * point, or more than can be sorted.  `radius`: of the ball, which its rims may keep off.
+ * The surface of n points that were read from scans: outliers are taken out, rounded heights are
+ * spread (believed_unround), and where the noise is alike everywhere each point moves onto the
+ * quadric through as many of its neighbours as lie about one within it; where even the fewest do
+ * not, at an edge, it stays.  The points are sorted.  `noise`: of the scan, mm; below zero:
+ * measured; 0: every point is believed as it is.  -1: no point, or more than can be sorted.
+ * `radius`: of the ball, which its rims may keep off.
  */
 int verify_surface_find(struct vec3s *point, double noise, double radius, int threads,
                         struct verify_surface *surface, struct error *error);

@@ -7,6 +7,7 @@
 #include "base/array.h"
 #include "cloud/outliers.h"
 #include "cloud/plan_extent.h"
+#include "cloud/rounding.h"
 
 /* Of the places looked at: where no more are of two sheets, these tell nothing of the noise. */
 static const double FEW = 0.02;
@@ -73,4 +74,34 @@ int believed_find(const struct vec3 *point, size_t n, const struct believed_opti
     point_grid_free(&point_grid);
     free(copy);
     return 0;
+}
+
+/* The points have noise that is the scanner's. */
+static bool are_noisy(const struct vec3 *point, size_t n, int threads)
+{
+    const struct believed_options options = {.noise = -1, .threads = threads};
+    unsigned char *out = mem_alloc(n, 1);
+    struct believed believed;
+    struct error error;
+    bool noisy =
+        believed_find(point, n, &options, out, &believed, &error) == 0 && believed.sigma > 0;
+
+    free(out);
+    return noisy;
+}
+
+double believed_unround(struct vec3 *point, size_t n, double noise, int threads)
+{
+    struct plan_extent extent = plan_extent_of(point, n, 0);
+    double step = rounding_step(point, n, plan_extent_spacing(&extent, point, n));
+
+    if (!(step > 0) || noise == 0)
+        return 0;
+    struct vec3 *spread = mem_alloc(n, sizeof *spread);
+    rounding_spread(step, point, n, spread);
+    bool spreads = noise > 0 || are_noisy(spread, n, threads);
+    if (spreads)
+        memcpy(point, spread, n * sizeof *spread);
+    free(spread);
+    return spreads ? step : 0;
 }

@@ -6,6 +6,7 @@
 #include "base/effort.h"
 #include "base/parallel.h"
 #include "cloud/edge_points.h"
+#include "cloud/rounding.h"
 #include "cloud/scan_lines.h"
 #include "cloud/settle.h"
 #include "cloud/steep_facets.h"
@@ -323,6 +324,13 @@ static struct guard_points gather(struct guard_work *work)
     return surface;
 }
 
+/* Places on edges, how many, and on the flanks up to them; and what is not resolved. */
+struct found_edges {
+    struct vec3s point;
+    size_t edges;
+    struct edge_gaps gaps;
+};
+
 /* What edges would not be resolved if a little of what is left by smooth surfaces were noise: where
  * no surface is certain as the points are, as of a knurl of five points a side with noise, no edge
  * is seen at all.  Rough ground has few such points either way. */
@@ -348,35 +356,71 @@ static void suspect_edges(struct edge_points_options edges, struct edge_gaps *ga
  * which makes sides certain, those that two sides meet in: not what goes on unseen, which rough
  * parts have much of, unless there are walls nearly everywhere.  Where noise is faint both are
  * asked, too: it hides blunt edges, and what no point resolves, though sides tell of them. */
-static void add_edges(const struct guard_work *work, struct guard_points *surface)
+static struct found_edges find_edges(const struct guard_work *work, const struct point_grid *scan)
 {
     const struct guard_points_options *rule = work->rule;
-    bool faint = rule->noise > 0 && rule->noise < FAINT * point_grid_spacing(work->point_grid);
+    bool faint = rule->noise > 0 && rule->noise < FAINT * point_grid_spacing(scan);
     bool twice = rule->edged || faint;
     double sink = fmin(rule->sink, SURE);
-    struct edge_points_options edges = {.point_grid = work->point_grid,
+    struct edge_points_options edges = {.point_grid = scan,
                                         .noise = twice ? 0 : rule->noise,
                                         .along = sqrt(8 * rule->radius * rule->sink),
                                         .sink = faint ? fmax(sink, UNEVEN * rule->noise) : sink,
                                         /* flanks of few points are as rough as these */
                                         .fill = work->filled,
                                         .threads = rule->threads,
-                                        .near = &work->lists};
-    size_t before = surface->point.n;
+                                        .near = scan == work->point_grid ? &work->lists : NULL};
+    struct found_edges found = {.edges = 0};
 
-    surface->edges = edge_points(&edges, &surface->point, &surface->gaps);
+    found.edges = edge_points(&edges, &found.point, &found.gaps);
     if (twice) {
         struct edge_gaps walls;
         edges.noise = rule->noise;
         edges.sink = sink;
         edges.met = rule->edged;
-        surface->edges += edge_points(&edges, &surface->point, &walls);
-        if (walls.n > surface->gaps.n)
-            surface->gaps = walls;
+        found.edges += edge_points(&edges, &found.point, &walls);
+        if (walls.n > found.gaps.n)
+            found.gaps = walls;
     }
-    if (rule->rough > ROUGH * point_grid_spacing(work->point_grid))
-        suspect_edges(edges, &surface->gaps);
-    surface->added += surface->point.n - before - surface->edges;
+    if (rule->rough > ROUGH * point_grid_spacing(scan))
+        suspect_edges(edges, &found.gaps);
+    return found;
+}
+
+/* The same where heights that were rounded stay as they are, and found in them spread, too: what is
+ * there is in both, and what rounding makes of a slope or of a flat in one of them, so that the one
+ * that resolves more is right. */
+static struct found_edges find_rounded(const struct guard_work *work, double step)
+{
+    struct found_edges found = find_edges(work, work->point_grid);
+    struct point_grid spread = *work->point_grid;
+
+    if (found.gaps.n + found.gaps.unknown == 0)
+        return found;
+    spread.point = mem_alloc(spread.n, sizeof *spread.point);
+    rounding_spread(step, work->point_grid->point, spread.n, spread.point);
+    struct found_edges other = find_edges(work, &spread);
+    free(spread.point);
+    if (other.gaps.n + other.gaps.unknown < found.gaps.n + found.gaps.unknown) {
+        struct found_edges kept = other;
+        other = found;
+        found = kept;
+    }
+    array_free(&other.point);
+    return found;
+}
+
+static void add_edges(const struct guard_work *work, struct guard_points *surface)
+{
+    const struct point_grid *b = work->point_grid;
+    double step = rounding_step(b->point, b->n, point_grid_spacing(b));
+    struct found_edges found = step > 0 ? find_rounded(work, step) : find_edges(work, b);
+
+    vec3s_add(&surface->point, found.point.item, found.point.n);
+    surface->edges = found.edges;
+    surface->gaps = found.gaps;
+    surface->added += found.point.n - found.edges;
+    array_free(&found.point);
 }
 
 /* Steep flanks that the scan has few points on, between these where they are taken to be. */

@@ -200,6 +200,18 @@ static size_t far_places(const struct vec3s *place, const struct vec3s *scan, do
     return far;
 }
 
+/* Heights that were rounded may be anywhere within half a step, unless each point is believed as it
+ * is. */
+static void unround(const struct vec3s *points, const struct guard_read_options *rule)
+{
+    double rounded = believed_unround(points->item, points->n, rule->noise, rule->threads);
+
+    if (rounded > 0)
+        say("heights of the scan that guards were rounded to %.3g mm: taken to be anywhere within "
+            "half of it (--noise 0 believes them)",
+            rounded);
+}
+
 /* What the scan is to be taken as; its outliers go. */
 static struct believed believe(struct point_grid *point_grid, double noise, int threads)
 {
@@ -475,6 +487,8 @@ static struct gouge_check *gouge_of(const struct guard_scan *scan, const struct 
     double spacing = spacing_of(points), sink = rule->tolerance / 5;
     struct point_grid point_grid;
 
+    if (!faceted)
+        unround(points, rule);
     if (point_grid_make(points->item, points->n, spacing, rule->threads, &point_grid, error) < 0)
         return NULL;
     struct guard_points surface = faceted ? surface_of_facets(&point_grid, scan, rule)

@@ -18,7 +18,7 @@ struct gouge_refit_options made_moves_tool(const struct path *path)
 }
 
 /* The points that are believed; what they may be off their surface by. */
-static struct gouge_check *believed_guard(const struct vec3s *point, double noise, int threads,
+static struct gouge_check *believed_guard(struct vec3s *point, double noise, int threads,
                                           double *sigma, struct error *error)
 {
     const struct believed_options options = {noise, threads};
@@ -27,6 +27,7 @@ static struct gouge_check *believed_guard(const struct vec3s *point, double nois
     struct believed believed;
     struct gouge_check *guard = NULL;
 
+    believed_unround(point->item, point->n, noise, threads);
     if (believed_find(point->item, point->n, &options, out, &believed, error) == 0) {
         for (size_t i = 0; i < point->n; i++)
             if (!out[i])

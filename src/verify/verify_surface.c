@@ -48,6 +48,7 @@ int verify_surface_find(struct vec3s *point, double noise, double radius, int th
                         struct verify_surface *surface, struct error *error)
 {
     const struct believed_options options = {noise, threads};
+    double rounded = believed_unround(point->item, point->n, noise, threads);
     struct believed believed;
     struct point_grid grid;
     unsigned char *out = mem_alloc(point->n, 1);
@@ -63,6 +64,7 @@ int verify_surface_find(struct vec3s *point, double noise, double radius, int th
         0)
         return -1;
     surface->noise = believed.sigma;
+    surface->rounded = rounded;
     surface->sheets = believed.sheets.places > 0 ? believed.sheets.distance : 0;
     surface->sheets_at = believed.sheets.at;
     surface->under = mem_alloc(point->n, 1);
