@@ -44,9 +44,10 @@ int believed_find(const struct vec3 *point, size_t n, const struct believed_opti
                   unsigned char *out, struct believed *believed, struct error *error);
 
 /*
- * Spreads heights that were rounded, unless each point is believed as it is, or their noise is to
- * be measured and is none, or cannot be told from the shape, even so.  `noise`, threads: as of the
- * options.  Returns the step that they were rounded to; 0: they stay as they are.
+ * Spreads heights that were rounded, unless each point is believed as it is, or even so there is no
+ * noise, or none that can be told from the shape: whatever noise is said, so that all who look at a
+ * scan do the same.  `noise`, threads: as of the options.  Returns the step that they were rounded
+ * to; 0: they stay as they are.
  */
 double believed_unround(struct vec3 *point, size_t n, double noise, int threads);
 

@@ -99,7 +99,7 @@ double believed_unround(struct vec3 *point, size_t n, double noise, int threads)
         return 0;
     struct vec3 *spread = mem_alloc(n, sizeof *spread);
     rounding_spread(step, point, n, spread);
-    bool spreads = noise > 0 || are_noisy(spread, n, threads);
+    bool spreads = are_noisy(spread, n, threads);
     if (spreads)
         memcpy(point, spread, n * sizeof *spread);
     free(spread);
