@@ -11,6 +11,7 @@
 #ifndef CLOUDMILL_ROUNDING_H
 #define CLOUDMILL_ROUNDING_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "math/vec.h"
@@ -19,6 +20,11 @@
  * points, and most of the steps over the height of the scan are there; else 0.  Up to a tenth of
  * it points may be off, as by their decimals. */
 double rounding_step(const struct vec3 *point, size_t n, double spacing);
+
+/* What smooth surfaces leave of the points, one standard deviation, mm, is as much as rounding to
+ * such steps leaves: where it is less the points are where they were, as of a slope on a grid that
+ * climbs by a step from one to the next. */
+bool rounding_left(double step, double sigma);
 
 /* The points with z moved by up to half a step, evenly, the same way at each place: they are off
  * where they were before they were rounded by 0.41 of a step, one standard deviation. */

@@ -76,18 +76,18 @@ int believed_find(const struct vec3 *point, size_t n, const struct believed_opti
     return 0;
 }
 
-/* The points have noise that is the scanner's. */
-static bool are_noisy(const struct vec3 *point, size_t n, int threads)
+/* What believed_find finds of points in any order. */
+static struct believed look_at(const struct vec3 *point, size_t n, int threads)
 {
     const struct believed_options options = {.noise = -1, .threads = threads};
     unsigned char *out = mem_alloc(n, 1);
     struct believed believed;
     struct error error;
-    bool noisy =
-        believed_find(point, n, &options, out, &believed, &error) == 0 && believed.sigma > 0;
 
+    if (believed_find(point, n, &options, out, &believed, &error) != 0)
+        believed = (struct believed){.sigma = 0};
     free(out);
-    return noisy;
+    return believed;
 }
 
 double believed_unround(struct vec3 *point, size_t n, double noise, int threads)
@@ -95,11 +95,11 @@ double believed_unround(struct vec3 *point, size_t n, double noise, int threads)
     struct plan_extent extent = plan_extent_of(point, n, 0);
     double step = rounding_step(point, n, plan_extent_spacing(&extent, point, n));
 
-    if (!(step > 0) || noise == 0)
+    if (!(step > 0) || noise == 0 || !rounding_left(step, look_at(point, n, threads).noise.sigma))
         return 0;
     struct vec3 *spread = mem_alloc(n, sizeof *spread);
     rounding_spread(step, point, n, spread);
-    bool spreads = are_noisy(spread, n, threads);
+    bool spreads = look_at(spread, n, threads).sigma > 0;
     if (spreads)
         memcpy(point, spread, n * sizeof *spread);
     free(spread);

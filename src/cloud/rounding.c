@@ -86,6 +86,13 @@ double rounding_step(const struct vec3 *point, size_t n, double spacing)
     return step;
 }
 
+bool rounding_left(double step, double sigma)
+{
+    const double least = 0.12; /* steps; all of it is 0.29 */
+
+    return sigma >= least * step;
+}
+
 /* 0 to 1, by the bits of a place (the finalizer of MurmurHash3, Appleby 2011). */
 static double spread_of(struct vec3 p, double step)
 {

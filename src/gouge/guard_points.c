@@ -6,6 +6,7 @@
 #include "base/effort.h"
 #include "base/parallel.h"
 #include "cloud/edge_points.h"
+#include "cloud/noise.h"
 #include "cloud/rounding.h"
 #include "cloud/scan_lines.h"
 #include "cloud/settle.h"
@@ -414,7 +415,8 @@ static void add_edges(const struct guard_work *work, struct guard_points *surfac
 {
     const struct point_grid *b = work->point_grid;
     double step = rounding_step(b->point, b->n, point_grid_spacing(b));
-    struct found_edges found = step > 0 ? find_rounded(work, step) : find_edges(work, b);
+    bool rounded = step > 0 && rounding_left(step, noise_sigma(b, work->rule->threads));
+    struct found_edges found = rounded ? find_rounded(work, step) : find_edges(work, b);
 
     vec3s_add(&surface->point, found.point.item, found.point.n);
     surface->edges = found.edges;

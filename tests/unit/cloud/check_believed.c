@@ -136,6 +136,47 @@ START_TEST(few_sheets)
 }
 END_TEST
 
+/* A slope, a pyramid and a roof on a grid climb by whole steps, and are where they are. */
+START_TEST(exact_slopes)
+{
+    for (int x = 0; x < 60; x++)
+        for (int y = 0; y < 60; y++) {
+            int from_edge = x < 59 - x ? x : 59 - x, other = y < 59 - y ? y : 59 - y;
+            int up = _i == 0 ? x : _i == 1 && other < from_edge ? other : from_edge;
+            *array_push(&scan) = vec(0.5 * x, 0.5 * y, 0.08 * up);
+        }
+    ck_assert_double_eq(believed_unround(scan.item, scan.n, -1, 2), 0);
+    ck_assert_double_eq(believed_unround(scan.item, scan.n, 0.02, 2), 0);
+    for (size_t i = 0; i < scan.n; i++)
+        ck_assert_double_eq_tol(scan.item[i].z, 0.08 * round(scan.item[i].z / 0.08), 1e-12);
+}
+END_TEST
+
+/* Heights of the panel, rounded, are spread whatever noise is said, but not where each point is to
+ * be believed. */
+START_TEST(rounded)
+{
+    const double noise[] = {-1, 0.03, 0}, step = 0.07;
+    noisy_seed(3);
+    noisy_scan(&scan, panel_height, POINTS, NOISY_RANDOM, 0);
+    for (size_t i = 0; i < scan.n; i++)
+        scan.item[i].z = step * round(scan.item[i].z / step);
+    double spread = believed_unround(scan.item, scan.n, noise[_i], 2);
+    size_t moved = 0;
+    for (size_t i = 0; i < scan.n; i++)
+        moved += fabs(scan.item[i].z / step - round(scan.item[i].z / step)) > 1e-3;
+    if (noise[_i] == 0) {
+        ck_assert_double_eq(spread, 0);
+        ck_assert_uint_eq(moved, 0);
+    } else {
+        ck_assert_double_eq_tol(spread, step, 1e-6);
+        ck_assert_uint_gt(moved, scan.n - scan.n / 100);
+        believe(-1);
+        ck_assert_double_eq_tol(found.sigma, step / sqrt(6), 0.1 * step);
+    }
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("believed");
@@ -146,6 +187,8 @@ int main(void)
     tcase_add_loop_test(tests, one_sheet, 0, 27);
     tcase_add_loop_test(tests, two_sheets, 0, 8);
     tcase_add_test(tests, few_sheets);
+    tcase_add_loop_test(tests, exact_slopes, 0, 3);
+    tcase_add_loop_test(tests, rounded, 0, 3);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);
     int failed = srunner_ntests_failed(runner);
