@@ -2,7 +2,6 @@
 #include "cloud/rounding.h"
 
 #include <math.h>
-#include <stdbool.h>
 #include <stdint.h>
 #include <stdlib.h>
 
@@ -21,12 +20,6 @@ static const double OFF = 0.1;
 /* The fewest heights, and of the steps over all of them so many: a few are levels of the part. */
 enum { FEWEST = 12, PART = 3 };
 
-static int compare_heights(const void *a, const void *b)
-{
-    double p = *(const double *)a, q = *(const double *)b;
-    return (p > q) - (p < q);
-}
-
 /* Some of the heights, upwards, each once: how many. */
 static size_t sort_heights(const struct vec3 *point, size_t n, double apart, double *height)
 {
@@ -34,7 +27,7 @@ static size_t sort_heights(const struct vec3 *point, size_t n, double apart, dou
 
     for (size_t i = 0, by = n / SOME + 1; i < n; i += by)
         height[some++] = point[i].z;
-    qsort(height, some, sizeof *height, compare_heights);
+    doubles_sort(height, some);
     for (size_t i = 0; i < some; i++)
         if (kept == 0 || height[i] - height[kept - 1] > apart)
             height[kept++] = height[i];

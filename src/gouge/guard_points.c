@@ -388,6 +388,11 @@ static struct found_edges find_edges(const struct guard_work *work, const struct
     return found;
 }
 
+static size_t unresolved(const struct found_edges *found)
+{
+    return found->gaps.n + found->gaps.unknown;
+}
+
 /* The same where heights that were rounded stay as they are, and found in them spread, too: what is
  * there is in both, and what rounding makes of a slope or of a flat in one of them, so that the one
  * that resolves more is right. */
@@ -396,19 +401,15 @@ static struct found_edges find_rounded(const struct guard_work *work, double ste
     struct found_edges found = find_edges(work, work->point_grid);
     struct point_grid spread = *work->point_grid;
 
-    if (found.gaps.n + found.gaps.unknown == 0)
+    if (unresolved(&found) == 0)
         return found;
     spread.point = mem_alloc(spread.n, sizeof *spread.point);
     rounding_spread(step, work->point_grid->point, spread.n, spread.point);
     struct found_edges other = find_edges(work, &spread);
     free(spread.point);
-    if (other.gaps.n + other.gaps.unknown < found.gaps.n + found.gaps.unknown) {
-        struct found_edges kept = other;
-        other = found;
-        found = kept;
-    }
-    array_free(&other.point);
-    return found;
+    bool better = unresolved(&other) < unresolved(&found);
+    array_free(better ? &found.point : &other.point);
+    return better ? other : found;
 }
 
 static void add_edges(const struct guard_work *work, struct guard_points *surface)

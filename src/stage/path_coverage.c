@@ -87,9 +87,8 @@ static bool add_points(struct path_coverage *c, const struct mesh *region, int t
         add_mesh(region, c->spacing, threads, to);
         return false;
     }
-    add_mesh(region, c->spacing, threads, &on_mesh);
-    add_thinned(2 * c->spacing, &on_mesh,
-                to); /* nothing is promised: half a row apart in the mean */
+    add_mesh(region, c->spacing, threads, &on_mesh); /* nothing is promised: */
+    add_thinned(2 * c->spacing, &on_mesh, to);       /* half a row apart in the mean */
     array_free(&on_mesh);
     return false;
 }
