@@ -211,11 +211,12 @@ static void set_tolerance(const struct mesh *mesh)
         path_options.tolerance = TOLERANCE;
 }
 
-/* Of a part that has no outline nobody knows what of it is to be cut: the head says no scallop. */
-static void promise_nothing(void)
+/* Of a part without outline no judge knows what of it is to be cut: the head says no scallop. */
+static void promise_nothing(bool measured)
 {
     say("what is asked for has no outline, being narrow, rough, or over itself: "
-        "what stays of it is not measured, and the head promises no scallop");
+        "%sthe head promises no scallop",
+        measured ? "" : "what stays of it is not measured, and ");
     path_options.scallop = 0;
 }
 
@@ -267,8 +268,8 @@ int main(int argc, char **argv)
     if (promised || (region == &mesh && (path_options.guarded || mesh.normals_made)))
         coverage = path_coverage_new(&mesh, region, &t);
     t.coverage = coverage.coverage;
-    if (scallop > 0 && path_options.guarded && !coverage.coverage)
-        promise_nothing();
+    if (scallop > 0 && region != &mesh && !region_given(&asked))
+        promise_nothing(coverage.coverage);
     path_options_begin(&mesh, "planecut", cli.output, &t);
     planes.region = region != &mesh;
     plane_passes_run_out(&planes, &mesh);
@@ -288,7 +289,7 @@ int main(int argc, char **argv)
         unmet_say(&path.head.unmet,
                   "on slopes steeper than the planes can follow, scallops are "
                   "higher than %g mm (--scallop)",
-                  path_options.scallop);
+                  scallop);
         status = EXIT_UNMET;
     }
     path_options_end(&mesh, "planecut", &t);

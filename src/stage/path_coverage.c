@@ -122,7 +122,8 @@ static double spent_by(const struct mesh *mesh, const struct path_coverage *c)
     double spent = isfinite(mesh->origin.ledger) ? mesh->origin.ledger : 0;
 
     if (c->scallop > 0 && spent > c->scallop + c->tolerance)
-        say("the mesh is up to %.3g mm off its scan: so much may stay beside scallop and tolerance",
+        say("the mesh is up to %.3g mm off what it is of: so much may stay beside scallop and "
+            "tolerance",
             spent);
     return spent;
 }
@@ -166,7 +167,7 @@ struct path_coverage path_coverage_new(const struct mesh *mesh, const struct mes
         .vertex = c.vertex,
         .normal = mesh->normal.item,
         .threads = t->threads};
-    if (vec_length(t->lift.axis.circle.pole) > 0)
+    if (t->rule.chain.n < 2)
         c.options.axes = coverage_judge_axes(&t->rule.chain);
     return c;
 }

@@ -2,6 +2,7 @@
 # planecut-region.t - what of a mesh is cut: the side of the tool, a box, some surfaces, some
 # steepness; and what planes may cost.
 . "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
+. "$SRC/tests/lib/model.sh"
 
 # A box 30 x 20 x 10 with a round hole of radius 4 through it.
 nurbs2mesh -e 0.005 "$SRC/tests/data/box.step" >"$TMP/box.ply" 2>/dev/null
@@ -162,4 +163,36 @@ has "is told: nothing is cut" "nothing is cut: the ball comes to none of the poi
 has "... and its head says so" "UNMET/planecut,nothing is cut" pit.cl
 run planecut -r 1 --avoid --box -2,-2,-8,2,2,-5 --scallop 0.05 -o pit.cl pit.ply
 hasnt "a smaller one does fit" "nothing is cut" "$TMP/err"
+
+# The slopes of a ring, on both sides of its crest: they have no outline, lying over others, and no
+# judge knows that the crest between them is not theirs.
+cat <<'END' | iges ring
+axis 110 0 0,0,0,0,0,9
+upright 124 0 1,0,0,0,0,0,-1,0,0,1,0,0
+round 100 0@upright 0,8,0,10.5,0,10.5,0
+ring 120 0 {axis},{round},0.,6.283185307179586
+END
+nurbs2mesh -q -e 0.05 -o ring.ply ring.igs
+status 0 "slopes that lie over others" planecut -r 3 --scallop 0.02 --avoid --steep 30:90 \
+	-o ring.cl ring.ply
+has "have no outline, which is said" "no outline, .*: the head promises no scallop" "$TMP/err"
+has "... and what the facets are off is off surfaces" "off what it is of" "$TMP/err"
+hasnt "the head promises none" '^\$\$-> SCALLOP' ring.cl
+ncpost -q -c fanuc -o ring.nc ring.cl
+status 0 "so that what stays between them is no fault" ncverify -q --partial -g ring.ply ring.nc
+
+# A closed cylinder on three axes: its floor is out of reach, for no ball comes under it from above.
+# As if a tool could lie there, rest passes went for the floor, and the path ended with 3.
+cat <<'END' | iges post
+axis 110 0 0,0,0,0,0,9
+side 106 12 2,4,0,0,0,6,0,0,6,0,4,0,0,4
+post 120 0 {axis},{side},0.,6.283185307179586
+END
+nurbs2mesh -q -e 0.05 -o post.ply post.igs
+status 0 "a post with a floor" planecut -r 3 --scallop 0.05 --avoid --fixed 0,0,1 -m three-axis \
+	-o post.cl post.ply
+has "... whose floor is out of reach" "out of reach of ball and tool" "$TMP/err"
+hasnt "... and nothing within" "within reach" "$TMP/err"
+biarcfit -q post.cl | ncpost -q -c fanuc -m three-axis -o post.nc
+status 0 "... and its program is accepted" ncverify -q -m three-axis -g post.ply post.nc
 done_testing
