@@ -30,13 +30,16 @@ struct toolpath_parts toolpath_parts_of(const struct toolpath *t)
 
 /* ---- slivers */
 
+/* As far as the ball goes, and as it cuts: in a groove hardly wider than itself it goes less. */
 static double length_of(const struct run *run)
 {
-    double length = 0;
+    double length = 0, cut = 0;
 
-    for (size_t i = 1; i < run->n; i++)
+    for (size_t i = 1; i < run->n; i++) {
         length += vec_distance(run->item[i - 1].ball, run->item[i].ball);
-    return length;
+        cut = fmax(cut, vec_distance(run->item[0].contact, run->item[i].contact));
+    }
+    return fmax(length, cut);
 }
 
 /* The ball's centre on all parts, close together, and whose it is. */

@@ -2,6 +2,7 @@
 # planecut-passes.t - counts and places on known surfaces, planes of any direction, foreign meshes,
 # what does not fit.
 . "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
+. "$SRC/tests/lib/model.sh"
 cd "$TMP" || exit 1
 
 panel=$SRC/samples/panel_17036.xyz
@@ -324,6 +325,22 @@ slope 0 "" "" >slope.ply
 status 1 "planes along the facets" planecut -r 1 -s 1 --normal -1,0,2 slope.ply
 has "cross nothing" 'nothing that the planes cross' err
 empty "and nothing is written" out
+
+# ---- a groove hardly wider than the ball
+
+# Its centre goes 4 mm in a row that cuts 11, whose neighbours cut it, but not what is about it.
+cat <<'END' | iges groove
+axis 110 0 0,0,0,0,12.3,0
+line 110 0 5.7,0,-3.7,5.7,12.3,-3.7
+groove 120 0 {axis},{line},0.,2.
+END
+nurbs2mesh -q -e 0.005 -o groove.ply groove.igs
+status 0 "a groove" planecut -r 5 --scallop 0.1 -o groove.cl groove.ply
+sed -n 's/^\$\$-> CONTCT\///p' groove.cl | cut -d, -f2 | sort -n >rows
+below "all its rows are cut: none lies farther from the next" \
+	"$(awk 'NR > 1 && $1 - y > d { d = $1 - y } { y = $1 } END { print d }' rows)" 2
+ncpost -q -c fanuc -o groove.nc groove.cl
+status 0 "... and its program is accepted" ncverify -q -g groove.ply groove.nc
 
 # ---- refusals
 
