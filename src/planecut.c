@@ -204,7 +204,7 @@ static const struct mesh *take_region(const struct mesh *mesh, struct mesh *part
  * would swing out between them, and where they bend, a straight line go through the part. */
 static void set_tolerance(const struct mesh *mesh)
 {
-    bool foreign = mesh->origin.scan.n == 0 && mesh_is_coarse(mesh);
+    bool foreign = mesh->origin.scan.n == 0 && (mesh_is_coarse(mesh) || mesh_is_sharp(mesh));
 
     if (path_options.tolerance == 0 && !path_options.paper &&
         (mesh->origin.surface.n > 0 || mesh->normals_made || foreign))

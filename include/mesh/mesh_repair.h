@@ -38,4 +38,7 @@ struct mesh_repair_report mesh_repair(struct mesh *mesh, struct vec3 up, int thr
 /* A smooth surface by the normals of the vertices is more than 0.01 mm off some facet. */
 bool mesh_is_coarse(const struct mesh *mesh);
 
+/* It has sharp edges: vertices at one place with normals more than 2.5 degrees apart. */
+bool mesh_is_sharp(const struct mesh *mesh);
+
 #endif

@@ -250,6 +250,19 @@ bool mesh_is_coarse(const struct mesh *mesh)
     return false;
 }
 
+bool mesh_is_sharp(const struct mesh *mesh)
+{
+    const struct vec3 *normal = mesh->normal.item;
+    const double alike = 0.999; /* cosine */
+    size_t *first = mesh_first_at_place(mesh);
+    bool sharp = false;
+
+    for (size_t v = 0; v < mesh->normal.n; v++)
+        sharp = sharp || vec_dot(normal[v], normal[first[v]]) < alike;
+    free(first);
+    return sharp;
+}
+
 /* Marks the facets that the normals would make leave their plane too far; true if there are any
  * more than before. */
 static bool mark_flat(const struct mesh *mesh, const struct numbered *all, bool *flat)

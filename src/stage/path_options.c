@@ -280,7 +280,8 @@ static int check_machine(const struct kinematic_chain *chain, const struct tool_
         (c->fixed_given && !(c->lean > 0) && rotary_reaches(chain, axis->direction)))
         return 0;
     return error_set(error,
-                     "-m %s: found %d of two rotary axes, expected --fixed with an axis it has",
+                     "-m %s: found %d of two rotary axes, expected --fixed with an axis it has, "
+                     "and no --lean-limit",
                      path_options.machine, chain->n);
 }
 

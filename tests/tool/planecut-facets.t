@@ -146,4 +146,27 @@ below "points are half a row apart" "$(echo "$told" | cut -d' ' -f2)" 20000
 below "area and share are alike" "$(echo "$told" |
 	awk '{ a = $3 / 576; b = $1 / $2; print (b == 0 ? 9 : a > b ? a / b : b / a) }')" 1.1
 
+# A box of another program, each side with corners and normals of its own: at its edges the ball
+# rolls from one side to the other, and straight lines went 0.3 mm through them.
+awk 'BEGIN {
+	print "ply\nformat ascii 1.0\nelement vertex 24"
+	split("x y z nx ny nz", word)
+	for (k = 1; k <= 6; k++) print "property float " word[k]
+	print "element face 12\nproperty list uchar int vertex_indices\nend_header"
+	size[0] = 16; size[1] = 12; size[2] = 6
+	for (side = 0; side < 6; side++) {
+		a = int(side / 2); b = (a + 1) % 3; c = (a + 2) % 3
+		for (k = 0; k < 4; k++) {
+			n[a] = 2 * (side % 2) - 1; n[b] = n[c] = 0
+			p[a] = side % 2 * size[a]; p[b] = (k == 1 || k == 2) * size[b]; p[c] = (k > 1) * size[c]
+			print p[0], p[1], p[2], n[0], n[1], n[2]
+		}
+	}
+	for (k = 0; k < 24; k += 4)
+		print k % 8 ? "3 " k " " k + 1 " " k + 2 "\n3 " k " " k + 2 " " k + 3 : \
+			"3 " k " " k + 2 " " k + 1 "\n3 " k " " k + 3 " " k + 2
+}' >box.ply
+status 0 "a box whose sides have normals" planecut -q -r 3 --scallop 0.05 --avoid -o box.cl box.ply
+ncpost -q -c fanuc -o box.nc box.cl
+status 0 "its edges are not cut" ncverify -q -e 0.02 --left 0.3 -g box.ply box.nc
 done_testing

@@ -351,6 +351,8 @@ status 2 "a normal of no length" planecut -r 4 --normal 0,0,0 dome.ply
 status 2 "a step of nothing" planecut -r 4 -s 0 dome.ply
 status 1 "a step for millions of planes" planecut -r 4 -s 0.000001 dome.ply
 status 2 "a scallop larger than the ball" planecut -r 4 --scallop 5 dome.ply
+status 2 "a lean on three axes" planecut -r 4 --fixed 0,0,1 --lean-limit 9 -m three-axis dome.ply
+has "... which is told" 'an axis it has, and no --lean-limit' "$TMP/err"
 status 2 "two meshes" planecut -r 4 dome.ply dome.ply
 empty "and nothing is written" out
 status 1 "a cloud" planecut -r 4 "$panel"

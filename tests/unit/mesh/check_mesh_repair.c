@@ -185,6 +185,7 @@ START_TEST(facets_stay_flat_where_normals_would_bend_them)
         mesh_repair(&m, vec(0, 0, 1), 1);
         ck_assert_uint_eq(m.vertex.n, wide ? 4 * STRIPS : 2 * STRIPS + 2);
         ck_assert(!mesh_is_coarse(&m));
+        ck_assert(mesh_is_sharp(&m) == (wide == 1));
         for (size_t f = 0; f < m.face.n; f++) {
             struct vec3 flat = vec_unit(mesh_face_cross(&m, f));
             for (int i = 0; i < 3 && wide; i++)
