@@ -289,7 +289,8 @@ void out_bytes(struct out *o, const void *p, size_t n)
         put_bytes(o, p, n);
         return;
     }
-    memcpy(o->buf + o->n, p, n);
+    if (n > 0) /* p may be NULL */
+        memcpy(o->buf + o->n, p, n);
     o->n += n;
 }
 
