@@ -5,9 +5,7 @@
 
 #include "base/effort.h"
 #include "base/parallel.h"
-#include "cloud/edge_points.h"
-#include "cloud/noise.h"
-#include "cloud/rounding.h"
+#include "cloud/scan_edges.h"
 #include "cloud/scan_lines.h"
 #include "cloud/settle.h"
 #include "cloud/steep_facets.h"
@@ -38,17 +36,6 @@ static const double DIFFERENT = 1;
 
 /* Noises that points are off a surface, one standard deviation: more is not noise. */
 static const double NOISY = 2;
-
-/* mm: a flank is certain whose points are no farther off it on average, and no wall hangs from one
- * that is not, however much may be cut off: a larger tolerance would find more walls. */
-static const double SURE = 0.002;
-
-/* Spacings: by so little noise, as of coordinates rounded, edges are looked for as without it, too;
- * noises that the points of a certain flank are off it then, on average. */
-static const double FAINT = 0.01, UNEVEN = 1.7;
-
-/* Spacings: smooth surfaces leave more where shapes are as small as points are apart. */
-static const double ROUGH = 0.06;
 
 /* What becomes of a point. */
 struct point_result {
@@ -325,99 +312,19 @@ static struct guard_points gather(struct guard_work *work)
     return surface;
 }
 
-/* Places on edges, how many, and on the flanks up to them; and what is not resolved. */
-struct found_edges {
-    struct vec3s point;
-    size_t edges;
-    struct edge_gaps gaps;
-};
-
-/* What edges would not be resolved if a little of what is left by smooth surfaces were noise: where
- * no surface is certain as the points are, as of a knurl of five points a side with noise, no edge
- * is seen at all.  Rough ground has few such points either way. */
-static void suspect_edges(struct edge_points_options edges, struct edge_gaps *gaps)
-{
-    const double little = 0.02, certain = 0.1, many = 0.005; /* spacings; of the points */
-    double n = (double)edges.point_grid->n;
-    struct edge_gaps suspected;
-    struct vec3s none = {0};
-
-    if ((double)gaps->certain > certain * n)
-        return;
-    edges.noise = little * point_grid_spacing(edges.point_grid);
-    edges.fill = false;
-    edge_points(&edges, &none, &suspected);
-    array_free(&none);
-    if ((double)suspected.unknown > many * n)
-        *gaps = suspected;
-}
-
-/* Sharp edges that the scan has no points on.  Where noise is known by the sides of edges these are
- * looked for in the points as they are, for blunt ones are told by that alone; and by the noise,
- * which makes sides certain, those that two sides meet in: not what goes on unseen, which rough
- * parts have much of, unless there are walls nearly everywhere.  Where noise is faint both are
- * asked, too: it hides blunt edges, and what no point resolves, though sides tell of them. */
-static struct found_edges find_edges(const struct guard_work *work, const struct point_grid *scan)
-{
-    const struct guard_points_options *rule = work->rule;
-    bool faint = rule->noise > 0 && rule->noise < FAINT * point_grid_spacing(scan);
-    bool twice = rule->edged || faint;
-    double sink = fmin(rule->sink, SURE);
-    struct edge_points_options edges = {.point_grid = scan,
-                                        .noise = twice ? 0 : rule->noise,
-                                        .along = sqrt(8 * rule->radius * rule->sink),
-                                        .sink = faint ? fmax(sink, UNEVEN * rule->noise) : sink,
-                                        /* flanks of few points are as rough as these */
-                                        .fill = work->filled,
-                                        .threads = rule->threads,
-                                        .near = scan == work->point_grid ? &work->lists : NULL};
-    struct found_edges found = {.edges = 0};
-
-    found.edges = edge_points(&edges, &found.point, &found.gaps);
-    if (twice) {
-        struct edge_gaps walls;
-        edges.noise = rule->noise;
-        edges.sink = sink;
-        edges.met = rule->edged;
-        found.edges += edge_points(&edges, &found.point, &walls);
-        if (walls.n > found.gaps.n)
-            found.gaps = walls;
-    }
-    if (rule->rough > ROUGH * point_grid_spacing(scan))
-        suspect_edges(edges, &found.gaps);
-    return found;
-}
-
-static size_t unresolved(const struct found_edges *found)
-{
-    return found->gaps.n + found->gaps.unknown;
-}
-
-/* The same where heights that were rounded stay as they are, and found in them spread, too: what is
- * there is in both, and what rounding makes of a slope or of a flat in one of them, so that the one
- * that resolves more is right. */
-static struct found_edges find_rounded(const struct guard_work *work, double step)
-{
-    struct found_edges found = find_edges(work, work->point_grid);
-    struct point_grid spread = *work->point_grid;
-
-    if (unresolved(&found) == 0)
-        return found;
-    spread.point = mem_alloc(spread.n, sizeof *spread.point);
-    rounding_spread(step, work->point_grid->point, spread.n, spread.point);
-    struct found_edges other = find_edges(work, &spread);
-    free(spread.point);
-    bool better = unresolved(&other) < unresolved(&found);
-    array_free(better ? &found.point : &other.point);
-    return better ? other : found;
-}
-
 static void add_edges(const struct guard_work *work, struct guard_points *surface)
 {
-    const struct point_grid *b = work->point_grid;
-    double step = rounding_step(b->point, b->n, point_grid_spacing(b));
-    bool rounded = step > 0 && rounding_left(step, noise_sigma(b, work->rule->threads));
-    struct found_edges found = rounded ? find_rounded(work, step) : find_edges(work, b);
+    const struct guard_points_options *rule = work->rule;
+    const struct scan_edges_options options = {.scan = work->point_grid,
+                                               .radius = rule->radius,
+                                               .sink = rule->sink,
+                                               .noise = rule->noise,
+                                               .rough = rule->rough,
+                                               .edged = rule->edged,
+                                               .fill = work->filled,
+                                               .threads = rule->threads,
+                                               .near = &work->lists};
+    struct scan_edges found = scan_edges_find(&options);
 
     vec3s_add(&surface->point, found.point.item, found.point.n);
     surface->edges = found.edges;
