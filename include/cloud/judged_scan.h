@@ -18,4 +18,12 @@
 void judged_scan_settle(struct point_grid *scan, double radius, double noise, int threads,
                         unsigned char *under, struct vec3s *curtain);
 
+/*
+ * Appends places where the part may go on, unseen, between the points of a scan (scan_edges.h), as
+ * who makes a path for a ball of that radius is kept off them.  `scan`: as it was scanned, without
+ * outliers; noise as above.
+ */
+void judged_scan_unseen(const struct point_grid *scan, double radius, double noise, int threads,
+                        struct vec3s *place);
+
 #endif

@@ -47,6 +47,7 @@ struct verify_surface {
     struct vec3s roof;     /* points that face up with nothing of the scan below (roof.h) */
     struct vec3s curtain;  /* what hangs below its rims and goes on beyond them, and its flanks */
     struct vec3s steep;    /* places on steep flanks, between points that are far apart there */
+    struct vec3s scanned;  /* the points that are left, with their noise */
     double sheets;         /* distance of scans that do not meet, mm; 0: they meet ... */
     struct vec3 sheets_at; /* ... where it is largest */
 };
@@ -61,6 +62,10 @@ struct verify_surface {
  */
 int verify_surface_find(struct vec3s *point, double noise, double radius, int threads,
                         struct verify_surface *surface, struct error *error);
+
+/* Appends places where the part may go on, unseen, between the points (cloud/judged_scan.h). */
+void verify_surface_unseen(const struct verify_surface *surface, double radius, int threads,
+                           struct vec3s *place);
 void verify_surface_free(struct verify_surface *surface);
 
 /*
@@ -160,9 +165,11 @@ struct verdict {
     struct centre_path cut;
     struct deviation_map map;
     struct part_coverage coverage;
-    size_t asked; /* points that are to be cut: of the region that is known, or all */
-    double limit; /* of what counts as left, mm */
-    double noise; /* so much more than the tolerance is allowed for noise, mm */
+    size_t asked;  /* points that are to be cut: of the region that is known, or all */
+    size_t unseen; /* of those left, points that the tool reaches only if no edge goes on there that
+                      no point tells of; asked where more are left than may be, and few enough */
+    double limit;  /* of what counts as left, mm */
+    double noise;  /* so much more than the tolerance is allowed for noise, mm */
     struct verdict_outliers outliers;
     struct verdict_steep steep;
     struct axis_use axes;

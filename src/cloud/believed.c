@@ -7,7 +7,7 @@
 #include "base/array.h"
 #include "cloud/outliers.h"
 #include "cloud/plan_extent.h"
-#include "cloud/rounding.h"
+#include "rounding.h"
 
 /* Of the places looked at: where no more are of two sheets, these tell nothing of the noise. */
 static const double FEW = 0.02;

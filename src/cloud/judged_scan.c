@@ -7,6 +7,7 @@
 #include "cloud/outliers.h"
 #include "cloud/rim_points.h"
 #include "cloud/roof.h"
+#include "cloud/scan_edges.h"
 #include "cloud/settle.h"
 #include "cloud/steep_facets.h"
 
@@ -34,6 +35,9 @@ static void settle_all(struct point_grid *grid, double sigma, int threads)
     free(s.to);
 }
 
+/* mm: how deep a ball may sink in between places on edges, as of a path of the usual tolerance. */
+static const double SINK = 0.002;
+
 void judged_scan_settle(struct point_grid *scan, double radius, double noise, int threads,
                         unsigned char *under, struct vec3s *curtain)
 {
@@ -43,4 +47,19 @@ void judged_scan_settle(struct point_grid *scan, double radius, double noise, in
         settle_all(scan, noise, threads);
     rim_points_asked(scan, radius, noise, threads, curtain);
     steep_facets_asked(scan, radius, noise, threads, curtain);
+}
+
+void judged_scan_unseen(const struct point_grid *scan, double radius, double noise, int threads,
+                        struct vec3s *place)
+{
+    const struct scan_edges_options options = {.scan = scan,
+                                               .radius = radius,
+                                               .sink = SINK,
+                                               .noise = noise,
+                                               .fill = true,
+                                               .threads = threads};
+    struct scan_edges found = scan_edges_find(&options);
+
+    vec3s_add(place, found.point.item, found.point.n);
+    array_free(&found.point);
 }

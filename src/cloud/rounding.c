@@ -1,5 +1,5 @@
-/* rounding - see cloud/rounding.h. */
-#include "cloud/rounding.h"
+/* rounding - see rounding.h. */
+#include "rounding.h"
 
 #include <math.h>
 #include <stdint.h>

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 
 #include "cloud/noise.h"
-#include "cloud/rounding.h"
+#include "rounding.h"
 
 /* mm: a flank is certain whose points are no farther off it on average, and no wall hangs from one
  * that is not, however much may be cut off: a larger tolerance would find more walls. */

@@ -59,7 +59,7 @@ struct vec3s coverage_judge_axes(const struct kinematic_chain *chain)
 
 /* Moves the places of a scan to where they are without noise.  What a ball may not be in besides
  * them, and which of them lie under a roof. */
-static void find_solid(struct vec3s *place, double radius, double noise, int threads,
+static void find_solid(struct vec3s *place, double radius, double noise, bool unseen, int threads,
                        struct vec3s *curtain, unsigned char *under)
 {
     struct plan_extent extent = plan_extent_of(place->item, place->n, 0);
@@ -70,6 +70,8 @@ static void find_solid(struct vec3s *place, double radius, double noise, int thr
     if (point_grid_make(place->item, place->n, spacing > 0 ? spacing : 1, threads, &grid, &error) <
         0)
         return;
+    if (unseen)
+        judged_scan_unseen(&grid, radius, noise, threads, curtain);
     judged_scan_settle(&grid, radius, noise, threads, under, curtain);
     point_grid_free(&grid);
 }
@@ -79,7 +81,7 @@ void coverage_judge_settle(struct vec3s *scan, double radius, double noise, int 
     struct vec3s curtain = {0};
     unsigned char *under = mem_alloc(scan->n, 1);
 
-    find_solid(scan, radius, noise, threads, &curtain, under);
+    find_solid(scan, radius, noise, false, threads, &curtain, under);
     array_free(&curtain);
     free(under);
 }
@@ -150,7 +152,8 @@ static size_t ask(const struct vec3 *point, double *height, size_t n, struct vec
     for (size_t i = 0; i < place->n; i++)
         under[i] = 0;
     if (options->scan)
-        find_solid(place, options->radius, options->noise, options->threads, &curtain, under);
+        find_solid(place, options->radius, options->noise, options->unseen, options->threads,
+                   &curtain, under);
     double *left = left_of(point, height, n, place, options, of);
     struct tool_shape tool = shape_of(options->holder);
     const struct part_coverage_options how = {.radius = options->radius,

@@ -21,6 +21,7 @@ struct coverage_judge_options {
     const struct holder *holder;         /* what is above the ball */
     const struct kinematic_chain *chain; /* of the machine: what directions it has */
     bool scan;                           /* the points are a scan: material hangs below its rims */
+    bool unseen;                         /* and goes on where no point tells that it does not */
     int threads;                         /* as of parallel_for */
 };
 

@@ -358,12 +358,17 @@ static void say_judged(const struct path_coverage *c, const struct path_judged *
 {
     const struct coverage_point *worst = &judged->worst;
 
+    char unseen[96] = "";
+
+    if (judged->unseen > 0)
+        snprintf(unseen, sizeof unseen, " (%zu if no edge goes on that no point tells of)",
+                 judged->unseen);
     if (judged->n > 0)
         unmet_say(unmet,
                   "who judges by the %s alone takes %zu of these for left though "
-                  "within reach, beside %zu that are: up to %.3f mm, worst at %.3f %.3f %.3f",
-                  c->scan ? "points of the scan" : "facets of the mesh", judged->n, judged->left,
-                  worst->height, worst->p.x, worst->p.y, worst->p.z);
+                  "within reach%s, beside %zu that are: up to %.3f mm, worst at %.3f %.3f %.3f",
+                  c->scan ? "points of the scan" : "facets of the mesh", judged->n, unseen,
+                  judged->left, worst->height, worst->p.x, worst->p.y, worst->p.z);
 }
 
 /* What a path leaves that no fitter follows, where that is more than may be. */
@@ -408,9 +413,9 @@ int path_coverage_conclude(const struct path_coverage *c, struct path_head *head
     say_out(&r);
     say_kept(&r, unmet);
     say_left(c, &r, unmet);
-    if (unmet_left)
+    if (unmet_left || judged.more)
         say_judged(c, &judged, unmet);
-    else if (verdicts.as_is.much)
+    if (!unmet_left && verdicts.as_is.much)
         say_as_is(c, &verdicts.as_is, &head->unfitted);
     if (r.left.n == 0)
         note("all of %zu points within reach are cut to %.3f mm; %zu rest passes in %zu rounds",

@@ -28,8 +28,12 @@ size_t path_judged_most(size_t n)
 /* A share that is printed as no more than may be, in percent, is no more. */
 static const double PERCENT = 0.005;
 
-/* With so many judged left it is more than so many times the share that may be left. */
-static bool is_much(const struct path_coverage *c, const struct path_judged *judged, size_t n,
+/* So many times the share may be left with what is only since no point tells of an edge. */
+static const double UNSEEN = 2;
+
+/* With n points judged left beside those that are it is more than so many times the share that may
+ * be left. */
+static bool is_more(const struct path_coverage *c, const struct path_judged *judged, size_t n,
                     double times)
 {
     double share = path_options.left_share, points = (double)coverage_report(c->coverage).points;
@@ -38,10 +42,18 @@ static bool is_much(const struct path_coverage *c, const struct path_judged *jud
     return 100 * (double)(judged->left + path_judged_most(n)) > times * may * points;
 }
 
-/* What a judge is asked of, and what is on it. */
+static bool is_much(const struct path_coverage *c, const struct path_judged *judged, double times)
+{
+    return is_more(c, judged, judged->n - judged->unseen, times) ||
+           is_more(c, judged, judged->n, UNSEEN * times);
+}
+
+/* What a judge is asked of, and what is on it: on none that is out of reach; of the others, whether
+ * only an edge that goes on unseen would put them there. */
 struct asked {
     struct coverage_point *point;
     double *height;
+    bool *unseen;
     size_t n;
 };
 
@@ -52,12 +64,14 @@ static struct asked ask(const struct path_coverage *c, double least)
     size_t n;
     const struct coverage_point *point = coverage_points(c->judged ? c->judged : c->coverage, &n);
     struct asked asked = {mem_alloc(n + 1, sizeof *asked.point),
-                          mem_alloc(n + 1, sizeof *asked.height), n};
+                          mem_alloc(n + 1, sizeof *asked.height),
+                          mem_alloc(n + 1, sizeof *asked.unseen), n};
 
     for (size_t i = 0; i < n; i++) {
         bool may = point[i].state == COVERAGE_KEPT || point[i].state == COVERAGE_OUT ||
                    (c->judged && point[i].state == COVERAGE_LEFT);
         asked.point[i] = point[i];
+        asked.unseen[i] = false;
         asked.height[i] = may && point[i].height > least ? point[i].height : 0;
     }
     return asked;
@@ -73,9 +87,10 @@ static size_t left_beyond(const struct path_coverage *c, double limit)
     return left;
 }
 
-/* Leaves what is on those that are judged to be within reach. */
-static void judge(const struct path_coverage *c, struct vec3s *place, double limit,
-                  const struct asked *asked)
+/* Leaves what is on those that are judged to be within reach; if `unseen`, by a judge that knows of
+ * all edges that may go on. */
+static void judge(const struct path_coverage *c, const struct vec3s *place, double limit,
+                  bool unseen, const struct asked *asked, double *height)
 {
     const struct coverage_judge_options options = {.radius = c->options.radius,
                                                    .limit = limit,
@@ -84,13 +99,30 @@ static void judge(const struct path_coverage *c, struct vec3s *place, double lim
                                                    .holder = c->options.holder,
                                                    .chain = &c->rule->chain,
                                                    .scan = c->scan,
+                                                   .unseen = unseen,
                                                    .threads = c->options.threads};
-    struct vec3s at = {0};
+    struct vec3s at = {0}, solid = {0};
 
     for (size_t i = 0; i < asked->n; i++)
         *array_push(&at) = asked->point[i].p;
-    coverage_judge_left(at.item, asked->height, asked->n, place, &options);
+    vec3s_add(&solid, place->item, place->n); /* it is moved off its noise */
+    coverage_judge_left(at.item, height, asked->n, &solid, &options);
     array_free(&at);
+    array_free(&solid);
+}
+
+static void find_unseen(const struct path_coverage *c, const struct vec3s *place, double limit,
+                        const struct asked *asked)
+{
+    double *height = mem_alloc(asked->n + 1, sizeof *height);
+
+    for (size_t i = 0; i < asked->n; i++)
+        height[i] = asked->point[i].state == COVERAGE_LEFT ? 0 : asked->height[i];
+    judge(c, place, limit, true, asked, height);
+    for (size_t i = 0; i < asked->n; i++)
+        asked->unseen[i] =
+            asked->height[i] > 0 && asked->point[i].state != COVERAGE_LEFT && !(height[i] > 0);
+    free(height);
 }
 
 /* Where so much may be left. */
@@ -106,6 +138,7 @@ static struct path_judged judged_by(const struct path_coverage *c, const struct 
             judged.left++;
             continue;
         }
+        judged.unseen += asked->unseen[i];
         if (judged.n++ == 0 || asked->height[i] > judged.worst.height)
             judged.worst = asked->point[i];
     }
@@ -114,25 +147,41 @@ static struct path_judged judged_by(const struct path_coverage *c, const struct 
     return judged;
 }
 
-struct path_verdicts path_judged(const struct path_coverage *c, struct vec3s *place)
+/* By both limits. */
+static struct path_verdicts verdicts_of(const struct path_coverage *c, const struct asked *asked,
+                                        double last, double limit)
+{
+    struct path_verdicts verdicts = {.worse = judged_by(c, asked, last),
+                                     .as_is = judged_by(c, asked, limit)};
+
+    if (!c->judged)
+        verdicts.worse.left = coverage_report(c->coverage).left.n;
+    verdicts.worse.much = is_much(c, &verdicts.worse, 1);
+    if (!verdicts.worse.much && is_much(c, &verdicts.as_is, FITTED)) {
+        verdicts.worse = verdicts.as_is;
+        verdicts.worse.much = true;
+    }
+    verdicts.worse.more = is_more(c, &verdicts.worse, verdicts.worse.n, 1);
+    verdicts.as_is.much = !verdicts.worse.much && is_much(c, &verdicts.as_is, 1);
+    return verdicts;
+}
+
+struct path_verdicts path_judged(const struct path_coverage *c, const struct vec3s *place)
 {
     /* what is left of points by a hair a fitter may leave more of: of exact ones few are */
     int stages = c->judged ? STAGES - 1 : STAGES;
     double limit = c->allowed + ROUNDED, last = c->allowed + stages * c->tolerance;
     struct asked asked = ask(c, limit);
 
-    judge(c, place, limit, &asked);
-    struct path_verdicts verdicts = {.worse = judged_by(c, &asked, last),
-                                     .as_is = judged_by(c, &asked, limit)};
+    judge(c, place, limit, false, &asked, asked.height);
+    struct path_verdicts verdicts = verdicts_of(c, &asked, last, limit);
+    bool may_be_unseen = c->scan && !is_more(c, &verdicts.worse, verdicts.worse.n, UNSEEN);
+    if ((verdicts.worse.much || verdicts.as_is.much) && may_be_unseen) {
+        find_unseen(c, place, limit, &asked);
+        verdicts = verdicts_of(c, &asked, last, limit);
+    }
     free(asked.point);
     free(asked.height);
-    if (!c->judged)
-        verdicts.worse.left = coverage_report(c->coverage).left.n;
-    verdicts.worse.much = is_much(c, &verdicts.worse, verdicts.worse.n, 1);
-    if (!verdicts.worse.much && is_much(c, &verdicts.as_is, verdicts.as_is.n, FITTED)) {
-        verdicts.worse = verdicts.as_is;
-        verdicts.worse.much = true;
-    }
-    verdicts.as_is.much = !verdicts.worse.much && is_much(c, &verdicts.as_is, verdicts.as_is.n, 1);
+    free(asked.unseen);
     return verdicts;
 }

@@ -105,6 +105,31 @@ static size_t left_in_region(const struct verdict *v)
     return n;
 }
 
+/* Of all points that are to be cut, a share of them. */
+static double share_of(const struct verdict *v, double all)
+{
+    return v->options.share > 0 ? (v->options.share + SHARE_ROUNDED) * all : 0;
+}
+
+size_t verify_may_be_left(const struct verdict *v)
+{
+    return (size_t)share_of(v, (double)v->asked);
+}
+
+static void say_reached(const struct verdict *v, char *text, size_t size)
+{
+    double area = v->coverage.sum[COVERAGE_LEFT].area;
+
+    if (v->unseen > 0)
+        snprintf(
+            text, size,
+            ", %.1f mm2 that the tool reaches, %zu only if no edge goes on that no point tells "
+            "of, which may be as many again",
+            area, v->unseen);
+    else
+        snprintf(text, size, ", %.1f mm2 that the tool reaches", area);
+}
+
 /* What is left beyond the limit, where the tool could have cut: a fault where it is a share of the
  * points that are judged, or at the border of a region far more than that; never of a part of a
  * program, for the others cut beside it. */
@@ -115,19 +140,20 @@ static void judge_left(struct verdict *v)
     bool whole = !v->options.partial;
     size_t at = whole ? left->at : r->over_at, n = whole ? left->points : left_in_region(v);
     double all = (double)(whole ? v->asked : r->cut);
-    double share = v->options.share > 0 ? v->options.share + SHARE_ROUNDED : 0;
-    size_t most = (size_t)fmax(share * all, whole || share == 0 ? 0 : RIM * sqrt(all));
+    double border = whole || v->options.share == 0 ? 0 : RIM * sqrt(all);
+    size_t most = (size_t)fmax(share_of(v, all), border);
     struct vec3 p = v->program.part->item[at];
-    char what[64] = " of the region";
+    char what[150] = " of the region";
     if (n == 0 || !isfinite(v->options.left) || (whole && !comes_near(v)))
         return;
     if (whole)
-        snprintf(what, sizeof what, ", %.1f mm2 that the tool reaches", left->area);
-    double border = BORDER * v->options.left + v->noise;
-    bool far = !whole && r->over > border;
-    double limit = whole ? v->limit : far && n <= most ? border : v->options.left;
+        say_reached(v, what, sizeof what);
+    double bordering = BORDER * v->options.left + v->noise;
+    bool far = !whole && r->over > bordering;
+    bool many = n - v->unseen > most || n > VERIFY_UNSEEN * most;
+    double limit = whole ? v->limit : far && n <= most ? bordering : v->options.left;
     struct more_than text = more_than(whole ? left->worst : r->over, limit);
-    finding_add(v, (far || n > most) && !v->program.of_whole, piece_at(v, at),
+    finding_add(v, (far || many) && !v->program.of_whole, piece_at(v, at),
                 "%s mm of material is left at %.3f %.3f %.3f, at most %s (%zu points%s; %zu points "
                 "may be%s)",
                 text.more, p.x, p.y, p.z, text.limit, n, what, most,

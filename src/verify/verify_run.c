@@ -61,9 +61,10 @@ static double near_of(const struct verdict *v)
     return SURE * rows;
 }
 
-/* Which points are cut, out of reach (also those `beside`, NULL: none), or left by so much. */
+/* Which points are cut, out of reach (also those `beside`, NULL: none), or left by so much, with a
+ * curtain in the way. */
 static void cover_points(const struct verdict *v, const double *left, const unsigned char *beside,
-                         struct part_coverage *coverage)
+                         const struct vec3s *curtain, struct part_coverage *coverage)
 {
     const struct verify_options *o = &v->options;
     const struct vec3s *part = v->program.part;
@@ -74,7 +75,7 @@ static void cover_points(const struct verdict *v, const double *left, const unsi
                                                 .near = near_of(v),
                                                 .tool = &o->tool,
                                                 .axis = &axis,
-                                                .curtain = surface ? &surface->curtain : NULL,
+                                                .curtain = curtain,
                                                 .whole = !surface,
                                                 .threads = o->threads};
 
@@ -82,6 +83,35 @@ static void cover_points(const struct verdict *v, const double *left, const unsi
         beside = surface->under;
     part_coverage_run(part->item, left, beside, part->n, &reach, coverage);
     array_free(&axis);
+}
+
+static const struct vec3s *curtain_of(const struct verdict *v)
+{
+    return v->program.surface ? &v->program.surface->curtain : NULL;
+}
+
+/* Of the points that are left those that the tool reaches only if nothing goes on, unseen, between
+ * points: counted where so many may be left with these, and not without. */
+static void count_unseen(struct verdict *v, const unsigned char *beside)
+{
+    const struct verify_surface *surface = v->program.surface;
+    size_t n = v->program.part->n, found = v->coverage.sum[COVERAGE_LEFT].points;
+    size_t may = verify_may_be_left(v);
+    struct part_coverage coverage;
+    struct vec3s solid = {0};
+
+    if (!surface || found <= may || found > VERIFY_UNSEEN * may)
+        return;
+    double *left = mem_alloc(n, sizeof *left);
+    for (size_t i = 0; i < n; i++)
+        left[i] = v->coverage.of[i] == COVERAGE_LEFT ? v->map.deviation[i] : 0;
+    vec3s_add(&solid, surface->curtain.item, surface->curtain.n);
+    verify_surface_unseen(surface, v->options.radius, v->options.threads, &solid);
+    cover_points(v, left, beside, &solid, &coverage);
+    v->unseen = found - coverage.sum[COVERAGE_LEFT].points;
+    part_coverage_free(&coverage);
+    array_free(&solid);
+    free(left);
 }
 
 static bool is_reached(const struct part_coverage *coverage, size_t i)
@@ -97,7 +127,7 @@ static void leave_out_of_reach(struct verdict *v)
     struct part_coverage coverage;
     for (size_t i = 0; i < n; i++)
         left[i] = v->map.region[i] ? v->map.deviation[i] : 0;
-    cover_points(v, left, NULL, &coverage);
+    cover_points(v, left, NULL, curtain_of(v), &coverage);
     for (size_t i = 0; i < n; i++)
         v->map.region[i] = v->map.region[i] && is_reached(&coverage, i);
     part_coverage_free(&coverage);
@@ -138,7 +168,8 @@ static void roll_cuts(struct verdict *v)
         leave_out_of_reach(v);
     } else {
         unsigned char *beside = v->program.region ? beside_region(v) : NULL;
-        cover_points(v, v->map.deviation, beside, &v->coverage);
+        cover_points(v, v->map.deviation, beside, curtain_of(v), &v->coverage);
+        count_unseen(v, beside);
         free(beside);
         for (size_t i = 0; i < part->n; i++)
             v->map.region[i] = is_reached(&v->coverage, i);

@@ -1,7 +1,6 @@
 /* verify_surface - the surface that the points of a scan stand for: see verify.h. */
 #include <stdint.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "base/array.h"
 #include "cloud/believed.h"
@@ -36,11 +35,11 @@ static void find_roof(const struct point_grid *grid, int threads, struct vec3s *
 }
 
 /* Points of steep flanks, seen as they were scanned and taken to be where the grid has them. */
-static void find_steep(const struct point_grid *grid, struct vec3 *scanned, double radius,
-                       int threads, struct verify_surface *surface)
+static void find_steep(const struct point_grid *grid, double radius, int threads,
+                       struct verify_surface *surface)
 {
     struct point_grid seen = *grid;
-    seen.point = scanned;
+    seen.point = surface->scanned.item;
     steep_facets_sure(&seen, grid->point, radius, surface->noise, threads, &surface->steep);
 }
 
@@ -70,13 +69,26 @@ int verify_surface_find(struct vec3s *point, double noise, double radius, int th
     surface->under = mem_alloc(point->n, 1);
     surface->spacing = point_grid_spacing(&grid);
     find_roof(&grid, threads, &surface->roof);
-    struct vec3 *scanned = mem_alloc(grid.n + 1, sizeof *scanned);
-    memcpy(scanned, grid.point, grid.n * sizeof *scanned);
+    vec3s_add(&surface->scanned, grid.point, grid.n);
     judged_scan_settle(&grid, radius, surface->noise, threads, surface->under, &surface->curtain);
-    find_steep(&grid, scanned, radius, threads, surface);
-    free(scanned);
+    find_steep(&grid, radius, threads, surface);
     point_grid_free(&grid);
     return 0;
+}
+
+void verify_surface_unseen(const struct verify_surface *surface, double radius, int threads,
+                           struct vec3s *place)
+{
+    struct vec3s point = {0};
+    struct point_grid grid;
+    struct error error;
+
+    vec3s_add(&point, surface->scanned.item, surface->scanned.n);
+    if (point_grid_make(point.item, point.n, surface->spacing, threads, &grid, &error) == 0) {
+        judged_scan_unseen(&grid, radius, surface->noise, threads, place);
+        point_grid_free(&grid);
+    }
+    array_free(&point);
 }
 
 void verify_surface_free(struct verify_surface *surface)
@@ -85,6 +97,7 @@ void verify_surface_free(struct verify_surface *surface)
     array_free(&surface->roof);
     array_free(&surface->curtain);
     array_free(&surface->steep);
+    array_free(&surface->scanned);
     free(surface->under);
     *surface = (struct verify_surface){0};
 }
