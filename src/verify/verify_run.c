@@ -62,9 +62,9 @@ static double near_of(const struct verdict *v)
 }
 
 /* Which points are cut, out of reach (also those `beside`, NULL: none), or left by so much, with a
- * curtain in the way. */
+ * curtain in the way; `each` of them looked at, or as many as tell of those beside them. */
 static void cover_points(const struct verdict *v, const double *left, const unsigned char *beside,
-                         const struct vec3s *curtain, struct part_coverage *coverage)
+                         const struct vec3s *curtain, bool each, struct part_coverage *coverage)
 {
     const struct verify_options *o = &v->options;
     const struct vec3s *part = v->program.part;
@@ -77,6 +77,7 @@ static void cover_points(const struct verdict *v, const double *left, const unsi
                                                 .axis = &axis,
                                                 .curtain = curtain,
                                                 .whole = !surface,
+                                                .left_only = each,
                                                 .threads = o->threads};
 
     if (!beside && surface)
@@ -107,7 +108,7 @@ static void count_unseen(struct verdict *v, const unsigned char *beside)
         left[i] = v->coverage.of[i] == COVERAGE_LEFT ? v->map.deviation[i] : 0;
     vec3s_add(&solid, surface->curtain.item, surface->curtain.n);
     verify_surface_unseen(surface, v->options.radius, v->options.threads, &solid);
-    cover_points(v, left, beside, &solid, &coverage);
+    cover_points(v, left, beside, &solid, true, &coverage);
     v->unseen = found - coverage.sum[COVERAGE_LEFT].points;
     part_coverage_free(&coverage);
     array_free(&solid);
@@ -127,7 +128,7 @@ static void leave_out_of_reach(struct verdict *v)
     struct part_coverage coverage;
     for (size_t i = 0; i < n; i++)
         left[i] = v->map.region[i] ? v->map.deviation[i] : 0;
-    cover_points(v, left, NULL, curtain_of(v), &coverage);
+    cover_points(v, left, NULL, curtain_of(v), false, &coverage);
     for (size_t i = 0; i < n; i++)
         v->map.region[i] = v->map.region[i] && is_reached(&coverage, i);
     part_coverage_free(&coverage);
@@ -168,7 +169,7 @@ static void roll_cuts(struct verdict *v)
         leave_out_of_reach(v);
     } else {
         unsigned char *beside = v->program.region ? beside_region(v) : NULL;
-        cover_points(v, v->map.deviation, beside, curtain_of(v), &v->coverage);
+        cover_points(v, v->map.deviation, beside, curtain_of(v), false, &v->coverage);
         count_unseen(v, beside);
         free(beside);
         for (size_t i = 0; i < part->n; i++)
