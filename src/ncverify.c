@@ -514,9 +514,8 @@ static void find_surface(const struct settings *s, int threads, struct vec3s *po
     if (verify_surface_find(points, s->noise, s->radius, threads, surface, &error) < 0)
         die("%s: %s", file, error.text);
     if (surface->rounded > 0)
-        say("%s: heights were rounded to %.3g mm: taken to be anywhere within half of it (--noise "
-            "0 "
-            "believes them)",
+        say("%s: heights were rounded to %.3g mm: taken to be anywhere within half of it "
+            "(--noise 0 believes them)",
             file, surface->rounded);
     if (surface->noise > 0)
         note("%s: noise of %.3g mm taken out", file, surface->noise);

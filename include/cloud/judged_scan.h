@@ -18,6 +18,10 @@
 void judged_scan_settle(struct point_grid *scan, double radius, double noise, int threads,
                         unsigned char *under, struct vec3s *curtain);
 
+/* So many times as many points may be left, with those that only such places keep a ball off, as
+ * without. */
+#define JUDGED_SCAN_UNSEEN 2
+
 /*
  * Appends places where the part may go on, unseen, between the points of a scan (scan_edges.h), as
  * who makes a path for a ball of that radius is kept off them.  `scan`: as it was scanned, without

@@ -35,9 +35,6 @@ static void settle_all(struct point_grid *grid, double sigma, int threads)
     free(s.to);
 }
 
-/* mm: how deep a ball may sink in between places on edges, as of a path of the usual tolerance. */
-static const double SINK = 0.002;
-
 void judged_scan_settle(struct point_grid *scan, double radius, double noise, int threads,
                         unsigned char *under, struct vec3s *curtain)
 {
@@ -48,6 +45,9 @@ void judged_scan_settle(struct point_grid *scan, double radius, double noise, in
     rim_points_asked(scan, radius, noise, threads, curtain);
     steep_facets_asked(scan, radius, noise, threads, curtain);
 }
+
+/* mm: how deep a ball may sink in between places on edges, as of a path of the usual tolerance. */
+static const double SINK = 0.002;
 
 void judged_scan_unseen(const struct point_grid *scan, double radius, double noise, int threads,
                         struct vec3s *place)

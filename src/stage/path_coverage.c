@@ -357,7 +357,6 @@ static void say_judged(const struct path_coverage *c, const struct path_judged *
                        struct unmets *unmet)
 {
     const struct coverage_point *worst = &judged->worst;
-
     char unseen[96] = "";
 
     if (judged->unseen > 0)

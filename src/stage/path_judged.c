@@ -3,6 +3,7 @@
 
 #include <stdlib.h>
 
+#include "cloud/judged_scan.h"
 #include "coverage_judge.h"
 #include "stage/path_options.h"
 
@@ -28,9 +29,6 @@ size_t path_judged_most(size_t n)
 /* A share that is printed as no more than may be, in percent, is no more. */
 static const double PERCENT = 0.005;
 
-/* So many times the share may be left with what is only since no point tells of an edge. */
-static const double UNSEEN = 2;
-
 /* With n points judged left beside those that are it is more than so many times the share that may
  * be left. */
 static bool is_more(const struct path_coverage *c, const struct path_judged *judged, size_t n,
@@ -45,7 +43,7 @@ static bool is_more(const struct path_coverage *c, const struct path_judged *jud
 static bool is_much(const struct path_coverage *c, const struct path_judged *judged, double times)
 {
     return is_more(c, judged, judged->n - judged->unseen, times) ||
-           is_more(c, judged, judged->n, UNSEEN * times);
+           is_more(c, judged, judged->n, JUDGED_SCAN_UNSEEN * times);
 }
 
 /* What a judge is asked of, and what is on it: on none that is out of reach; of the others, whether
@@ -175,7 +173,8 @@ struct path_verdicts path_judged(const struct path_coverage *c, const struct vec
 
     judge(c, place, limit, false, &asked, asked.height);
     struct path_verdicts verdicts = verdicts_of(c, &asked, last, limit);
-    bool may_be_unseen = c->scan && !is_more(c, &verdicts.worse, verdicts.worse.n, UNSEEN);
+    bool may_be_unseen =
+        c->scan && !is_more(c, &verdicts.worse, verdicts.worse.n, JUDGED_SCAN_UNSEEN);
     if ((verdicts.worse.much || verdicts.as_is.much) && may_be_unseen) {
         find_unseen(c, place, limit, &asked);
         verdicts = verdicts_of(c, &asked, last, limit);

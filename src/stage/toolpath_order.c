@@ -33,11 +33,16 @@ struct toolpath_parts toolpath_parts_of(const struct toolpath *t)
 /* As far as the ball goes, and as it cuts: in a groove hardly wider than itself it goes less. */
 static double length_of(const struct run *run)
 {
+    const struct run_point *first = NULL; /* that touches */
     double length = 0, cut = 0;
 
-    for (size_t i = 1; i < run->n; i++) {
-        length += vec_distance(run->item[i - 1].ball, run->item[i].ball);
-        cut = fmax(cut, vec_distance(run->item[0].contact, run->item[i].contact));
+    for (size_t i = 0; i < run->n; i++) {
+        const struct run_point *p = &run->item[i];
+        length += i > 0 ? vec_distance(p[-1].ball, p->ball) : 0;
+        if (!run_point_touches(p))
+            continue;
+        first = first ? first : p;
+        cut = fmax(cut, vec_distance(first->contact, p->contact));
     }
     return fmax(length, cut);
 }

@@ -8,6 +8,7 @@
 
 #include "math/elementary.h"
 #include "base/array.h"
+#include "cloud/judged_scan.h"
 #include "ncread/ncread.h"
 #include "verify_finding.h"
 #include "verify_made.h"
@@ -150,7 +151,7 @@ static void judge_left(struct verdict *v)
         say_reached(v, what, sizeof what);
     double bordering = BORDER * v->options.left + v->noise;
     bool far = !whole && r->over > bordering;
-    bool many = n - v->unseen > most || n > VERIFY_UNSEEN * most;
+    bool many = n - v->unseen > most || n > JUDGED_SCAN_UNSEEN * most;
     double limit = whole ? v->limit : far && n <= most ? bordering : v->options.left;
     struct more_than text = more_than(whole ? left->worst : r->over, limit);
     finding_add(v, (far || many) && !v->program.of_whole, piece_at(v, at),

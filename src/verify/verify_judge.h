@@ -9,9 +9,6 @@
 
 #define ROUNDED 0.001 /* mm: what places and radii printed may be off */
 
-/* So many times as many points may be left, with those that are unseen, as without. */
-#define VERIFY_UNSEEN 2
-
 /* How many points of all may be left. */
 size_t verify_may_be_left(const struct verdict *v);
 

@@ -5,6 +5,7 @@
 #include "math/elementary.h"
 #include "base/array.h"
 #include "base/aside.h"
+#include "cloud/judged_scan.h"
 #include "math/box.h"
 #include "math/kdtree.h"
 #include "verify_judge.h"
@@ -101,7 +102,7 @@ static void count_unseen(struct verdict *v, const unsigned char *beside)
     struct part_coverage coverage;
     struct vec3s solid = {0};
 
-    if (!surface || found <= may || found > VERIFY_UNSEEN * may)
+    if (!surface || found <= may || found > JUDGED_SCAN_UNSEEN * may)
         return;
     double *left = mem_alloc(n, sizeof *left);
     for (size_t i = 0; i < n; i++)
