@@ -237,6 +237,11 @@ static void slope_and_bend(const struct profile *p, const struct quadric *q, dou
 
 /* ---- the crest, and places beside it */
 
+static struct vec3 place_of(const struct quadric *q)
+{
+    return vec_along(q->origin, q->c[0], q->w);
+}
+
 static void add_point(struct crest *c, int at, double part, const struct quadric *q)
 {
     for (int i = c->n++; i > at; i--) {
@@ -246,7 +251,7 @@ static void add_point(struct crest *c, int at, double part, const struct quadric
         c->kmax[i] = c->kmax[i - 1];
     }
     c->part[at] = part;
-    c->place[at] = vec_along(q->origin, q->c[0], q->w);
+    c->place[at] = place_of(q);
     c->normal[at] = quadric_normal(q);
     c->kmax[at] = quadric_curvature(q);
     if (c->top >= at)
@@ -277,7 +282,8 @@ static bool find_crest(const struct profile *p, int step, double sign, struct cr
             part += fmin(fmax(shift, -most), most);
     }
     double least = fmax(BEND * p->length / 2, 1.3 * p->cloud->noise);
-    if (!(part > rim && part < 1 - rim) || sign * over_chord(p, part, h) < least)
+    if (!(part > rim && part < 1 - rim) || sign * over_chord(p, part, h) < least ||
+        !feature_has_points(p->cloud, place_of(&q)))
         return false;
     add_point(c, 0, part, &q);
     c->top = 0;
@@ -307,7 +313,8 @@ static bool add_farthest(const struct profile *p, struct crest *c)
     struct hood hood;
     struct quadric q;
     hood.n = 0;
-    if (worst < 0 || !fit_along(p, place_over(p, part, p->height[worst]), &hood, &q))
+    if (worst < 0 || !fit_along(p, place_over(p, part, p->height[worst]), &hood, &q) ||
+        !feature_has_points(p->cloud, place_of(&q)))
         return false;
     add_point(c, at, part, &q);
     return true;

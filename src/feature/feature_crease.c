@@ -350,6 +350,15 @@ size_t feature_near(const struct feature_cloud *cloud, struct vec3 at, size_t k,
     return n;
 }
 
+bool feature_has_points(const struct feature_cloud *cloud, struct vec3 at)
+{
+    const double near_by = 3; /* spacings */
+    struct vec3 near;
+
+    return feature_near(cloud, at, 1, &near) == 1 &&
+           vec_distance(near, at) <= near_by * cloud->spacing;
+}
+
 static struct feature crease_of(const struct division *p, struct vec3 at, struct vec3 a,
                                 struct vec3 b)
 {

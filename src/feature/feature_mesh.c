@@ -137,6 +137,18 @@ static struct feature_mesh count_features(const struct search *s)
     return found;
 }
 
+/* Creases where the cloud has no points, as those that go on over a gap: nothing tells of them. */
+static void drop_unseen(void *context, size_t from, size_t to)
+{
+    const struct search *s = context;
+
+    for (size_t e = from; e < to; e++) {
+        struct feature *f = &s->feature[e];
+        if (f->kind == FEATURE_CREASE && !feature_has_points(&s->cloud, f->place[0]))
+            f->kind = FEATURE_NONE;
+    }
+}
+
 /* Looks at the edges, and again at those about what was found, for there normals are better known
  * and vertices stand off by then. */
 static struct feature_mesh find_features(struct search *s, int threads)
@@ -146,6 +158,7 @@ static struct feature_mesh find_features(struct search *s, int threads)
     for (int i = 0; i < LOOKS; i++) {
         parallel_for(threads, s->edges->n, classify_edges, s);
         feature_link_close(s->mesh, s->edges, s->feature);
+        parallel_for(threads, s->edges->n, drop_unseen, s);
         found = count_features(s);
         if (found.creases + found.walls == 0)
             break;

@@ -234,7 +234,8 @@ void feature_relocate_back(const struct feature_relocate *s, const struct mesh *
     struct beside *found = find_beside(s);
 
     for (size_t v = 0; v < m->vertex.n; v++) {
-        if (found[v].near)
+        double moved = vec_distance(m->vertex.item[v], before->vertex.item[v]);
+        if (found[v].near && moved <= KNOWN * s->spacing)
             continue;
         m->vertex.item[v] = before->vertex.item[v];
         m->normal.item[v] = before->normal.item[v];

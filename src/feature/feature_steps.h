@@ -53,6 +53,10 @@ size_t feature_reach(const struct feature_cloud *cloud);
 /* The k points (at most FEATURE_MOST) nearest to a place, nearest first; returns how many. */
 size_t feature_near(const struct feature_cloud *cloud, struct vec3 at, size_t k, struct vec3 *near);
 
+/* Has the cloud a point near a place, three spacings or less from it?  Where it ends or has a gap
+ * what goes on beside that would put the place far off it. */
+bool feature_has_points(const struct feature_cloud *cloud, struct vec3 at);
+
 /* May there be a wall: is the way from a to b steep, with a point of a wall over or under it? */
 bool feature_steep(const struct feature_cloud *cloud, struct vec3 a, struct vec3 b);
 
@@ -116,7 +120,8 @@ void feature_relocate_normals(const struct feature_relocate *s);
  * to the mean of what their features say. */
 void feature_relocate_feet(const struct feature_relocate *s);
 
-/* Vertices that have no feature near to them are as they were `before`, normals too. */
+/* Vertices that have no feature near to them, or have come farther than its sheets are known, are
+ * as they were `before`, normals too. */
 void feature_relocate_back(const struct feature_relocate *s, const struct mesh *before);
 
 /* ---- feature_corner: where creases or walls meet within a facet.

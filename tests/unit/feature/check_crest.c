@@ -112,6 +112,37 @@ START_TEST(nothing_there)
 }
 END_TEST
 
+/* Over the arch z^2 + x^2 = 9, whose points within `gap` of its top are missing. */
+static struct crest over_arch(double gap)
+{
+    struct vec3s p = {0};
+    for (int i = 0; i < 4000; i++) {
+        double x = 5 * uniform() - 2.5, y = 6 * uniform() - 3;
+        if (fabs(x) >= gap)
+            *array_push(&p) = vec(x, y, sqrt(9 - x * x));
+    }
+    struct point_grid scan = sorted(&p, 0.1);
+    struct feature_cloud cloud = {.scan = &scan, .spacing = 0.1};
+    double x = 1.6, z = sqrt(9 - x * x);
+    struct crest c = crest_find(&cloud, vec(-x, 0.3, z), vec(x, 0.3, z), vec(0, 0, 1));
+    point_grid_free(&scan);
+    array_free(&p);
+    return c;
+}
+
+/* Where the scan has a gap nothing tells how high a crest is, and none is put there. */
+START_TEST(nothing_over_a_gap)
+{
+    struct crest whole = over_arch(0), gap = over_arch(1.4);
+
+    ck_assert_int_gt(whole.n, 0);
+    for (int k = 0; k < whole.n; k++)
+        ck_assert_double_eq_tol(hypot(whole.place[k].x, whole.place[k].z), 3, 0.05);
+    for (int k = 0; k < gap.n; k++)
+        ck_assert_double_ge(fabs(gap.place[k].x), 1.4 - 0.3);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("crest");
@@ -121,6 +152,7 @@ int main(void)
     tcase_add_test(tests, grooves);
     tcase_add_test(tests, a_long_edge);
     tcase_add_test(tests, nothing_there);
+    tcase_add_test(tests, nothing_over_a_gap);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);
     int failed = srunner_ntests_failed(runner);
