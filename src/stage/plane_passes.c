@@ -12,6 +12,7 @@
 #include "math/box.h"
 #include "toolpath/pass_extend.h"
 #include "toolpath/scallop.h"
+#include "surface_contacts.h"
 
 /* Of the tolerance and the noise: how far the ball may be off on the surface near a border. */
 static const double SURE = 0.5;
@@ -227,31 +228,20 @@ double plane_passes_direction(const char *text, const struct mesh *mesh, double 
     return angle;
 }
 
-/* What the threads share that put points on surfaces. */
-struct projecting {
-    const struct plane_passes *path;
-    struct contact *point;
-    bool *beside;
-};
-
-static void project_points(void *context, size_t from, size_t to)
+/* Points of the mesh on the surfaces that it was made from, if these are given. */
+static void put_on_surfaces(struct plane_passes *p, struct slice_chains *chains)
 {
-    struct projecting *p = context;
-
-    for (size_t i = from; i < to; i++)
-        p->beside[i] =
-            project_contact(p->path->on, p->path->rule.normal, p->path->reach, &p->point[i]) < 0;
-}
-
-static void project_all(struct plane_passes *p, struct contacts *points)
-{
-    struct projecting put = {p, points->item, mem_alloc(points->n + 1, sizeof *put.beside)};
+    const double curve =
+        0.25; /* of the tolerance: so far off half way is nearly as far as anywhere */
+    const struct surface_contacts rule = {.on = p->on,
+                                          .plane = p->rule.normal,
+                                          .reach = p->reach,
+                                          .radius = path_options.radius,
+                                          .off = curve * path_options.tolerance,
+                                          .threads = p->threads};
 
     if (p->on)
-        parallel_for(p->threads, points->n, project_points, &put);
-    for (size_t i = 0; i < points->n; i++)
-        p->beside += put.beside[i];
-    free(put.beside);
+        p->beside += surface_contacts_put(&rule, chains);
 }
 
 /* ---- strips run out to the border of the scan */
@@ -451,7 +441,7 @@ static struct plane_cuts cut_all(struct plane_passes *p)
     for (size_t i = 0; i < p->height.n; i++) {
         struct slice_chains chains = {0}, strips = {0};
         slice_at(p->cut, p->height.item[i], &chains);
-        project_all(p, &chains.point);
+        put_on_surfaces(p, &chains);
         p->left_out += passes_make(&chains, &p->rule, &strips);
         *array_push(&cuts) = (struct plane_cut){p->height.item[i], strips};
         slice_chains_free(&chains);
