@@ -270,8 +270,11 @@ static void limit_axis(struct settings *s, const struct path *path, const struct
 static void check_made(const struct post *post, struct gouge_refit_options tool, int threads,
                        struct path *path)
 {
-    if (path->head.scan.n == 0)
+    if (path->head.scan.n == 0) {
+        if (post_report(post).turns > 0)
+            say("the path names no scan: the moves added for rotary axes are not checked");
         return;
+    }
     struct made_moves moves = post_made_moves(post);
     struct error error;
     if (made_moves_check(&moves, path, tool, post_report(post).ledger, threads, &path->head.unmet,

@@ -358,6 +358,10 @@ done
 mv roof.xyz gone.xyz
 status 0 "a scan that is gone" ncpost -c siemens --set c.min=-200 --set c.max=200 -o roof.nc roof.cl
 has "is said" 'the scan that the path names does not guard: .*; the moves added for rotary axes are not checked' err
+grep -v 'SCAN/' roof.cl >none.cl
+status 0 "a path that names none" \
+	ncpost -c siemens --set c.min=-200 --set c.max=200 -o none.nc none.cl
+has "is said, too" 'the path names no scan: the moves added for rotary axes are not checked' err
 
 # Where no angles are within the travel, the angle that has just left it is named, whichever of the
 # two solutions it is of: LEAN and two directions of the axis.
