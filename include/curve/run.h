@@ -53,6 +53,10 @@ static inline double run_point_height(const struct run_point *p)
  */
 void run_tangents(const struct run *run, bool forward, struct vec3 *tangent);
 
+/* The centre half way from point i to the next on the cubic between them (as of run_densify), by
+ * the run's tangents. */
+struct vec3 run_middle(const struct run *run, const struct vec3 *tangent, size_t i);
+
 /* The motion of the ball over which a place is the least detour, of those that begin at the points
  * [from, to); by its first point. */
 size_t run_motion_at(const struct run *run, size_t from, size_t to, struct vec3 place);

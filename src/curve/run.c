@@ -318,11 +318,16 @@ struct run_curve {
  * The speed at the ends is that at which a cubic is nearest to a circle with these tangents:
  * 2 d / (1 + cos(turn / 2)) for a chord of length d.
  */
+static double speed_between(double length, struct vec3 from, struct vec3 to)
+{
+    double half = sqrt(fmax(0, (1 + vec_dot(from, to)) / 2));
+    return 2 * length / (1 + half);
+}
+
 static struct run_curve run_curve_between(struct run_curve_end a, struct run_curve_end b)
 {
     double length = vec_distance(a.point->ball, b.point->ball);
-    double half = sqrt(fmax(0, (1 + vec_dot(a.tangent, b.tangent)) / 2));
-    double speed = 2 * length / (1 + half);
+    double speed = speed_between(length, a.tangent, b.tangent);
     return (struct run_curve){
         .a = a.point,
         .b = b.point,
@@ -499,6 +504,14 @@ static double densify_piece(const struct run *piece, double chord, struct run *d
     }
     array_free(&s);
     return worst;
+}
+
+struct vec3 run_middle(const struct run *run, const struct vec3 *tangent, size_t i)
+{
+    struct vec3 a = run->item[i].ball, b = run->item[i + 1].ball;
+    double speed = speed_between(vec_distance(a, b), tangent[i], tangent[i + 1]);
+
+    return vec_along(vec_mix(a, b, 0.5), speed / 8, vec_sub(tangent[i], tangent[i + 1]));
 }
 
 double run_densify(const struct run *run, double chord, struct run *dense)

@@ -318,8 +318,8 @@ static void say_bounded(const struct guard_points *surface, const struct guard_r
 /* Of `points` so many that more is unknown than of any scan of a real thing, of which some stand
  * out of what is about them: one in two hundred, or one in a thousand if of two thousand not one by
  * much.  Where the surface is certain nearly everywhere, groups of them as at its rims, beyond the
- * first, one for 500 points, if of a thousand not one by much, and no spur.  Of 26 scans of real
- * things those with more are cut no deeper, by their models, than those with fewer. */
+ * first, one for 500 points, if of a thousand not one by much, and no spur.  A quarter of all
+ * this was no safer: by their models seven scans with more are cut as deep as three with less. */
 static bool are_many(const struct edge_gaps *gaps, size_t points)
 {
     const double even = 0.6, groups = 1.0 / 500, sure = 1.0 / 1000;

@@ -231,8 +231,7 @@ double plane_passes_direction(const char *text, const struct mesh *mesh, double 
 /* Points of the mesh on the surfaces that it was made from, if these are given. */
 static void put_on_surfaces(struct plane_passes *p, struct slice_chains *chains)
 {
-    const double curve =
-        0.25; /* of the tolerance: so far off half way is nearly as far as anywhere */
+    const double curve = 0.25; /* of the tolerance, off half way: nearly as much as anywhere */
     const struct surface_contacts rule = {.on = p->on,
                                           .plane = p->rule.normal,
                                           .reach = p->reach,

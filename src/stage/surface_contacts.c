@@ -72,16 +72,6 @@ static struct run run_of(const struct contacts *points, double radius)
     return run;
 }
 
-/* Half way along the cubic between two centres, as a run has it (run_densify). */
-static struct vec3 cubic_middle(const struct halving *h, size_t i)
-{
-    struct vec3 a = h->run->item[i].ball, b = h->run->item[i + 1].ball;
-    double half = sqrt(fmax(0, (1 + vec_dot(h->tangent[i], h->tangent[i + 1])) / 2));
-    double speed = 2 * vec_distance(a, b) / (1 + half);
-
-    return vec_along(vec_mix(a, b, 0.5), speed / 8, vec_sub(h->tangent[i], h->tangent[i + 1]));
-}
-
 static void halve(void *context, size_t from, size_t to)
 {
     struct halving *h = context;
@@ -96,7 +86,8 @@ static void halve(void *context, size_t from, size_t to)
             continue;
         struct vec3 ball = vec_along(middle.p, rule->radius, middle.n);
         h->middle[i] = middle;
-        h->off[i] = fabs(vec_dot(vec_sub(cubic_middle(h, i), ball), middle.n)) > rule->off;
+        struct vec3 curve = run_middle(h->run, h->tangent, i);
+        h->off[i] = fabs(vec_dot(vec_sub(curve, ball), middle.n)) > rule->off;
     }
 }
 
