@@ -249,7 +249,7 @@ static bool say_unmet(const struct settings *s, const struct unmets *unmet)
     return unmet->n > 0 && !s->accept;
 }
 
-/* Shank and holder were kept clear of a scan, which is not looked at here: the axis is no farther
+/* Shank and holder were kept clear of a scan or mesh, which is not looked at here: the axis is no farther
  * off than moves their upper end by a little, or than it usually is. */
 static void limit_axis(struct settings *s, const struct path *path, const struct holder *holder)
 {
@@ -258,7 +258,8 @@ static void limit_axis(struct settings *s, const struct path *path, const struct
     for (int i = 0; i < holder->n; i++)
         length += holder->part[i].length;
     double most = fmax(RADIANS(USUAL_AXIS), length > 0 ? END_MOVED / length : 0);
-    if (path->head.scan.n == 0 || holder->n == 0 || s->post.axis_tolerance <= most)
+    bool clear = path->head.scan.n > 0 || path->head.mesh.n > 0;
+    if (!clear || holder->n == 0 || s->post.axis_tolerance <= most)
         return;
     s->post.axis_tolerance = most;
     say("the tool axis stays within %.3g degrees, not %g (--axis-tolerance): by more a tool of "
@@ -270,9 +271,10 @@ static void limit_axis(struct settings *s, const struct path *path, const struct
 static void check_made(const struct post *post, struct gouge_refit_options tool, int threads,
                        struct path *path)
 {
-    if (path->head.scan.n == 0) {
+    if (path->head.scan.n == 0 && path->head.mesh.n == 0) {
         if (post_report(post).turns > 0)
-            say("the path names no scan: the moves added for rotary axes are not checked");
+            say("the path names neither scan nor mesh: the moves added for rotary axes are not "
+                "checked");
         return;
     }
     struct made_moves moves = post_made_moves(post);

@@ -64,6 +64,7 @@ struct mesh_origin {
     bool placed;                  /* `place` is more than the identity */
     struct transform place;       /* from the scan's own numbers (its units) to this mesh's mm */
     struct scan_sources scan;     /* the files it was made from; placed as `place` says */
+    struct scan_sources itself;   /* its own file and vertices, as they were read; none: not kept */
     struct unmets unmet;          /* what the stages so far could not keep */
 };
 

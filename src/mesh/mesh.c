@@ -25,6 +25,7 @@ void mesh_free(struct mesh *mesh)
     array_free(&mesh->origin.surface);
     array_free(&mesh->origin.part);
     scan_sources_free(&mesh->origin.scan);
+    scan_sources_free(&mesh->origin.itself);
     unmets_free(&mesh->origin.unmet);
 }
 

@@ -59,6 +59,15 @@ static void fill_facets(const struct mesh *mesh, double spacing, struct vec3s *p
     }
 }
 
+/* Close points of its facets, so that a ball of this radius sinks by little; not of so many that
+ * they are no guard. */
+static void fill_closely(const struct mesh *mesh, double area, double radius, struct vec3s *points)
+{
+    const double part = 0.65; /* triangle_points.h */
+
+    fill_facets(mesh, fmax(sqrt(2 * radius * SINK) / part, sqrt(2 * area / MOST_CLOSE)), points);
+}
+
 /* What is between the corners of a mesh, where these are far from each other for a ball of this
  * radius: points of its facets, placed as the corners are. */
 static int add_facets(const char *name, double radius, struct guard_scan *scan, struct error *error)
@@ -72,11 +81,10 @@ static int add_facets(const char *name, double radius, struct guard_scan *scan, 
         return -1;
     if (scan->source.placed)
         transform_points(&scan->source.place, mesh.vertex.item, mesh.vertex.n);
-    double area = mesh_area(&mesh), part = 0.65; /* triangle_points.h */
+    double area = mesh_area(&mesh);
     double spacing = fmax(FACETS * radius, sqrt(2 * area / MOST_OF_FACETS));
-    double close = fmax(sqrt(2 * radius * SINK) / part, sqrt(2 * area / MOST_CLOSE));
     fill_facets(&mesh, spacing, &scan->point);
-    fill_facets(&mesh, close, &scan->facet);
+    fill_closely(&mesh, area, radius, &scan->facet);
     scan->meshes++;
     if (scan->point.n > before)
         say("%s: a mesh: guarded by %zu points on its facets, too, %.3g mm apart at most", name,
@@ -98,24 +106,52 @@ static int read_given(const struct cli_list *files, struct guard_scan *scan, str
     return 0;
 }
 
+/* -1, and why: what a stream names was no file. */
+static int check_file(const struct scan_source *source, struct error *why)
+{
+    if (strcmp(source->name, "-") == 0)
+        return error_set(why, "it was read from standard input");
+    if (reader_reads_once(source->name))
+        return error_at(why, source->name, 0, "found a pipe, expected the file that it was");
+    return 0;
+}
+
+/* -1, and why: it has not the points that it had. */
+static int check_points(const struct scan_source *source, const struct vec3 *point, size_t n,
+                        struct error *why)
+{
+    if (n != source->points)
+        return error_at(why, source->name, 0, "found %zu points, expected %llu: it has changed", n,
+                        (unsigned long long)source->points);
+    if (scan_source_hash(point, n) != source->hash)
+        return error_at(why, source->name, 0, "found other points, as many: it has changed");
+    return 0;
+}
+
 /* The file that a stream names, if it is still what it was; -1, and why not. */
 static int read_named(const struct scan_source *source, struct vec3s *points, struct error *why)
 {
     size_t from = points->n;
 
-    if (strcmp(source->name, "-") == 0)
-        return error_set(why, "it was read from standard input");
-    if (reader_reads_once(source->name))
-        return error_at(why, source->name, 0, "found a pipe, expected the file that it was");
-    if (read_file(source->name, points, why) != 0)
+    if (check_file(source, why) != 0 || read_file(source->name, points, why) != 0)
         return -1;
-    size_t n = points->n - from;
-    if (n != source->points)
-        return error_at(why, source->name, 0, "found %zu points, expected %llu: it has changed", n,
-                        (unsigned long long)source->points);
-    if (scan_source_hash(points->item + from, n) != source->hash)
-        return error_at(why, source->name, 0, "found other points, as many: it has changed");
-    return 0;
+    return check_points(source, points->item + from, points->n - from, why);
+}
+
+int guard_mesh_read(const struct scan_source *named, double radius, struct vec3s *points,
+                    struct error *why)
+{
+    struct mesh mesh;
+
+    if (check_file(named, why) != 0 || mesh_read(named->name, &mesh, why) != 0)
+        return -1;
+    int result = check_points(named, mesh.vertex.item, mesh.vertex.n, why);
+    if (result == 0) {
+        vec3s_add(points, mesh.vertex.item, mesh.vertex.n);
+        fill_closely(&mesh, mesh_area(&mesh), radius, points);
+    }
+    mesh_free(&mesh);
+    return result;
 }
 
 /* The files that a stream names, all of them or none; -1: one is there and cannot be read. */

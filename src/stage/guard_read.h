@@ -36,6 +36,12 @@ int guard_scan_read(const struct guard_choice *choice, const struct scan_sources
 
 void guard_scan_free(struct guard_scan *scan);
 
+/* Close points of the mesh that a path names, with its corners, for a ball of this radius, mm.
+ * -1, and why not: it was piped in, is gone, or is not what it was (`why->system`: it is there and
+ * can't be read). */
+int guard_mesh_read(const struct scan_source *named, double radius, struct vec3s *points,
+                    struct error *why);
+
 /* What is made of the points: guard_points.h. */
 struct guard_read_options {
     double radius;    /* of the ball, mm */

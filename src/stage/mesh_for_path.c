@@ -12,6 +12,12 @@
 
 static const double FITS = 1 + 1e-6;
 
+/* Before anything is done to its vertices. */
+static void name_itself(const char *file, struct mesh *mesh)
+{
+    scan_sources_add(&mesh->origin.itself, file ? file : "-", mesh->vertex.item, mesh->vertex.n);
+}
+
 int mesh_for_rows_read(const char *file, const struct normal_estimator *normals, struct mesh *mesh,
                        struct error *error)
 {
@@ -20,6 +26,7 @@ int mesh_for_rows_read(const char *file, const struct normal_estimator *normals,
 
     if (ply_read(file, mesh, error) != 0)
         return -1;
+    name_itself(file, mesh);
     if (normals->estimate(mesh, &options, &why) != 0)
         return error_at(error, file, 0, "%s", why.text);
     for (size_t v = 0; v < mesh->vertex.n; v++) {
@@ -80,6 +87,7 @@ int mesh_for_planes_read(const char *file, struct vec3 up, int threads, struct m
 {
     if (mesh_read(file, mesh, error) != 0)
         return -1;
+    name_itself(file, mesh);
     struct mesh_repair_report report = mesh_repair(mesh, up, threads);
     if (mesh->face.n == 0)
         return error_set(error, "%s: found no facet that has an area", file);

@@ -677,6 +677,8 @@ static void fill_head(const struct mesh *mesh, const char *tool, const struct to
         path_spend(t->path, tool, c->tolerance);
     head->chord = c->tolerance > 0 ? NAN : t->chord;
     head->scan = scan_sources_copy(&guard_scan.source);
+    if (head->scan.n == 0 && origin->scan.n == 0 && !c->paper)
+        head->mesh = scan_sources_copy(&origin->itself);
     unmets_add_all(&head->unmet, &origin->unmet);
     unmets_add_all(&head->unmet, &path_options.unguarded);
 }

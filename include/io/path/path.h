@@ -162,6 +162,8 @@ struct path_head {
     struct region region;     /* $$-> REGION/: that is cut; none: all, or it is not said which */
     bool regions;             /* a second one was said of it: none is known then */
     struct scan_sources scan; /* $$-> SCAN/, PLACE/: that it is guarded by */
+    struct scan_sources mesh; /* $$-> MESH/: that it was made on and is kept clear of, where no
+                                 scan is known */
     struct unmets unmet;      /* $$-> UNMET/: what the stages so far could not keep */
     struct unmets unfitted;   /* $$-> UNFITTED/: what a fitter's tolerance makes up for, and ncpost
                                  takes for unmet: no fitter passes it on */

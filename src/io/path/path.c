@@ -31,6 +31,7 @@ void path_free(struct path *path)
     array_free(&path->spent);
     region_polygons_free(&path->head.region.polygons);
     scan_sources_free(&path->head.scan);
+    scan_sources_free(&path->head.mesh);
     unmets_free(&path->head.unmet);
     unmets_free(&path->head.unfitted);
     array_free(&path->item);
@@ -52,6 +53,7 @@ void path_head_copy(struct path_head *to, const struct path_head *from)
     memset(&to->passes, 0, sizeof to->passes);
     to->region.polygons = region_polygons_copy(&from->region.polygons);
     to->scan = scan_sources_copy(&from->scan);
+    to->mesh = scan_sources_copy(&from->mesh);
     memset(&to->unmet, 0, sizeof to->unmet);
     memset(&to->unfitted, 0, sizeof to->unfitted);
     unmets_add_all(&to->unmet, &from->unmet);

@@ -274,19 +274,27 @@ static int read_body(struct path_parse *p)
     return 0;
 }
 
-/* SCAN/points, hash, name: as it was written, to the end of the line. */
-static int read_scan(struct path_parse *p)
+/* Points, hash, name: as it was written, to the end of the line. */
+static int read_source(struct path_parse *p, struct scan_sources *sources, const char *what)
 {
-    struct scan_sources *scan = &p->path->head.scan;
     const char *text = strchr(p->apt.raw, '/');
-    if (!text || !scan_sources_read(scan, text + 1, ','))
-        return error_at(AT(p), "found `%.60s`, expected SCAN/points, hash, name of the scan",
-                        p->apt.raw);
-    char *name = scan->item[scan->n - 1].name;
+    if (!text || !scan_sources_read(sources, text + 1, ','))
+        return error_at(AT(p), "found `%.60s`, expected %s", p->apt.raw, what);
+    char *name = sources->item[sources->n - 1].name;
     size_t n = strlen(name);
     if (n > 2 && strcmp(name + n - 2, "$$") == 0) /* doubled, so that it continues nothing */
         name[n - 1] = '\0';
     return 0;
+}
+
+static int read_scan(struct path_parse *p)
+{
+    return read_source(p, &p->path->head.scan, "SCAN/points, hash, name of the scan");
+}
+
+static int read_mesh(struct path_parse *p)
+{
+    return read_source(p, &p->path->head.mesh, "MESH/vertices, hash, name of the mesh");
 }
 
 /* PLACE/row, and its four numbers; the rows come in order. */
@@ -386,6 +394,7 @@ static const struct path_row comments[] = {
     {"TOOL", read_body},           {"SCAN", read_scan},          {"PLACE", read_place},
     {"UNMET", read_unmet},         {"UNFITTED", read_unfitted},  {"RUNS", read_runs},
     {"NOISE", read_noise},         {"REGION", read_region},      {"PASSES", path_read_passes},
+    {"MESH", read_mesh},
 };
 
 const struct path_row *path_row_of_word(const struct path_row *rows, size_t n, const char *word)

@@ -60,17 +60,23 @@ static void write_body(struct out *out, const struct tool_body *body)
     out_text(out, "\n");
 }
 
-/* The place has a line for each row, since other readers of CL know no continued comments. */
-static void write_scan(struct out *out, const struct scan_sources *scan)
+/* A line for each file, as SCAN/ or MESH/. */
+static void write_sources(struct out *out, const char *word, const struct scan_sources *sources)
 {
-    for (size_t i = 0; i < scan->n; i++) {
-        const struct scan_source *s = &scan->item[i];
-        out_printf(out, "$$-> SCAN/%" PRIu64 ",%016" PRIx64 ",", s->points, s->hash);
+    for (size_t i = 0; i < sources->n; i++) {
+        const struct scan_source *s = &sources->item[i];
+        out_printf(out, "$$-> %s/%" PRIu64 ",%016" PRIx64 ",", word, s->points, s->hash);
         for (const char *p = s->name; *p; p++)
             out_bytes(out, (unsigned char)*p < ' ' ? "?" : p, 1);
         /* A single $ at the end of a line would continue it. */
         out_text(out, *s->name && s->name[strlen(s->name) - 1] == '$' ? "$\n" : "\n");
     }
+}
+
+/* The place has a line for each row, since other readers of CL know no continued comments. */
+static void write_scan(struct out *out, const struct scan_sources *scan)
+{
+    write_sources(out, "SCAN", scan);
     for (int row = 0; row < 3 && scan->n > 0 && scan->placed; row++) {
         out_printf(out, "$$-> PLACE/%d", row + 1);
         for (int k = 0; k < 4; k++) {
@@ -162,6 +168,7 @@ void path_write_head(struct out *out, const struct path_head *head)
     if (region_given(&head->region))
         write_region(out, &head->region);
     write_scan(out, &head->scan);
+    write_sources(out, "MESH", &head->mesh);
 }
 
 /* The numbers of one long statement, over lines that end in ` $`. */
