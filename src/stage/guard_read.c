@@ -8,6 +8,7 @@
 #include "base/reader.h"
 #include "io/cloud/cloud.h"
 #include "io/mesh/meshfile.h"
+#include "mesh/mesh_repair.h"
 #include "cloud/plan_extent.h"
 #include "cloud/believed.h"
 #include "cloud/rim_points.h"
@@ -68,6 +69,14 @@ static void fill_closely(const struct mesh *mesh, double area, double radius, st
     fill_facets(mesh, fmax(sqrt(2 * radius * SINK) / part, sqrt(2 * area / MOST_CLOSE)), points);
 }
 
+/* Some piece of it has a border; what it takes to know spoils its vertices. */
+static bool has_border(struct mesh *mesh)
+{
+    struct mesh_repair_report report = mesh_repair(mesh, vec(0, 0, 1), 1);
+
+    return report.closed < report.sheets;
+}
+
 /* What is between the corners of a mesh, where these are far from each other for a ball of this
  * radius: points of its facets, placed as the corners are. */
 static int add_facets(const char *name, double radius, struct guard_scan *scan, struct error *error)
@@ -86,6 +95,7 @@ static int add_facets(const char *name, double radius, struct guard_scan *scan, 
     fill_facets(&mesh, spacing, &scan->point);
     fill_closely(&mesh, area, radius, &scan->facet);
     scan->meshes++;
+    scan->open += has_border(&mesh);
     if (scan->point.n > before)
         say("%s: a mesh: guarded by %zu points on its facets, too, %.3g mm apart at most", name,
             scan->point.n - before, spacing);
@@ -538,7 +548,8 @@ static struct gouge_check *gouge_of(const struct guard_scan *scan, const struct 
     }
     if (!faceted) /* a mesh ends where it ends */
         add_rim(&point_grid, rule, sink, &surface.point);
-    add_curtain(&point_grid, rule, &surface.point);
+    if (!faceted || scan->open > 0)
+        add_curtain(&point_grid, rule, &surface.point);
     if (!faceted)
         vec3s_add(&surface.point, scan->facet.item, scan->facet.n);
     point_grid_free(&point_grid);

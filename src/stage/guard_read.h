@@ -15,7 +15,8 @@
 struct guard_scan {
     struct vec3s point;         /* of all its files, placed, mm; none: no scan guards */
     struct vec3s facet;         /* of those that are meshes: close points of their facets */
-    size_t meshes;              /* so many of them */
+    size_t meshes;              /* so many of them ... */
+    size_t open;                /* ... of which so many have a border */
     bool named;                 /* the stream was made from it: its head says these very points */
     struct scan_sources source; /* what a stream is to name: also where it can't be had */
 };
@@ -60,7 +61,7 @@ struct guard_read_options {
 /*
  * The gouge check of the scan's points, which are freed, and of the mesh's sharp edges.  Of a
  * scan whose files are all meshes its facets are the part, as they are: nothing is looked for
- * between them or beyond their rim, nor noise.  NULL if there are too many points, or if the mesh
+ * between them or beyond their rim, nor noise; and below closed ones is no material.  NULL if there are too many points, or if the mesh
  * is clearly elsewhere: more of its vertices than guard_scan_near allows further than `near` mm
  * from every point of the scan.  rule->noise becomes what was taken out.
  */

@@ -169,4 +169,27 @@ awk 'BEGIN {
 status 0 "a box whose sides have normals" planecut -q -r 3 --scallop 0.05 --avoid -o box.cl box.ply
 ncpost -q -c fanuc -o box.nc box.cl
 status 0 "its edges are not cut" ncverify -q -e 0.02 --left 0.3 -g box.ply box.nc
+
+# Below what is closed is no material, below a sheet there is; as -g, and as OFF.
+ring() { # so many of the 24 strips of a ring, the first 12 are its upper half
+	awk -v strips="$1" 'BEGIN {
+		n = 48; m = 24; r = 8; t = atan2(0, -1) / 12
+		print "OFF\n" n * m, 2 * n * strips, 0
+		for (i = 0; i < n; i++) for (j = 0; j < m; j++) {
+			q = 20 + r * cos(j * t); print q * cos(i * t / 2), q * sin(i * t / 2), r * sin(j * t) }
+		for (i = 0; i < n; i++) for (j = 0; j < strips; j++) {
+			a = i * m + j; b = (i + 1) % n * m + j; c = (i + 1) % n * m + (j + 1) % m
+			print 3, a, b, c; print 3, a, c, i * m + (j + 1) % m }
+	}'
+}
+ring 24 >closed.off
+ring 12 >open.off
+for part in closed open; do
+	status 0 "$part: a ring guards itself" planecut -v -r 2 -s 4 --avoid -g $part.off -o $part.cl $part.off
+	cp err $part.err
+	has "by its facets" "^planecut: $part.off: a mesh: guarded by [0-9]+ points on its facets, too" err
+	has "the path names it" "^..-> SCAN/1152,[0-9a-f]{16},$part.off\$" $part.cl
+done
+has "material under the border" 'and by [0-9]+ points under the rims' open.err
+hasnt "none where there is no border" 'under the rims' closed.err
 done_testing

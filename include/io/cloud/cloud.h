@@ -5,7 +5,7 @@
  * In: a file.  Out: its points in the file's own units, and counts of what was left out.  The
  * stages: the format by its first lines (cloud.c); the rows, read by what the formats share
  * (cloud_source.h): free text and PTS (cloud_text.h; nearly all rows by cloud_plain.h), OBJ, PTX
- * and PCD (cloud_formats.c), LAS (cloud_las.c), PLY and STL (io/mesh).  Beside it matrix.h, the
+ * and PCD (cloud_formats.c), LAS (cloud_las.c), PLY, STL and OFF (io/mesh).  Beside it matrix.h, the
  * file that places a cloud, and cloud_spool.h, where points are set aside.
  */
 #ifndef CLOUDMILL_CLOUD_H
@@ -26,7 +26,7 @@ struct cloud_count {
     size_t no_data;          /* rows whose z stands for nothing measured: left out */
     double mark;             /* the z of the first of them */
     size_t withheld;         /* points that a LAS file marks as deleted: left out */
-    size_t facets;           /* of a mesh (STL, PLY), whose corners alone are taken */
+    size_t facets;           /* of a mesh (STL, PLY, OFF), whose corners alone are taken */
     bool indexed;            /* the first column numbers the rows: x y z are the next three */
     size_t columns;          /* most columns of a row, of those that were read one by one */
     size_t first_not_finite; /* line of the first of them, 0: the format has no lines */

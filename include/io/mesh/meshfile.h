@@ -10,6 +10,7 @@
 #define CLOUDMILL_MESHFILE_H
 
 #include "base/error.h"
+#include "base/reader.h"
 #include "mesh/mesh.h"
 
 /*
@@ -18,6 +19,12 @@
  * is no text is taken for a binary STL; all else has to be PLY (ply.h).
  */
 int mesh_read(const char *file, struct mesh *mesh, struct error *error);
+
+/* The same from a reader that stands at the start of the file. */
+int mesh_read_from(struct reader *r, struct mesh *mesh, struct error *error);
+
+/* True if a file that begins so says that it is an OFF file. */
+bool mesh_says_off(const char *head, size_t n);
 
 /* True if the first bytes of this file, which can be read twice, say that it is a mesh: OFF, STL,
  * or PLY with faces.  What cannot be read is none. */

@@ -10,6 +10,7 @@
 #include "base/array.h"
 #include "cloud_source.h"
 #include "io/mesh/ply.h"
+#include "io/mesh/meshfile.h"
 #include "io/mesh/stl.h"
 
 int cloud_error(const struct cloud_source *s, struct error *error, const char *format, ...)
@@ -71,6 +72,7 @@ enum format {
     FORMAT_PCD = FORMATS_OF_TEXT,
     FORMAT_PLY,
     FORMAT_STL,
+    FORMAT_OFF,
     FORMAT_LAS
 };
 
@@ -92,9 +94,6 @@ static const struct {
     {"ASTM-E57", 8,
      "an E57 file, expected text, PLY, PCD or LAS: convert it first, as by `pdal translate IN.e57 "
      "OUT.las` or CloudCompare"},
-    {"OFF", 3, "an OFF file, expected points: convert it to PLY"},
-    {"COFF", 4, "an OFF file, expected points: convert it to PLY"},
-    {"NOFF", 4, "an OFF file, expected points: convert it to PLY"},
     {"# vtk ", 6, "a VTK file, expected points: convert it to PLY"},
     {"ISO-10303-21", 12, "a STEP file, expected points"},
 };
@@ -204,6 +203,8 @@ static enum format find_format(const struct reader *r, const char *head, size_t 
         return FORMAT_TEXT;
     if (line_begins(line, length, "ply"))
         return FORMAT_PLY;
+    if (mesh_says_off(head, n))
+        return FORMAT_OFF;
     if (stl_begins(line, length, "solid") && next_line(&s, end, &line, &length) &&
         (stl_begins(line, length, "facet") || stl_begins(line, length, "endsolid")))
         return FORMAT_STL;
@@ -229,17 +230,11 @@ static int read_ply(struct cloud_source *s, struct error *error)
     return 0;
 }
 
-/* The corners of an STL file's facets. */
-static int read_stl(struct cloud_source *s, struct error *error)
+/* The corners of a mesh's facets. */
+static int read_mesh(struct cloud_source *s, struct error *error)
 {
-    const char *head;
-    struct mesh mesh = {0};
-    long n = reader_peek(s->reader, &head, HEAD, error);
-    if (n < 0)
-        return -1;
-    int status = stl_is_binary(s->reader, head, (size_t)n)
-                     ? stl_read_binary(s->reader, &mesh, error)
-                     : stl_read_text(s->reader, &mesh, error);
+    struct mesh mesh;
+    int status = mesh_read_from(s->reader, &mesh, error);
     for (size_t i = 0; status == 0 && i < mesh.vertex.n; i++)
         cloud_take_point(s, mesh.vertex.item[i]);
     s->count->facets = mesh.face.n;
@@ -292,8 +287,8 @@ static int read_source(struct cloud_source *s, struct error *error)
     static int (*const read[])(struct cloud_source *, struct error *) = {
         [FORMAT_TEXT] = cloud_text_read, [FORMAT_PTX] = cloud_ptx_read,
         [FORMAT_PCD] = cloud_pcd_read,   [FORMAT_OBJ] = cloud_obj_read,
-        [FORMAT_PLY] = read_ply,         [FORMAT_STL] = read_stl,
-        [FORMAT_LAS] = cloud_las_read,
+        [FORMAT_PLY] = read_ply,         [FORMAT_STL] = read_mesh,
+        [FORMAT_LAS] = cloud_las_read,   [FORMAT_OFF] = read_mesh,
     };
     if (read[format](s, error) < 0)
         return -1;

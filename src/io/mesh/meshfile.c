@@ -42,13 +42,13 @@ static bool is_utf16(const char *head, size_t n)
     return false;
 }
 
-static bool says_off(const char *head, size_t n)
+bool mesh_says_off(const char *head, size_t n)
 {
     return head_begins(head, n, "OFF") || head_begins(head, n, "COFF") ||
            head_begins(head, n, "NOFF");
 }
 
-static int read_from(struct reader *r, struct mesh *mesh, struct error *error)
+int mesh_read_from(struct reader *r, struct mesh *mesh, struct error *error)
 {
     const char *head;
     long got = reader_peek(r, &head, HEAD, error);
@@ -60,7 +60,7 @@ static int read_from(struct reader *r, struct mesh *mesh, struct error *error)
     *mesh = (struct mesh){.origin = ply_origin_none()};
     if (head_begins(head, n, "ply"))
         return ply_read_mesh(r, mesh, error);
-    if (says_off(head, n))
+    if (mesh_says_off(head, n))
         return off_read(r, mesh, error);
     if (!stl_is_binary(r, head, n) && is_utf16(head, n))
         return error_at(error, r->name, 0, "text in UTF-16 encoding, expected UTF-8 or ASCII");
@@ -88,7 +88,7 @@ bool mesh_is_there(const char *file)
     if (reader_open(&r, file, &error) < 0)
         return false;
     long n = reader_peek(&r, &head, HEAD, &error);
-    bool there = n > 0 && (says_off(head, (size_t)n) || stl_is_binary(&r, head, (size_t)n) ||
+    bool there = n > 0 && (mesh_says_off(head, (size_t)n) || stl_is_binary(&r, head, (size_t)n) ||
                            says_facets(head, (size_t)n));
     reader_close(&r);
     return there || ply_has_faces(file);
@@ -99,7 +99,7 @@ int mesh_read(const char *file, struct mesh *mesh, struct error *error)
     struct reader r;
     if (reader_open(&r, file, error) < 0)
         return -1;
-    int status = read_from(&r, mesh, error);
+    int status = mesh_read_from(&r, mesh, error);
     reader_close(&r);
     if (status < 0)
         mesh_free(mesh);

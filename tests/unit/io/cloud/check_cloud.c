@@ -28,7 +28,7 @@ START_TEST(refused_by_name)
         {"LASF", "ends in the head of a LAS file"},
         {"ASTM-E57", "pdal translate"},
         {"solid part\nfacet normal 0 0 1\n", "STL"},
-        {"OFF\n8 6 0\n1 2 3\n", "OFF"},
+        {"OFF\n8 6 0\n1 2 3\n", "the OFF file ends after 1 vertices"},
         {"# vtk DataFile Version 3.0\n", "VTK"},
         {"ISO-10303-21;\n", "STEP"},
         {"\x01\x02\x03\x04\x05", "binary"},
@@ -245,6 +245,16 @@ START_TEST(las_files)
 }
 END_TEST
 
+START_TEST(off)
+{
+    clouds_three("OFF\n3 1 0\n1.5 -2.25 3000\n0.5 0.25 -4\n7 8 9\n3 0 1 2\n");
+    ck_assert_uint_eq(clouds.count.facets, 1);
+    clouds_three("NOFF 3 1 0\n1.5 -2.25 3000 0 0 1\n0.5 0.25 -4 0 0 1\n7 8 9 0 0 1\n"
+                 "3 0 1 2\n");
+    clouds_refused("OFF\n3 1 0\n1 2 3\n", "ends after 1 vertices");
+}
+END_TEST
+
 START_TEST(stl)
 {
     clouds_three("solid part\nfacet normal 0 0 1\nouter loop\nvertex 1.5 -2.25 3000\n"
@@ -395,6 +405,7 @@ int main(void)
     tcase_add_test(tests, pcd);
     tcase_add_test(tests, pcd_binary);
     tcase_add_test(tests, las_files);
+    tcase_add_test(tests, off);
     tcase_add_test(tests, stl);
     tcase_add_test(tests, open_end);
     tcase_add_test(tests, numbered);
