@@ -25,6 +25,7 @@ struct link_options {
     struct vec3 leave, arrive; /* of a low link: directions of the ball's path before and after it,
                                   unit; zero: not known */
     double clearance;          /* least z of the tip on the clearance plane, mm */
+    double floor;              /* least z of the ball's centre on a way to it, mm */
     double approach;           /* last bit of the way down, mm */
 };
 

@@ -1,7 +1,7 @@
 /*
  * path_check - a path looked at once more as it is printed: is the whole tool clear of the guard in
- * cuts, links and rapids, is every feed one that a control can drive, and every axis one that the
- * machine has?
+ * cuts, links and rapids, does it stay near the part from below, is every feed one that a control can
+ * drive, and every axis one that the machine has?
  *
  * The tool that makes a path, or fits motions to one, checks what it makes while it makes it.  This
  * looks at the result alone: it follows the items one after the other, points, arcs, B-splines and
@@ -35,11 +35,16 @@ struct path_check {
     const bool *clear; /* by item of the path: whoever made it has found its motion clear, and it is
                           not swept again; NULL: none */
     int threads;       /* as of parallel_for */
+    bool floored; /* the ball's centre has a least z ... */
+    double floor; /* ..., mm */
     struct kinematic_chain
         chain; /* whose travel the axis stays in; of no axes: it is not looked at */
 
     /* What was found. */
     struct path_check_deep deep[3]; /* by enum path_motion */
+    size_t low;                     /* places below the floor, the lowest, and in which pass */
+    double lowest;
+    size_t low_pass;
     size_t slow;                    /* motions at a feed below PATH_CHECK_SLOWEST */
     double slowest;                 /* mm/min */
     size_t slow_pass;

@@ -28,6 +28,7 @@ struct toolpath_options {
     double feed, plunge; /* mm/min: cutting, and going down the last bit */
     double clearance;    /* z of the tip on the clearance plane, mm */
     double approach;     /* the last bit, mm */
+    double floor;        /* least z of the ball's centre, mm; -HUGE_VAL: any */
     double longest;      /* three rows: so near are neighbours, mm */
     double scallop;      /* between rows, mm; 0: nothing is promised of it */
     double smooth;       /* centres may be lifted by so much more, mm, so that they run smoothly; 0:

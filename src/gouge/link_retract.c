@@ -172,10 +172,22 @@ static bool is_feed_clear(const struct search *s, const struct retract *r)
     return clear;
 }
 
+/* No corner of it is far below the part, where nobody knows what is. */
+static bool is_over_floor(const struct search *s, const struct retract *r)
+{
+    for (size_t i = 0; i < r->n; i++)
+        if (r->at[i].z < fmin(s->options->floor, s->p->ball.z))
+            return false;
+    return true;
+}
+
 /* Tries a way whose corners are known: near, and up from the last of them to the plane. */
 static void try_way(struct search *s, struct retract r)
 {
     struct vec3 last = r.at[r.n - 1];
+
+    if (!is_over_floor(s, &r))
+        return;
 
     if (s->plane > last.z + 1e-6)
         r.at[r.n++] = vec(last.x, last.y, s->plane);

@@ -60,7 +60,7 @@ static bool meet_upright(const struct quadric *q, struct vec3 *place)
             p.z == before.z) /* nor would it move in the next turn */
             break;
     }
-    if (hypot(place->x - p.x, place->y - p.y) > 1e-6)
+    if (!(hypot(place->x - p.x, place->y - p.y) <= 1e-6)) /* or it went off without an end */
         return false;
     *place = vec(place->x, place->y, p.z);
     return true;

@@ -65,6 +65,17 @@ static void look_at_feed(struct path_check *check)
     }
 }
 
+/* Far below the part nobody knows what is there. */
+static void look_below(struct path_check *check, struct pose to)
+{
+    double z = to.p.z + (check->tool.centre ? 0 : check->tool.radius * to.a.z);
+
+    if (!check->floored || z >= check->floor || (check->low++ > 0 && z >= check->lowest))
+        return;
+    check->lowest = z;
+    check->low_pass = check->pass;
+}
+
 /* At its end, and on the way there at feed: a rapid is ncpost's to turn as it may. */
 static void look_at_axis(struct path_check *check, const struct path_item *item)
 {
@@ -104,6 +115,7 @@ static void follow_item(struct path_check *check, const struct path *path, size_
     if (!path_is_rapid(item))
         look_at_feed(check);
     look_at_axis(check, item);
+    look_below(check, item->to);
     enum path_motion kind = kind_of(check, item);
     if (check->begun && check->tool.guard && !clear && !(kind == MOTION_CUT && check->coarse))
         *array_push(motions) = (struct checked_motion){
@@ -157,6 +169,10 @@ int path_check_conclude(const struct path_check *check, struct unmets *unmet)
                   d->n, name[k], check->tool.tolerance, d->pass, tool_part_name(d->deepest.part),
                   d->deepest.depth, at.x, at.y, at.z);
     }
+    if (check->low > 0)
+        unmet_say(unmet,
+                  "the ball goes far below the part at %zu places, its centre in pass %zu to z %.3f",
+                  check->low, check->low_pass, check->lowest);
     if (check->slow > 0)
         unmet_say(unmet, "%zu motions have a feed below %g mm/min, the slowest in pass %zu: %g",
                   check->slow, PATH_CHECK_SLOWEST, check->slow_pass, check->slowest);
@@ -167,5 +183,5 @@ int path_check_conclude(const struct path_check *check, struct unmets *unmet)
             "in pass %zu: %.6f %.6f %.6f at %.3f %.3f %.3f",
             check->out, check->out_pass, check->out_at.a.x, check->out_at.a.y, check->out_at.a.z,
             check->out_at.p.x, check->out_at.p.y, check->out_at.p.z);
-    return kept && check->out == 0 ? EXIT_DONE : EXIT_UNMET;
+    return kept && check->low == 0 && check->out == 0 ? EXIT_DONE : EXIT_UNMET;
 }

@@ -521,6 +521,16 @@ static double sink_of(const struct mesh *mesh, int threads)
     return fmin(sink, most * c->radius);
 }
 
+/* Of the ball's centre: rows may run out so many radii below the part, and mm more; who judges a
+ * program lets them go by a radius and 2 mm lower. */
+static double floor_under(const struct mesh *mesh)
+{
+    const double radii = 8, more = 18;
+    const struct vec3s *part = path_options.believed.n > 0 ? &path_options.believed : &mesh->vertex;
+
+    return box_around(part->item, part->n).low.z - radii * path_options.radius - more;
+}
+
 /* The highest z of a vertex, mm. */
 static double mesh_top(const struct mesh *mesh)
 {
@@ -633,6 +643,7 @@ int path_options_rules(const struct mesh *mesh, const struct gouge_check *guard,
     /* facets that are off by so much say no more */
     if (!c->guarded && isfinite(mesh->origin.ledger))
         t->lift.uncut += mesh->origin.ledger;
+    t->rule.floor = c->paper ? -HUGE_VAL : floor_under(mesh);
     return clearance_plane(mesh, guard, &t->rule.clearance, error);
 }
 

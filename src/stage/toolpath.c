@@ -72,6 +72,7 @@ struct link_options toolpath_link_options(const struct toolpath *t)
                                  .frame = vec_length(t->frame.pole) > 0 ? &t->frame : NULL,
                                  .chain = &t->rule.chain,
                                  .clearance = t->rule.clearance,
+                                 .floor = t->rule.floor,
                                  .approach = t->rule.approach};
 }
 
@@ -329,6 +330,8 @@ static struct path_check path_check_of(const struct toolpath *t)
                                         .tolerance = t->lift.tolerance,
                                         .holder = t->rule.holder},
                                .coarse = !t->lift.between,
+                               .floored = isfinite(t->rule.floor),
+                               .floor = t->rule.floor,
                                .chain = printed_chain(t),
                                .threads = t->threads};
 }

@@ -237,6 +237,39 @@ START_TEST(a_flat_axis_leads_out_and_then_up)
 }
 END_TEST
 
+/* A tool that cuts a plate from below leaves it where it is out beside it, and no lower than it may
+ * be: by its own axis it would be 25 mm below. */
+START_TEST(no_way_leads_far_below_the_part)
+{
+    const double floors[] = {-1000, -10, 5};
+    struct vec3s points = {0};
+    for (int i = -40; i <= 40; i++)
+        for (int k = -40; k <= 40; k++)
+            *array_push(&points) = vec(0.5 * i, 0.5 * k, 10);
+    struct gouge_check *guard = gouge_from_points(points.item, points.n);
+    struct gouge_lift_options rule = {.guard = guard, .offset = R, .tolerance = 0.01};
+    const struct holder none = {0};
+    struct run_point p = {.ball = vec(10, 0, 10 - R), .axis = vec_unit(vec(0.5, 0, -0.8))};
+    p.normal = vec(0, 0, -1);
+    for (int i = 0; i < 3; i++) {
+        struct link_options options = {.lift = &rule,
+                                       .holder = &none,
+                                       .radius = R,
+                                       .clearance = 30,
+                                       .floor = floors[i],
+                                       .approach = 2};
+        struct retract r = link_retract(&options, &p);
+        double lowest = p.ball.z;
+        for (size_t k = 0; k < r.n; k++)
+            lowest = fmin(lowest, r.at[k].z);
+        ck_assert(r.clear == (i < 2));
+        ck_assert(i == 0 ? lowest < -10 : i == 2 || lowest >= floors[i]);
+    }
+    array_free(&points);
+    gouge_free(guard);
+}
+END_TEST
+
 /* Up along a flank 0.25 mm beside the ball the way is clear, and no rapid ends beside the flank. */
 START_TEST(a_rapid_ends_off_the_flank_that_it_leads_along)
 {
@@ -703,6 +736,7 @@ int main(void)
     tcase_add_test(tests, a_way_out_is_bent_where_a_roof_is_over_the_point);
     tcase_add_test(tests, a_retract_without_a_guard);
     tcase_add_test(tests, a_low_link_keeps_the_shaft_clear);
+    tcase_add_test(tests, no_way_leads_far_below_the_part);
     suite_add_tcase(suite, tests);
     SRunner *runner = srunner_create(suite);
     srunner_run_all(runner, CK_NORMAL);

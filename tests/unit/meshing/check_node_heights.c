@@ -87,6 +87,54 @@ static bool is_point(const struct case_of *c, struct vec3 p)
     return point_grid_nearest(&c->scan, p, 1, &index, &distance2) == 1 && distance2 == 0;
 }
 
+/* -1 to 1. */
+static double random_of(unsigned *state)
+{
+    *state = *state * 1664525u + seed_step_32();
+    return (*state >> 16) / 32768.0 - 1;
+}
+
+/* Points of a cubic surface that bends much for how steep it is, about the origin. */
+static struct vec3s bent_surface(unsigned *state, struct vec3 w)
+{
+    struct vec3s points = {0};
+    struct vec3 u = vec_perpendicular(w), v = vec_cross(w, u);
+    double c[8];
+
+    for (int k = 0; k < 8; k++)
+        c[k] = (k < 1 ? 1 : k < 4 ? 5 : 12) * random_of(state);
+    for (int i = -5; i <= 5; i++)
+        for (int k = -5; k <= 5; k++) {
+            double a = i * 0.14 + 0.02 * random_of(state), b = k * 0.14 + 0.02 * random_of(state);
+            double h = c[0] + c[1] * a * a + c[2] * a * b + c[3] * b * b + c[4] * a * a * a +
+                       c[5] * a * a * b + c[6] * a * b * b + c[7] * b * b * b;
+            *array_push(&points) = vec_along(vec_along(vec_scale(a, u), b, v), h, w);
+        }
+    return points;
+}
+
+/* Along the upright from a node the way to such a surface may lead off without an end. */
+START_TEST(no_vertex_goes_off)
+{
+    unsigned state = 3800u + (unsigned)_i; /* the first led off, of 3,000 one did */
+    struct vec3 w = vec_unit(vec(1, 0.4, 0.55));
+    struct case_of c = {.points = bent_surface(&state, w)};
+    struct node_heights_options options = {0.14, 0.03, 1};
+    struct error error;
+    struct plan_extent extent = plan_extent_of(c.points.item, c.points.n, 0);
+
+    ck_assert_int_eq(point_grid_make(c.points.item, c.points.n, 0.14, 1, &c.scan, &error), 0);
+    ck_assert_int_eq(grid_make(&extent, c.points.n, 0.5, &c.grid, &error), 0);
+    size_t *chosen = reposition(&c.grid, c.points.item, c.points.n, REACH_NEAREST, 1);
+    grid_mesh_make(&c.grid, chosen, c.points.item, NULL, 1, &c.mesh);
+    free(chosen);
+    node_heights(&c.mesh, &c.grid, &c.scan, &options, NULL);
+    for (size_t i = 0; i < c.mesh.vertex.n; i++)
+        ck_assert(isfinite(c.mesh.vertex.item[i].z));
+    free_case(&c);
+}
+END_TEST
+
 START_TEST(vertices_stand_at_their_nodes_on_the_surface)
 {
     struct case_of c = run_case(wave, _i);
@@ -148,6 +196,7 @@ int main(void)
 {
     Suite *suite = suite_create("node_heights");
     TCase *tests = tcase_create("node_heights");
+    tcase_add_loop_test(tests, no_vertex_goes_off, 0, 40);
     tcase_add_loop_test(tests, vertices_stand_at_their_nodes_on_the_surface, 0, 3);
     tcase_add_test(tests, beside_a_step_none_is_off_the_surface);
     tcase_add_test(tests, on_a_crease_vertices_stay_points_of_the_scan);

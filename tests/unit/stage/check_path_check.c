@@ -170,6 +170,34 @@ START_TEST(an_axis_out_of_the_travel_on_the_way)
 }
 END_TEST
 
+/* Far below the part nobody knows what is there. */
+START_TEST(below_the_floor)
+{
+    struct path path = {.name = "path"};
+    struct path_check check = {.tool = {.radius = R}, .threads = 1, .floored = true, .floor = -30};
+
+    path_add_pass(&path, 4);
+    path_add_feed(&path, 800);
+    go(&path, 0, 0, 10, true);
+    go(&path, 0, 0, -30 - R, true);
+    path_check_items(&check, &path, 0, path.item.n);
+    ck_assert_uint_eq(check.low, 0);
+    go(&path, 0, 0, -31 - R, true);
+    go(&path, 0, 0, -33 - R, false);
+    go(&path, 0, 0, -32 - R, false);
+    path_check_items(&check, &path, path.item.n - 3, path.item.n);
+    ck_assert_uint_eq(check.low, 3);
+    ck_assert_double_eq_tol(check.lowest, -33, 1e-9);
+    ck_assert_uint_eq(check.low_pass, 4);
+    ck_assert_int_eq(path_check_conclude(&check, NULL), EXIT_UNMET);
+    check.floored = false;
+    check.low = 0;
+    path_check_items(&check, &path, path.item.n - 3, path.item.n);
+    ck_assert_int_eq(path_check_conclude(&check, NULL), EXIT_DONE);
+    path_free(&path);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("path_check");
@@ -179,6 +207,7 @@ int main(void)
     tcase_add_test(tests, a_rapid_through_the_wall_is_the_shafts);
     tcase_add_test(tests, a_feed_of_nothing_is_told);
     tcase_add_test(tests, an_axis_out_of_the_travel_on_the_way);
+    tcase_add_test(tests, below_the_floor);
     suite_add_tcase(suite, tests);
     SRunner *runner = srunner_create(suite);
     srunner_run_all(runner, CK_NORMAL);
