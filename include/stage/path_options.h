@@ -26,6 +26,7 @@ struct path_options {
     double said_noise; /* --noise, mm; below zero: not given, and `noise` is as measured */
     struct vec3s certain, doubtful, curtain, believed; /* points of the scan of -g (guard_read.h) */
     struct vec3s facets;                               /* of meshes of -g, likewise */
+    double gap; /* between guard points on facets, mm; 0: a scan's guard, or none */
     double clearance, approach, feed, plunge, spindle; /* clearance NAN: by the part */
     int layers, tool, coolant;
     double effort; /* effort.h */

@@ -3,6 +3,27 @@
 
 static const double ROUNDING = 1e-9; /* mm */
 
+struct holder holder_cornered(const struct holder *holder, double by)
+{
+    struct holder out = {.n = 0};
+
+    if (holder->n == 0 || 2 * holder->n + 1 > HOLDER_MOST)
+        return *holder;
+    for (int i = 0; i < holder->n; i++) {
+        const struct holder_part *part = &holder->part[i];
+        struct holder_part *below = i > 0 ? &out.part[out.n - 1] : NULL;
+        if (below && part->low > below->high) {
+            double lower = fmin(by, below->length);
+            below->length -= lower;
+            out.part[out.n++] = (struct holder_part){part->low, part->low, lower};
+        }
+        out.part[out.n++] = *part;
+    }
+    double top = out.part[out.n - 1].high;
+    out.part[out.n++] = (struct holder_part){top, top, by};
+    return out;
+}
+
 double holder_reach(const struct holder *holder)
 {
     double reach = 0, height = 0;

@@ -390,12 +390,18 @@ static enum guard_facets facets_of(const struct mesh *mesh)
     return mesh->origin.scan.n > 0 || path_options.on_surfaces ? GUARD_CURVED : GUARD_NEAR;
 }
 
+/* Between the points of a mesh that guards, mm. */
+static double wanted_gap(void)
+{
+    return sqrt(6 * SINK * path_options.radius);
+}
+
 /* NULL: so many points would be needed that it is no guard. */
 static struct gouge_check *guard_of_mesh(const struct mesh *mesh, const struct mesh_edges *edges,
                                          int threads, struct error *error)
 {
     struct vec3s points = {0};
-    double wanted = sqrt(6 * SINK * path_options.radius);
+    double wanted = wanted_gap();
     const struct guard_mesh_options how = {wanted, MOST_GUARD_POINTS, facets_of(mesh), threads};
     double spacing = guard_points_of_mesh(mesh, edges, &how, &points);
     double sink = spacing * spacing / (6 * path_options.radius);
@@ -413,6 +419,7 @@ static struct gouge_check *guard_of_mesh(const struct mesh *mesh, const struct m
         say("the part is large for this ball, which may sink by up to %.3f mm between guard points "
             "that are %.3f mm apart (%g million of them)",
             sink, spacing, MOST_GUARD_POINTS / 1e6);
+    path_options.gap = spacing;
     return gouge_new(points, threads);
 }
 
@@ -489,6 +496,8 @@ int path_options_guard(const struct mesh *mesh, const struct mesh_edges *edges, 
     path_options.curtain = rule.curtain;
     path_options.believed = rule.believed;
     path_options.facets = rule.facets;
+    if (rule.facets.n > 0)
+        path_options.gap = wanted_gap();
     return *guard ? 0 : -1;
 }
 
@@ -623,6 +632,8 @@ int path_options_rules(const struct mesh *mesh, const struct gouge_check *guard,
     if (!c->paper)
         tool_options_say(&t->path->head.body, c->radius);
     t->rule.holder = tool_body_profile(&t->path->head.body, c->radius);
+    if (c->gap > 0)
+        t->rule.holder = holder_cornered(&t->rule.holder, c->gap);
     t->lift.guard = guard;
     t->lift.limit = c->limit > 0 ? c->limit : c->radius;
     t->lift.tolerance = c->tolerance > 0 ? c->tolerance : 0.01;

@@ -189,6 +189,45 @@ START_TEST(widened_with_the_height)
 }
 END_TEST
 
+/* The least distance of places on a line, so far apart. */
+static double line_distance(const struct holder *h, struct vec3 p, struct vec3 along, double gap)
+{
+    double least = HUGE_VAL;
+    for (double s = -2; s <= 2; s += gap)
+        least =
+            fmin(least, holder_distance(h, vec(0, 0, 0), vec(0, 0, 1), vec_along(p, s, along)));
+    return least;
+}
+
+/* Points a quarter of a millimetre apart on lines across its corners: what these let by is 0.1 mm
+ * deep in the stack as it is, and found in what is kept clear. */
+START_TEST(cornered)
+{
+    const double gap = 0.25, corner[][2] = {{3, 40}, {10, 40}, {25, 120}};
+    const struct holder flute = {1, {{3, 3, 40}}};
+    unsigned state = 11;
+    size_t missed = 0, deep = 0;
+    for (int trial = 0; trial < 3000; trial++) {
+        int k = trial % 3;
+        const struct holder *h = k == 0 ? &flute : &stack;
+        struct holder kept = holder_cornered(h, gap);
+        struct vec3 along = vec_unit(vec(random_in(&state, -1, 1), random_in(&state, -1, 1),
+                                         random_in(&state, -1, 1)));
+        struct vec3 p = vec(corner[k][0] - random_in(&state, 0, 0.1), 0,
+                            corner[k][1] + (k == 1 ? 1 : -1) * random_in(&state, 0, 0.1));
+        struct vec3 q = vec_along(p, random_in(&state, 0, gap), along);
+        if (line_distance(h, p, along, 0.004) > -0.02)
+            continue;
+        deep++;
+        missed += line_distance(h, q, along, gap) >= 0;
+        ck_assert_double_lt(line_distance(&kept, q, along, gap), 0);
+    }
+    ck_assert_uint_gt(deep, 500);
+    ck_assert_uint_gt(missed, 50);
+    ck_assert_int_eq(holder_cornered(&(struct holder){0}, gap).n, 0);
+}
+END_TEST
+
 START_TEST(texts_are_written)
 {
     struct holder h;
@@ -258,6 +297,7 @@ int main(void)
     tcase_add_test(t, bound_beside_a_cylinder);
     tcase_add_test(t, profile_is_the_union);
     tcase_add_test(t, widened_with_the_height);
+    tcase_add_test(t, cornered);
     tcase_add_test(t, texts_are_written);
     tcase_add_test(t, texts_are_read);
     tcase_add_loop_test(t, other_texts_are_not, 0, (int)(sizeof wrong / sizeof *wrong));
