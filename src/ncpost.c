@@ -249,8 +249,8 @@ static bool say_unmet(const struct settings *s, const struct unmets *unmet)
     return unmet->n > 0 && !s->accept;
 }
 
-/* Shank and holder were kept clear of a scan or mesh, which is not looked at here: the axis is no farther
- * off than moves their upper end by a little, or than it usually is. */
+/* Shank and holder were kept clear of a scan or mesh, which is not looked at here: the axis is no
+ * farther off than moves their upper end by a little, or than it usually is. */
 static void limit_axis(struct settings *s, const struct path *path, const struct holder *holder)
 {
     double length = 0;

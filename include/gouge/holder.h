@@ -43,8 +43,8 @@ struct holder tool_body_profile(const struct tool_body *body, double radius);
  * its upper end. */
 struct holder holder_widened(const struct holder *holder, double margin, double slope);
 
-/* The stack with `by` mm more at its upper end, and its steps outward so much lower: points that are
- * so far apart on a line do not let one of these corners by.  As it is, if it has too many parts. */
+/* The stack with `by` mm more at its upper end, and its steps outward so much lower: points so far
+ * apart on a line do not let one of these corners by.  As it is, if it has too many parts. */
 struct holder holder_cornered(const struct holder *holder, double by);
 
 /* Radius of the sphere about the ball's centre that holds the whole stack. */

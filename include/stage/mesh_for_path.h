@@ -1,7 +1,7 @@
 /*
  * mesh_for_path - the mesh that a path is made from: one with rows, or one of any origin made fit
- * to be cut by planes; and how tight its hollows are.  Its origin names the file and its vertices as
- * they were read (`itself`), for the path to name.
+ * to be cut by planes; and how tight its hollows are.  Its origin names the file and its vertices
+ * as they were read (`itself`), for the path to name.
  */
 #ifndef CLOUDMILL_MESH_FOR_PATH_H
 #define CLOUDMILL_MESH_FOR_PATH_H

@@ -1,7 +1,7 @@
 /*
  * path_check - a path looked at once more as it is printed: is the whole tool clear of the guard in
- * cuts, links and rapids, does it stay near the part from below, is every feed one that a control can
- * drive, and every axis one that the machine has?
+ * cuts, links and rapids, does it stay from going far below the part, is every feed one that a
+ * control can drive, and every axis one that the machine has?
  *
  * The tool that makes a path, or fits motions to one, checks what it makes while it makes it.  This
  * looks at the result alone: it follows the items one after the other, points, arcs, B-splines and

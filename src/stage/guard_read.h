@@ -61,9 +61,10 @@ struct guard_read_options {
 /*
  * The gouge check of the scan's points, which are freed, and of the mesh's sharp edges.  Of a
  * scan whose files are all meshes its facets are the part, as they are: nothing is looked for
- * between them or beyond their rim, nor noise; and below closed ones is no material.  NULL if there are too many points, or if the mesh
- * is clearly elsewhere: more of its vertices than guard_scan_near allows further than `near` mm
- * from every point of the scan.  rule->noise becomes what was taken out.
+ * between them or beyond their rim, nor noise; and below closed ones is no material.  NULL if
+ * there are too many points, or if the mesh is clearly elsewhere: more of its vertices than
+ * guard_scan_near allows further than `near` mm from every point of the scan.  rule->noise becomes
+ * what was taken out.
  */
 struct gouge_check *guard_read(struct guard_scan *scan, const struct mesh *mesh, double near,
                                struct guard_read_options *rule, struct error *error);

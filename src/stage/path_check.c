@@ -171,7 +171,8 @@ int path_check_conclude(const struct path_check *check, struct unmets *unmet)
     }
     if (check->low > 0)
         unmet_say(unmet,
-                  "the ball goes far below the part at %zu places, its centre in pass %zu to z %.3f",
+                  "the ball goes far below the part at %zu places, in pass %zu its centre to z "
+                  "%.3f",
                   check->low, check->low_pass, check->lowest);
     if (check->slow > 0)
         unmet_say(unmet, "%zu motions have a feed below %g mm/min, the slowest in pass %zu: %g",

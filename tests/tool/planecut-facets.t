@@ -185,9 +185,10 @@ ring() { # so many of the 24 strips of a ring, the first 12 are its upper half
 ring 24 >closed.off
 ring 12 >open.off
 for part in closed open; do
-	status 0 "$part: a ring guards itself" planecut -v -r 2 -s 4 --avoid -g $part.off -o $part.cl $part.off
+	status 0 "$part: a ring guards itself" \
+		planecut -v -r 2 -s 4 --avoid -g $part.off -o $part.cl $part.off
 	cp err $part.err
-	has "by its facets" "^planecut: $part.off: a mesh: guarded by [0-9]+ points on its facets, too" err
+	has "by its facets" "^planecut: $part.off: a mesh: guarded by [0-9]+ points on its facets" err
 	has "the path names it" "^..-> SCAN/1152,[0-9a-f]{16},$part.off\$" $part.cl
 done
 has "material under the border" 'and by [0-9]+ points under the rims' open.err

@@ -5,7 +5,7 @@
  * In: a file.  Out: its points in the file's own units, and counts of what was left out.  The
  * stages: the format by its first lines (cloud.c); the rows, read by what the formats share
  * (cloud_source.h): free text and PTS (cloud_text.h; nearly all rows by cloud_plain.h), OBJ, PTX
- * and PCD (cloud_formats.c), LAS (cloud_las.c), PLY, STL and OFF (io/mesh).  Beside it matrix.h, the
+ * and PCD (cloud_formats.c), LAS (cloud_las.c), PLY, STL, OFF (io/mesh).  Beside it matrix.h, the
  * file that places a cloud, and cloud_spool.h, where points are set aside.
  */
 #ifndef CLOUDMILL_CLOUD_H

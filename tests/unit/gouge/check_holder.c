@@ -194,8 +194,7 @@ static double line_distance(const struct holder *h, struct vec3 p, struct vec3 a
 {
     double least = HUGE_VAL;
     for (double s = -2; s <= 2; s += gap)
-        least =
-            fmin(least, holder_distance(h, vec(0, 0, 0), vec(0, 0, 1), vec_along(p, s, along)));
+        least = fmin(least, holder_distance(h, vec(0, 0, 0), vec(0, 0, 1), vec_along(p, s, along)));
     return least;
 }
 
@@ -211,8 +210,8 @@ START_TEST(cornered)
         int k = trial % 3;
         const struct holder *h = k == 0 ? &flute : &stack;
         struct holder kept = holder_cornered(h, gap);
-        struct vec3 along = vec_unit(vec(random_in(&state, -1, 1), random_in(&state, -1, 1),
-                                         random_in(&state, -1, 1)));
+        struct vec3 along = vec_unit(
+            vec(random_in(&state, -1, 1), random_in(&state, -1, 1), random_in(&state, -1, 1)));
         struct vec3 p = vec(corner[k][0] - random_in(&state, 0, 0.1), 0,
                             corner[k][1] + (k == 1 ? 1 : -1) * random_in(&state, 0, 0.1));
         struct vec3 q = vec_along(p, random_in(&state, 0, gap), along);
