@@ -406,6 +406,9 @@ static struct gouge_check *guard_of_mesh(const struct mesh *mesh, const struct m
     double spacing = guard_points_of_mesh(mesh, edges, &how, &points);
     double sink = spacing * spacing / (6 * path_options.radius);
 
+    /* Slender facets have points along their longest side alone. */
+    guard_points_of_edges(mesh, spacing, NULL, &points);
+
     if (spacing > wanted && sink > DEEP) {
         array_free(&points);
         error_set(error,

@@ -191,6 +191,34 @@ for part in closed open; do
 	has "by its facets" "^planecut: $part.off: a mesh: guarded by [0-9]+ points on its facets" err
 	has "the path names it" "^..-> SCAN/1152,[0-9a-f]{16},$part.off\$" $part.cl
 done
+# A bar, all of whose facets are slender: where two of them meet is an edge, and not only corners.
+cat >bar.off <<'END'
+OFF
+8 12 0
+-30 -1.5 -2
+30 -1.5 -2
+30 1.5 -2
+-30 1.5 -2
+-30 -1.5 2
+30 -1.5 2
+30 1.5 2
+-30 1.5 2
+3 0 2 1
+3 0 3 2
+3 4 5 6
+3 4 6 7
+3 0 1 5
+3 0 5 4
+3 1 2 6
+3 1 6 5
+3 2 3 7
+3 2 7 6
+3 3 0 4
+3 3 4 7
+END
+status 0 "a bar" planecut -q -r 8 -a 70 --tilt 12 --avoid --scallop 0.2 -o bar.cl bar.off
+ncpost -q -c linuxcnc -o bar.nc bar.cl
+status 0 "its edges are not cut" ncverify -q -g bar.off -r 8 bar.nc
 has "material under the border" 'and by [0-9]+ points under the rims' open.err
 hasnt "none where there is no border" 'under the rims' closed.err
 done_testing
