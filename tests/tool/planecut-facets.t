@@ -77,18 +77,19 @@ for judge in long.ply long.igs; do
 	status 0 "accepted by $judge" ncverify -g $judge long.mpf
 done
 
-# Walls that planes cannot follow are cut by rest passes, and measured.
-cat >block.off <<'END'
+# A block between two corners, X Y Z each, two facets a side; OFF.
+block() {
+	cat <<END
 OFF
 8 12 0
-0 0 0
-10 0 0
-10 8 0
-0 8 0
-0 0 3
-10 0 3
-10 8 3
-0 8 3
+$1 $2 $3
+$4 $2 $3
+$4 $5 $3
+$1 $5 $3
+$1 $2 $6
+$4 $2 $6
+$4 $5 $6
+$1 $5 $6
 3 0 2 1
 3 0 3 2
 3 4 5 6
@@ -102,6 +103,10 @@ OFF
 3 3 0 4
 3 3 4 7
 END
+}
+
+# Walls that planes cannot follow are cut by rest passes, and measured.
+block 0 0 0 10 8 3 >block.off
 status 0 "a block with walls along the planes" \
 	planecut -r 2 --scallop 0.05 --avoid -o block.cl block.off
 biarcfit -q -e 0.01 -o block.arc block.cl
@@ -192,30 +197,7 @@ for part in closed open; do
 	has "the path names it" "^..-> SCAN/1152,[0-9a-f]{16},$part.off\$" $part.cl
 done
 # A bar, all of whose facets are slender: where two of them meet is an edge, and not only corners.
-cat >bar.off <<'END'
-OFF
-8 12 0
--30 -1.5 -2
-30 -1.5 -2
-30 1.5 -2
--30 1.5 -2
--30 -1.5 2
-30 -1.5 2
-30 1.5 2
--30 1.5 2
-3 0 2 1
-3 0 3 2
-3 4 5 6
-3 4 6 7
-3 0 1 5
-3 0 5 4
-3 1 2 6
-3 1 6 5
-3 2 3 7
-3 2 7 6
-3 3 0 4
-3 3 4 7
-END
+block -30 -1.5 -2 30 1.5 2 >bar.off
 status 0 "a bar" planecut -q -r 8 -a 70 --tilt 12 --avoid --scallop 0.2 -o bar.cl bar.off
 ncpost -q -c linuxcnc -o bar.nc bar.cl
 status 0 "its edges are not cut" ncverify -q -g bar.off -r 8 bar.nc
