@@ -102,19 +102,42 @@ bool gouge_free_above(const struct gouge_check *guard, struct vec3 c, double rad
 bool gouge_open(const struct gouge_check *guard, struct vec3 c, struct vec3 up, double radius,
                 double depth);
 
+/* Of each way of gouge_open_anyhow a guard point that was in it, for it is likely in that of the
+ * next place, too. */
+enum { GOUGE_WAYS = 32 };
+struct gouge_ways {
+    struct kdtree_touch normal, half, touch[GOUGE_WAYS];
+};
+
 /* The same along any of some ways: up, `normal` (where the ball touches) and the middle of both,
- * and DIRECTIONS more, over the upper half of the sphere, on the normal's side. */
+ * and GOUGE_WAYS more, over the upper half of the sphere, on the normal's side.  `ways`: of the
+ * same guard, all 0 for the first place (NULL: not kept). */
 bool gouge_open_anyhow(const struct gouge_check *guard, struct vec3 c, struct vec3 normal,
-                       double radius, double depth);
+                       double radius, double depth, struct gouge_ways *ways);
 
 /* How far shank and holder above a ball at c are from the nearest guard point, mm: negative by how
  * deep it is in them; `below` where none is as near. */
 double gouge_holder(const struct gouge_check *guard, const struct holder *holder, struct vec3 c,
                     struct vec3 axis, double below);
 
-/* True if they are no nearer than `least`.  Quicker than to ask how near. */
+/* They are clear by so much at least, and no more than 0.001 mm and 0.3 of what they are over `level`
+ * is missing; what is up to 0.001 mm below `level` may be `level`.  Much quicker, above all beside a wall, all of which
+ * is as near.  `touch` as of kdtree_lowest. */
+double gouge_holder_nearly(const struct gouge_check *guard, const struct holder *holder,
+                           struct vec3 c, struct vec3 axis, double level, double below,
+                           struct kdtree_touch *touch);
+
+/* True if they are no nearer than `least`.  Quicker than to ask how near.  `touch` as of
+ * kdtree_any_lower. */
 bool gouge_holder_clear(const struct gouge_check *guard, const struct holder *holder, struct vec3 c,
-                        struct vec3 axis, double least);
+                        struct vec3 axis, double least, struct kdtree_touch *touch);
+
+/* The same on the way of the ball's centre straight from a to b while the axis stays as it is;
+ * between places GOUGE_STEP mm apart a point may go by. */
+#define GOUGE_STEP 0.02
+bool gouge_holder_clear_along(const struct gouge_check *guard, const struct holder *holder,
+                              struct vec3 a, struct vec3 b, struct vec3 axis, double least,
+                              struct kdtree_touch *touch);
 
 /* Marks in kept[], by their numbers of which there are gouge_points, so many of the guard points
  * that each of the others has one of them within `gap` mm; returns how many, and the box around

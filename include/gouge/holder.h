@@ -66,7 +66,7 @@ double holder_distance_below(const struct holder *holder, struct vec3 centre, st
  * A lower bound of the distance of all places in the box about `middle` that reaches `half` along
  * X, Y and Z: the distance of its middle less its half diagonal; and no place is deeper than it is
  * far from any segment of the outline, which (the distance from a segment is convex) is largest at
- * a corner of the box.  Of cylinders, and of those about other parts, by how far the box reaches
+ * a corner of the box, nor than it is beside the outline at its own height.  Of cylinders, and of those about other parts, by how far the box reaches
  * across and along them.
  */
 double holder_bound(const struct holder *holder, struct vec3 centre, struct vec3 axis,

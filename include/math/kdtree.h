@@ -62,6 +62,11 @@ struct kdtree_touch {
     struct vec3 p[2];
 };
 
+/* The same where many segments are asked about.  `touch`: points of the tree that are likely so
+ * near, to be tried first; afterwards the one that was, if one is. */
+bool kdtree_find_beside(const struct kdtree *tree, struct vec3 a, struct vec3 b, double within,
+                        struct kdtree_touch *touch);
+
 /* A value of each place. */
 struct kdtree_field {
     /* At p, where it is lower than `below`; else anything that is not. */
@@ -70,6 +75,9 @@ struct kdtree_field {
      * is above `below` may be any such value. */
     double (*bound)(const void *context, struct vec3 middle, struct vec3 half, double below);
     const void *context;
+    /* What is found may be more than the lowest, by `slack` and by `share` of what it is over
+     * `level`, and is found the sooner; all 0: it is the lowest. */
+    double slack, share, level;
 };
 
 /* The lowest value at a point, if that is below `below`; else `below`.  `touch`: points of the tree
@@ -78,8 +86,10 @@ struct kdtree_field {
 double kdtree_lowest(const struct kdtree *tree, const struct kdtree_field *field, double below,
                      struct kdtree_touch *touch);
 
-/* True if it is lower than `below` at any point.  Ends at the first. */
-bool kdtree_any_lower(const struct kdtree *tree, const struct kdtree_field *field, double below);
+/* True if it is lower than `below` at any point.  Ends at the first.  `touch` (NULL: none): as of
+ * kdtree_find_beside. */
+bool kdtree_any_lower(const struct kdtree *tree, const struct kdtree_field *field, double below,
+                      struct kdtree_touch *touch);
 
 /*
  * Shows points and their indices to `point`, those of nearer boxes first, and leaves out the boxes

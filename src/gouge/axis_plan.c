@@ -1,6 +1,7 @@
 /* axis_plan - see axis_plan.h. */
 #include "gouge/axis_plan.h"
 
+#include <stdint.h>
 #include <stdlib.h>
 
 #include "axis_plan_steps.h"
@@ -78,22 +79,70 @@ static void plan_nodes(const struct work *w)
     }
 }
 
+/* Of the points of the round before, of which *at is looked at next, the same pose; SIZE_MAX: none
+ * was. */
+static size_t same_pose(const struct axis_checks *before, size_t *at, double along,
+                        const struct run_point *p)
+{
+    while (*at < before->n && before->item[*at].along < along)
+        ++*at;
+    if (*at == before->n || before->item[*at].along > along ||
+        vec_distance(before->item[*at].ball, p->ball) > 0 ||
+        vec_distance(before->item[*at].axis, p->axis) > 0)
+        return SIZE_MAX;
+    return *at;
+}
+
+/* The tool is clear on the way to the point, which has been found before if both ends were the
+ * same. */
+static bool is_way_clear(const struct holder_sweep *sweep, const struct run_point *p, double before,
+                         double now, struct axis_checked *checked)
+{
+    if (!sweep->guard)
+        return true;
+    if (checked->way == WAY_UNKNOWN)
+        checked->way =
+            holder_sweep_clear_between(sweep, p - 1, before, p, now) ? WAY_CLEAR : WAY_BLOCKED;
+    return checked->way == WAY_CLEAR;
+}
+
+/* The point as it was in the round before, or its clearance measured. */
+static struct axis_checked check_pose(const struct work *w, const struct holder_sweep *sweep,
+                                      size_t *at, size_t *last, double along,
+                                      const struct run_point *p)
+{
+    const double far = 1; /* mm: clearances beyond are all the same */
+    struct axis_checked checked = {.along = along, .ball = p->ball, .axis = p->axis};
+    size_t same = same_pose(&w->checked, at, along, p);
+    bool on = same != SIZE_MAX && *last != SIZE_MAX && same == *last + 1;
+
+    *last = same;
+    if (same == SIZE_MAX)
+        checked.clear = sweep->guard ? holder_sweep_clearance(sweep, p, far) : far;
+    else
+        checked.clear = w->checked.item[same].clear;
+    checked.way = on ? w->checked.item[same].way : WAY_UNKNOWN;
+    return checked;
+}
+
 /* What becomes of the points; places where the tool is not clear get nodes, and then it returns
  * true, unless this is the last round. */
 static bool check_points(struct work *w, const struct run *run, const struct doubles *along,
                          bool last, int *state)
 {
-    const double far = 1; /* mm: clearances beyond are all the same */
     const struct axis_planner *p = w->planner;
     const double slack = p->options.tolerance / 2;
     const struct holder_sweep sweep = {p->options.guard, &p->options.holder, slack};
     double before = -1, now = 0;
-    size_t after = 0, at = 0, nodes = w->nodes.n;
+    size_t after = 0, at = 0, nodes = w->nodes.n, same = 0, same_before = SIZE_MAX;
+    struct axis_checks checks = {0};
     bool any = false;
 
     for (size_t i = 0; i < run->n; i++, before = now) {
         const struct run_point *b = &run->item[i];
-        now = sweep.guard ? holder_sweep_clearance(&sweep, b, far) : far;
+        struct axis_checked *checked = array_push(&checks);
+        *checked = check_pose(w, &sweep, &same, &same_before, along->item[i], b);
+        now = checked->clear;
         while (at + 1 < nodes && w->nodes.item[at + 1].along <= along->item[i])
             at++;
         if (axis_points_without(w, nodes, at)) {
@@ -108,7 +157,7 @@ static bool check_points(struct work *w, const struct run *run, const struct dou
         state[i] = now >= -slack ? AXIS_PLAN_CUT : AXIS_PLAN_SKIP;
         if (i > 0 && fmin(before, now) >= -slack &&
             (!rotary_reaches_between(&p->options.chain, b[-1].axis, b->axis) ||
-             (sweep.guard && !holder_sweep_clear_between(&sweep, b - 1, before, b, now))))
+             !is_way_clear(&sweep, b, before, now, checked)))
             state[i] = AXIS_PLAN_BREAK;
         if (state[i] == AXIS_PLAN_CUT || last)
             continue;
@@ -119,6 +168,8 @@ static bool check_points(struct work *w, const struct run *run, const struct dou
             axis_nodes_add_strict(w, after, (along->item[i] + along->item[i - 1]) / 2);
         any = true;
     }
+    array_free(&w->checked);
+    w->checked = checks;
     return any;
 }
 
@@ -201,5 +252,6 @@ void axis_plan_run(const struct axis_planner *planner, const struct run *run,
     array_free(&averaged);
     array_free(&along);
     array_free(&state);
+    array_free(&w.checked);
     free(w.along);
 }

@@ -60,12 +60,27 @@ struct nodes {
     struct node *item;
 };
 
+/* A point as it was in a round: how far the tool is clear there, and whether it is on the way from
+ * the point before. */
+struct axis_checked {
+    double along;
+    struct vec3 ball, axis;
+    double clear;
+    enum { WAY_UNKNOWN, WAY_CLEAR, WAY_BLOCKED } way;
+};
+
+struct axis_checks {
+    size_t n, cap;
+    struct axis_checked *item;
+};
+
 /* A run and where its points are along the path. */
 struct work {
     const struct axis_planner *planner;
     const struct run *run;
     double *along; /* of each point */
     struct nodes nodes;
+    struct axis_checks checked; /* in the round before */
 };
 
 /* ---- axis_nodes.c */

@@ -115,8 +115,8 @@ double gouge_rise(const struct gouge_check *guard, struct vec3 c, struct vec3 up
     return kdtree_rise(guard->tree, c, up, radius);
 }
 
-bool gouge_clear_along(const struct gouge_check *guard, struct vec3 a, struct vec3 b, double radius,
-                       double depth)
+static bool clear_along(const struct gouge_check *guard, struct vec3 a, struct vec3 b,
+                        double radius, double depth, struct kdtree_touch *touch)
 {
     double within = radius - depth, top = height_pyramid_top(&guard->heights, a, b, within);
 
@@ -129,10 +129,16 @@ bool gouge_clear_along(const struct gouge_check *guard, struct vec3 a, struct ve
     for (double i = 0; i < pieces; i++) {
         struct vec3 from = vec_mix(a, b, i / pieces), to = vec_mix(a, b, (i + 1) / pieces);
         if ((pieces == 1 || !far_over(guard, from, to, within)) &&
-            kdtree_any_beside(guard->tree, from, to, within))
+            kdtree_find_beside(guard->tree, from, to, within, touch))
             return false;
     }
     return true;
+}
+
+bool gouge_clear_along(const struct gouge_check *guard, struct vec3 a, struct vec3 b, double radius,
+                       double depth)
+{
+    return clear_along(guard, a, b, radius, depth, NULL);
 }
 
 bool gouge_free_above(const struct gouge_check *guard, struct vec3 c, double radius)
@@ -141,12 +147,22 @@ bool gouge_free_above(const struct gouge_check *guard, struct vec3 c, double rad
            !kdtree_any_above(guard->tree, c, radius);
 }
 
+static bool is_open(const struct gouge_check *guard, struct vec3 c, struct vec3 up, double radius,
+                    double depth, struct kdtree_touch *touch)
+{
+    double end = fmax(gouge_extent(guard, c, up) + radius, 0);
+    struct vec3 out = vec_along(c, end, up);
+
+    if (touch && touch->n > 0 &&
+        kdtree_nearest_among(touch->p, 1, c, out, radius - depth) < radius - depth)
+        return false;
+    return clear_along(guard, c, out, radius, depth, touch);
+}
+
 bool gouge_open(const struct gouge_check *guard, struct vec3 c, struct vec3 up, double radius,
                 double depth)
 {
-    double end = fmax(gouge_extent(guard, c, up) + radius, 0);
-
-    return gouge_clear_along(guard, c, vec_along(c, end, up), radius, depth);
+    return is_open(guard, c, up, radius, depth, NULL);
 }
 
 /* Direction k of n, evenly over the sphere down to ten degrees above the level. */
@@ -156,22 +172,26 @@ static struct vec3 direction_of(int k, int n)
 }
 
 bool gouge_open_anyhow(const struct gouge_check *guard, struct vec3 c, struct vec3 normal,
-                       double radius, double depth)
+                       double radius, double depth, struct gouge_ways *ways)
 {
-    enum { DIRECTIONS = 32 };
     struct vec3 half = vec_unit(vec_add(normal, vec(0, 0, 1)));
 
     if (gouge_free_above(guard, c, radius - depth) ||
-        (normal.z >= 0 && gouge_open(guard, c, normal, radius, depth)) ||
-        (half.z > 0 && gouge_open(guard, c, half, radius, depth)))
+        (normal.z >= 0 && is_open(guard, c, normal, radius, depth, ways ? &ways->normal : NULL)) ||
+        (half.z > 0 && is_open(guard, c, half, radius, depth, ways ? &ways->half : NULL)))
         return true;
-    for (int k = 0; k < DIRECTIONS; k++) {
-        struct vec3 way = direction_of(k, DIRECTIONS);
-        if (vec_dot(way, normal) > 0 && gouge_open(guard, c, way, radius, depth))
+    for (int k = 0; k < GOUGE_WAYS; k++) {
+        struct vec3 way = direction_of(k, GOUGE_WAYS);
+        if (vec_dot(way, normal) > 0 &&
+            is_open(guard, c, way, radius, depth, ways ? &ways->touch[k] : NULL))
             return true;
     }
     return false;
 }
+
+/* Of gouge_holder_nearly: what a clearance may be too large by at `level`, mm, and of what it is over
+ * it. */
+static const double NEARLY = 0.001, SHARE = 0.3;
 
 /* Shank and holder in one pose. */
 struct holder_pose {
@@ -198,18 +218,77 @@ double gouge_holder(const struct gouge_check *guard, const struct holder *holder
                     struct vec3 axis, double below)
 {
     struct holder_pose pose = {holder, c, axis};
-    struct kdtree_field field = {from_holder, bound_from_holder, &pose};
+    struct kdtree_field field = {from_holder, bound_from_holder, &pose, 0, 0, 0};
 
     return holder->n > 0 ? kdtree_lowest(guard->tree, &field, below, NULL) : below;
 }
 
-bool gouge_holder_clear(const struct gouge_check *guard, const struct holder *holder, struct vec3 c,
-                        struct vec3 axis, double least)
+double gouge_holder_nearly(const struct gouge_check *guard, const struct holder *holder,
+                           struct vec3 c, struct vec3 axis, double level, double below,
+                           struct kdtree_touch *touch)
 {
     struct holder_pose pose = {holder, c, axis};
-    struct kdtree_field field = {from_holder, bound_from_holder, &pose};
+    struct kdtree_field field = {from_holder, bound_from_holder, &pose, NEARLY, SHARE, level};
+    double most = holder->n > 0 ? kdtree_lowest(guard->tree, &field, below, touch) : below;
 
-    return holder->n == 0 || !kdtree_any_lower(guard->tree, &field, least);
+    return most > level ? fmax(level, most - NEARLY - SHARE * (most - level)) : most;
+}
+
+bool gouge_holder_clear(const struct gouge_check *guard, const struct holder *holder, struct vec3 c,
+                        struct vec3 axis, double least, struct kdtree_touch *touch)
+{
+    struct holder_pose pose = {holder, c, axis};
+    struct kdtree_field field = {from_holder, bound_from_holder, &pose, 0, 0, 0};
+
+    return holder->n == 0 || !kdtree_any_lower(guard->tree, &field, least, touch);
+}
+
+/* Shank and holder on their way, the axis as it is. */
+struct holder_way {
+    const struct holder *holder;
+    struct vec3 from, along, axis; /* from one end to the other */
+    double length;
+};
+
+/* The nearest that p is on a part of the way, or, where that is not lower than `below`, anything
+ * that is not: no point of the holder moves farther than its centre. */
+static double least_on_way(const struct holder_way *way, struct vec3 p, double first, double last,
+                           double below)
+{
+    double middle = (first + last) / 2, half = way->length * (last - first) / 2;
+    struct vec3 c = vec_along(way->from, middle, way->along);
+    double least = holder_distance_below(way->holder, c, way->axis, p, below + half);
+
+    if (least < below || least - half >= below || 2 * half <= GOUGE_STEP)
+        return least;
+    least = least_on_way(way, p, first, middle, below);
+    return least < below ? least : least_on_way(way, p, middle, last, below);
+}
+
+static double from_way(const void *context, struct vec3 p, double below)
+{
+    return least_on_way(context, p, 0, 1, below);
+}
+
+/* The box is on its way past the holder as the holder on its way past the box. */
+static double bound_from_way(const void *context, struct vec3 middle, struct vec3 half,
+                             double below)
+{
+    const struct holder_way *way = context;
+    struct vec3 d = vec_scale(0.5, way->along), c = vec_add(way->from, d);
+
+    half = vec_add(half, vec(fabs(d.x), fabs(d.y), fabs(d.z)));
+    return holder_bound_below(way->holder, c, way->axis, middle, half, below);
+}
+
+bool gouge_holder_clear_along(const struct gouge_check *guard, const struct holder *holder,
+                              struct vec3 a, struct vec3 b, struct vec3 axis, double least,
+                              struct kdtree_touch *touch)
+{
+    struct holder_way way = {holder, a, vec_sub(b, a), axis, vec_distance(a, b)};
+    struct kdtree_field field = {from_way, bound_from_way, &way, 0, 0, 0};
+
+    return holder->n == 0 || !kdtree_any_lower(guard->tree, &field, least, touch);
 }
 
 /* One point of each box that is small enough. */

@@ -51,7 +51,7 @@ static bool is_open(const struct run_point *p, const struct gouge_lift_options *
          gouge_open(rule->guard, p->ball, p->axis, rule->offset, rule->tolerance)))
         return true;
     return rule->axis.kind != AXIS_FIXED &&
-           gouge_open_anyhow(rule->guard, p->ball, p->normal, rule->offset, rule->tolerance);
+           gouge_open_anyhow(rule->guard, p->ball, p->normal, rule->offset, rule->tolerance, NULL);
 }
 
 /* How far the ball goes from `touching` along the normal until it touches, from above: negative,

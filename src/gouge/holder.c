@@ -152,6 +152,35 @@ static double reach_along(struct vec3 half, struct vec3 way)
     return half.x * fabs(way.x) + half.y * fabs(way.y) + half.z * fabs(way.z);
 }
 
+/* X, Y or Z, if the box is flat along it. */
+static bool is_flat(struct vec3 half, struct vec3 *along)
+{
+    const double flat = 0.1; /* of its largest reach */
+    double least = fmin(half.x, fmin(half.y, half.z)), most = fmax(half.x, fmax(half.y, half.z));
+
+    if (least > flat * most)
+        return false;
+    *along = half.x <= least ? vec(1, 0, 0) : half.y <= least ? vec(0, 1, 0) : vec(0, 0, 1);
+    return true;
+}
+
+/* How near to the axis a box comes, whose middle is at d from a place of it and lies `aside`, across
+ * the axis: on the way to the middle; or, of a flat box, as of a wall, across that. */
+static double nearest_aside(struct vec3 axis, struct vec3 d, struct vec3 aside, struct vec3 half)
+{
+    const double upright = 0.5; /* of X, Y or Z across the axis, at least */
+    double r = vec_length(aside), near = r > 0 ? r - reach_along(half, aside) / r : 0;
+    struct vec3 e;
+
+    if (is_flat(half, &e)) {
+        struct vec3 across = vec_along(e, -vec_dot(e, axis), axis);
+        double length = vec_length(across);
+        if (length > upright)
+            near = fmax(near, (fabs(vec_dot(d, across)) - reach_along(half, across)) / length);
+    }
+    return near > 0 ? near : 0;
+}
+
 static double cylinder_bound(const struct holder_part *part, struct vec3 axis, struct vec3 d,
                              struct vec3 half, double below)
 {
@@ -159,9 +188,8 @@ static double cylinder_bound(const struct holder_part *part, struct vec3 axis, s
     if (from - part->length / 2 > below) /* along it alone: that is quick to say */
         return from - part->length / 2 - ROUNDING;
     struct vec3 aside = vec_along(d, -h, axis);
-    double r = vec_length(aside), near = r > 0 ? r - reach_along(half, aside) / r : 0;
+    double near = nearest_aside(axis, d, aside, half);
 
-    near = near > 0 ? near : 0;
     from = from > 0 ? from : 0;
     return outside(near - part->low, from - part->length / 2) - ROUNDING;
 }
@@ -177,6 +205,20 @@ static double to_corners2(struct place a, struct place b, struct place middle, s
         most = -smaller(-most, -to_segment2(a, b, corner));
     }
     return most;
+}
+
+/* The largest radius between two heights; 0: no part is there. */
+static double widest_between(const struct holder *holder, double from, double to)
+{
+    double widest = 0, height = 0;
+
+    for (int i = 0; i < holder->n; i++) {
+        const struct holder_part *part = &holder->part[i];
+        if (height <= to && height + part->length >= from)
+            widest = fmax(widest, fmax(part->low, part->high));
+        height += part->length;
+    }
+    return widest;
 }
 
 double holder_bound(const struct holder *holder, struct vec3 centre, struct vec3 axis,
@@ -195,13 +237,17 @@ double holder_bound_below(const struct holder *holder, struct vec3 centre, struc
     struct vec3 aside = vec_along(d, -h, axis);
     const struct place at = {vec_length(aside), h};
     const struct place reach = {spread, reach_along(half, axis)};
-    double near = at.r > 0 ? fmax(at.r - reach_along(half, aside) / at.r, 0) : 0;
+    double near = nearest_aside(axis, d, aside, half);
     double away = outside_all(holder, (struct place){near, h}, reach.h) - ROUNDING;
     if (away > 0 && away > below)
         return away;
     double bound =
         fmax(holder_distance(holder, centre, axis, middle) - spread, away > 0 ? away : -HUGE_VAL);
     if (bound >= 0)
+        return bound;
+    /* none is deeper than it is beside the outline at its height */
+    bound = fmax(bound, near - widest_between(holder, h - reach.h, h + reach.h) - ROUNDING);
+    if (bound > below)
         return bound;
     struct place last = {0, 0};
     for (int i = 0; i < holder->n; i++) {

@@ -71,20 +71,34 @@ struct follower {
     const struct link_options *options;
     struct vec3 axis;
     double ball, holder;
+    struct kdtree_touch *blocked; /* what was in the way of shank and holder last */
 };
 
-/* Follows a straight way step by step, each no longer than what the holder is clear by. */
-static bool is_leg_clear(const struct follower *f, struct vec3 from, struct vec3 to)
+static bool is_ball_clear(const struct follower *f, struct vec3 from, struct vec3 to)
+{
+    const struct link_options *options = f->options;
+
+    return gouge_clear_along(options->lift->guard, from, to, options->lift->offset + f->ball, 0);
+}
+
+static bool is_holder_clear(const struct follower *f, struct vec3 at)
+{
+    return gouge_holder_clear(f->options->lift->guard, f->options->holder, at, f->axis, f->holder,
+                              f->blocked);
+}
+
+/* Shank and holder are clear all the way: step by step, each no longer than what they are clear
+ * by. */
+static bool is_holder_clear_along(const struct follower *f, struct vec3 from, struct vec3 to)
 {
     const double far = 10; /* mm: more clearance than that is not measured */
-    const struct gouge_check *guard = f->options->lift->guard;
+    struct kdtree_touch touch = {.n = 0};
     double length = vec_distance(from, to), at = 0;
 
-    if (!gouge_clear_along(guard, from, to, f->options->lift->offset + f->ball, 0))
-        return false;
     while (f->options->holder->n > 0 && at <= length) {
         struct vec3 c = vec_mix(from, to, length > 0 ? at / length : 0);
-        double clear = gouge_holder(guard, f->options->holder, c, f->axis, f->holder + far);
+        double clear = gouge_holder_nearly(f->options->lift->guard, f->options->holder, c, f->axis,
+                                           f->holder, f->holder + far, &touch);
         if (clear < f->holder)
             return false;
         at += fmax(clear - f->holder, SHORTEST);
@@ -92,11 +106,39 @@ static bool is_leg_clear(const struct follower *f, struct vec3 from, struct vec3
     return true;
 }
 
+/* Straight from one corner to the next of some; what is soon told first. */
+static bool is_clear_by(const struct follower *f, const struct vec3 *corner, size_t n)
+{
+    for (size_t i = 1; i < n; i++)
+        if (!is_ball_clear(f, corner[i - 1], corner[i]))
+            return false;
+    for (size_t i = n; i-- > 0;)
+        if (!is_holder_clear(f, corner[i]))
+            return false;
+    for (size_t i = 1; i < n; i++)
+        if (!is_holder_clear_along(f, corner[i - 1], corner[i]))
+            return false;
+    return true;
+}
+
+static bool is_leg_clear(const struct follower *f, struct vec3 from, struct vec3 to)
+{
+    const struct vec3 corner[] = {from, to};
+
+    return is_clear_by(f, corner, 2);
+}
+
 /* The way from near (at[0]) on. */
 static bool is_way_clear(const struct follower *f, const struct retract *r)
 {
-    for (size_t i = 1; i < r->n; i++)
-        if (!is_leg_clear(f, r->at[i - 1], r->at[i]))
+    return r->n < 2 || is_clear_by(f, r->at, r->n);
+}
+
+/* The ball alone, from the point on. */
+static bool is_way_open(const struct follower *f, struct vec3 from, const struct retract *r)
+{
+    for (size_t i = 0; i < r->n; i++)
+        if (!is_ball_clear(f, i > 0 ? r->at[i - 1] : from, r->at[i]))
             return false;
     return true;
 }
@@ -191,7 +233,8 @@ static void try_way(struct search *s, struct retract r)
 
     if (s->plane > last.z + 1e-6)
         r.at[r.n++] = vec(last.x, last.y, s->plane);
-    if (s->done || (s->best.clear && r.n == 0) || !is_leg_clear(&s->feed, s->p->ball, r.at[0]))
+    if (s->done || !is_way_open(&s->feed, s->p->ball, &r) ||
+        !is_leg_clear(&s->feed, s->p->ball, r.at[0]))
         return;
     r.rapid = is_way_clear(&s->rapid, &r) && ends_off(s, &r);
     r.clear = r.rapid || (!s->best.clear && is_way_clear(&s->feed, &r));
@@ -345,10 +388,11 @@ struct retract link_retract(const struct link_options *options, const struct run
     const struct gouge_lift_options *lift = options->lift;
     double tilt = vec_angle(p->axis, vec(0, 0, 1));
     double may = LINK_FEED * lift->tolerance;
+    struct kdtree_touch blocked = {.n = 0};
     struct search s = {.options = options,
                        .p = p,
-                       .feed = {options, p->axis, -may, -may},
-                       .rapid = {options, p->axis, RAPID, RAPID},
+                       .feed = {options, p->axis, -may, -may, &blocked},
+                       .rapid = {options, p->axis, RAPID, RAPID, &blocked},
                        .plane = link_height(options, tilt, tilt) + options->radius * p->axis.z};
 
     if (!lift->guard) {

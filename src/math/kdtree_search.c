@@ -22,13 +22,34 @@ struct beside {
     struct vec3 place; /* of that point */
 };
 
-static double distance2_beside(const struct beside *s, struct vec3 p)
+static struct vec3 place_of(const struct kd_point *p)
+{
+    return vec(p->c[0], p->c[1], p->c[2]);
+}
+
+/* From the segment's place nearest to p to p. */
+static struct vec3 off_segment(const struct beside *s, struct vec3 p)
 {
     struct vec3 d = vec_sub(p, s->a);
     double at = s->length2 > 0 ? vec_dot(d, s->along) / s->length2 : 0;
-    struct vec3 off = vec_along(d, -(at < 0 ? 0 : at > 1 ? 1 : at), s->along);
+
+    return vec_along(d, -(at < 0 ? 0 : at > 1 ? 1 : at), s->along);
+}
+
+static double distance2_beside(const struct beside *s, struct vec3 p)
+{
+    struct vec3 off = off_segment(s, p);
 
     return vec_dot(off, off);
+}
+
+/* p is nearer than s->best; s->place: it is p. */
+static bool is_beside(struct beside *s, struct vec3 p)
+{
+    if (distance2_beside(s, p) >= s->best2)
+        return false;
+    s->place = p;
+    return true;
 }
 
 static void offer_beside(struct beside *s, const struct kd_point *p)
@@ -43,8 +64,9 @@ static void offer_beside(struct beside *s, const struct kd_point *p)
     }
 }
 
-/* No point in the box is nearer than this: the gap to the segment's own box, or to the ball around
- * the box. */
+/* No point in the box is nearer than this: the gap to the segment's own box, or to the plane across
+ * the way from the segment's nearest place to the box's middle, which all of the segment is behind:
+ * that is how a flat box beside the segment is told. */
 static double bound2(const struct beside *s, const struct kd_box *box)
 {
     double x = kd_gap(box, 0, s->low[0], s->high[0]), y = kd_gap(box, 1, s->low[1], s->high[1]);
@@ -54,8 +76,10 @@ static double bound2(const struct beside *s, const struct kd_box *box)
         return gap2;
     struct vec3 low = vec(box->low[0], box->low[1], box->low[2]);
     struct vec3 half = vec_scale(0.5, vec_sub(vec(box->high[0], box->high[1], box->high[2]), low));
-    double beyond = sqrt(distance2_beside(s, vec_add(low, half))) - sqrt(vec_dot(half, half));
-    return beyond > 0 && beyond * beyond > gap2 ? beyond * beyond : gap2;
+    struct vec3 off = off_segment(s, vec_add(low, half));
+    double far2 = vec_dot(off, off);
+    double beyond = far2 - (half.x * fabs(off.x) + half.y * fabs(off.y) + half.z * fabs(off.z));
+    return beyond > 0 && beyond * beyond > gap2 * far2 ? beyond * beyond / far2 : gap2;
 }
 
 static void search_beside(struct beside *s, size_t from, size_t to, size_t number)
@@ -163,24 +187,21 @@ void kdtree_beside(const struct kdtree *tree, struct vec3 a, struct vec3 b, doub
         collect_beside(&s, 0, tree->n, 1, found);
 }
 
-/* Is a point nearer than s->best? */
-static bool any_beside(const struct beside *s, size_t from, size_t to, size_t number)
+/* Is a point nearer than s->best?  s->place: that one. */
+static bool any_beside(struct beside *s, size_t from, size_t to, size_t number)
 {
     if (to - from <= KD_LEAF) {
-        for (size_t i = from; i < to; i++) {
-            const double *c = s->tree->point[i].c;
-            if (distance2_beside(s, vec(c[0], c[1], c[2])) < s->best2)
+        for (size_t i = from; i < to; i++)
+            if (is_beside(s, place_of(&s->tree->point[i])))
                 return true;
-        }
         return false;
     }
     size_t middle = from + (to - from) / 2;
-    const double *c = s->tree->point[middle].c;
     double first = bound2(s, &s->tree->box[2 * number]) * (1 - 1e-12);
     double second = bound2(s, &s->tree->box[2 * number + 1]) * (1 - 1e-12);
     bool left = first <= second;
 
-    if (distance2_beside(s, vec(c[0], c[1], c[2])) < s->best2)
+    if (is_beside(s, place_of(&s->tree->point[middle])))
         return true;
     for (int turn = 0; turn < 2; turn++, left = !left) {
         if ((left ? first : second) >= s->best2)
@@ -194,9 +215,24 @@ static bool any_beside(const struct beside *s, size_t from, size_t to, size_t nu
 
 bool kdtree_any_beside(const struct kdtree *tree, struct vec3 a, struct vec3 b, double within)
 {
+    return kdtree_find_beside(tree, a, b, within, NULL);
+}
+
+bool kdtree_find_beside(const struct kdtree *tree, struct vec3 a, struct vec3 b, double within,
+                        struct kdtree_touch *touch)
+{
     struct beside s = beside_of(tree, a, b, within);
 
-    return within > 0 && tree->n > 0 && any_beside(&s, 0, tree->n, 1);
+    if (within <= 0)
+        return false;
+    for (size_t i = 0; touch && i < touch->n; i++)
+        if (is_beside(&s, touch->p[i]))
+            return true;
+    if (tree->n == 0 || !any_beside(&s, 0, tree->n, 1))
+        return false;
+    if (touch)
+        *touch = (struct kdtree_touch){1, {s.place}};
+    return true;
 }
 
 /* The lowest value so far. */
@@ -206,16 +242,6 @@ struct lowest {
     double best;
     struct vec3 place; /* where it is, once it is below what was asked for */
 };
-
-static struct vec3 place_of(const struct kd_point *p)
-{
-    return vec(p->c[0], p->c[1], p->c[2]);
-}
-
-static double value_at(const struct lowest *s, const struct kd_point *p)
-{
-    return s->field->value(s->field->context, place_of(p), s->best);
-}
 
 /* No point in the box has a lower value. */
 static double lower_bound(const struct lowest *s, const struct kd_box *box)
@@ -236,6 +262,14 @@ static void offer_lowest(struct lowest *s, struct vec3 p)
     }
 }
 
+/* What cannot be lower than this is not looked at. */
+static double worth_of(const struct lowest *s)
+{
+    double over = s->best - s->field->level;
+
+    return s->best - s->field->slack - (over > 0 ? s->field->share * over : 0);
+}
+
 static void search_lowest(struct lowest *s, size_t from, size_t to, size_t number)
 {
     if (to - from <= KD_LEAF) {
@@ -250,7 +284,7 @@ static void search_lowest(struct lowest *s, size_t from, size_t to, size_t numbe
 
     offer_lowest(s, place_of(&s->tree->point[middle]));
     for (int turn = 0; turn < 2; turn++, left = !left) {
-        if ((left ? first : second) > s->best)
+        if ((left ? first : second) > worth_of(s))
             continue;
         if (left)
             search_lowest(s, from, middle, 2 * number);
@@ -273,11 +307,19 @@ double kdtree_lowest(const struct kdtree *tree, const struct kdtree_field *field
     return s.best;
 }
 
-static bool any_lower(const struct lowest *s, size_t from, size_t to, size_t number)
+static bool is_lower(struct lowest *s, struct vec3 p)
+{
+    if (s->field->value(s->field->context, p, s->best) >= s->best)
+        return false;
+    s->place = p;
+    return true;
+}
+
+static bool any_lower(struct lowest *s, size_t from, size_t to, size_t number)
 {
     if (to - from <= KD_LEAF) {
         for (size_t i = from; i < to; i++)
-            if (value_at(s, &s->tree->point[i]) < s->best)
+            if (is_lower(s, place_of(&s->tree->point[i])))
                 return true;
         return false;
     }
@@ -286,7 +328,7 @@ static bool any_lower(const struct lowest *s, size_t from, size_t to, size_t num
     double second = lower_bound(s, &s->tree->box[2 * number + 1]);
     bool left = first <= second;
 
-    if (value_at(s, &s->tree->point[middle]) < s->best)
+    if (is_lower(s, place_of(&s->tree->point[middle])))
         return true;
     for (int turn = 0; turn < 2; turn++, left = !left) {
         if ((left ? first : second) >= s->best)
@@ -298,11 +340,19 @@ static bool any_lower(const struct lowest *s, size_t from, size_t to, size_t num
     return false;
 }
 
-bool kdtree_any_lower(const struct kdtree *tree, const struct kdtree_field *field, double below)
+bool kdtree_any_lower(const struct kdtree *tree, const struct kdtree_field *field, double below,
+                      struct kdtree_touch *touch)
 {
     struct lowest s = {.tree = tree, .field = field, .best = below};
 
-    return tree->n > 0 && any_lower(&s, 0, tree->n, 1);
+    for (size_t i = 0; touch && i < touch->n; i++)
+        if (is_lower(&s, touch->p[i]))
+            return true;
+    if (tree->n == 0 || !any_lower(&s, 0, tree->n, 1))
+        return false;
+    if (touch)
+        *touch = (struct kdtree_touch){1, {s.place}};
+    return true;
 }
 
 static void visit_node(const struct kdtree *tree, const double from[3],

@@ -180,17 +180,18 @@ static void sort_into_cells(struct reach *r)
 /* A direction of the ball from its point and one of the tool that were clear. */
 struct access {
     bool known, inside; /* inside: for a ball that only sparse points let through, too */
-    struct vec3 ball, axis;
+    struct vec3 ball;
+    size_t axis; /* by its number */
 };
 
 /* What the search at one point needs. */
 struct look {
     const struct reach *r;
-    struct vec3 blocks; /* what the tool met last: it is likely in its way again */
-    bool blocked;       /* it met something */
-    struct sizes near;  /* sparse points about the tool; 0: not yet looked for */
-    double *share;      /* of each axis: cosine to the ball's direction */
-    size_t *left, n;    /* the n axes that were not looked at, by their numbers */
+    struct kdtree_touch *met;    /* of each axis: what the tool met last, likely so again */
+    struct kdtree_touch *beyond; /* and what was in the way over it */
+    struct sizes near;           /* sparse points about the tool; 0: not yet looked for */
+    double *share;               /* of each axis: cosine to the ball's direction */
+    size_t *left, n;             /* the n axes that were not looked at, by their numbers */
 };
 
 /* The ball's centre, as little out along `d` as leaves it clear; false: so far that it would leave
@@ -248,18 +249,13 @@ static bool ball_may_be_inside(const struct reach *r, size_t i, struct vec3 cent
 struct stand {
     const struct tool_shape *tool;
     struct vec3 centre, axis;
-    struct look *look;
 };
 
 static double stand_distance(const void *context, struct vec3 p, double below)
 {
+    (void)below;
     const struct stand *s = context;
-    double distance = tool_shape_distance(s->tool, s->centre, s->axis, p);
-    if (distance < below) {
-        s->look->blocks = p;
-        s->look->blocked = true;
-    }
-    return distance;
+    return tool_shape_distance(s->tool, s->centre, s->axis, p);
 }
 
 static double stand_bound(const void *context, struct vec3 middle, struct vec3 half, double below)
@@ -271,25 +267,24 @@ static double stand_bound(const void *context, struct vec3 middle, struct vec3 h
 
 /* Something is nearer than `least` to flute, shank or holder.  The tree has boxes of a wall's
  * points, too, which stand one over the other in plan. */
-static bool tool_is_blocked(struct look *l, struct vec3 centre, struct vec3 axis, double least)
+static bool tool_is_blocked(const struct reach *r, struct vec3 centre, struct vec3 axis,
+                            double least, struct kdtree_touch *met)
 {
-    struct stand s = {l->r->options->tool, centre, axis, l};
-    const struct kdtree_field field = {stand_distance, stand_bound, &s};
-    if (s.tool->n == 0)
-        return false;
-    return (l->blocked && stand_distance(&s, l->blocks, least) < least) ||
-           kdtree_any_lower(l->r->solid_tree, &field, least);
+    struct stand s = {r->options->tool, centre, axis};
+    const struct kdtree_field field = {stand_distance, stand_bound, &s, 0, 0, 0};
+    return s.tool->n > 0 && kdtree_any_lower(r->solid_tree, &field, least, met);
 }
 
-/* The tool over a ball at `centre`, moved out along `d` by what has to be free: along a wall that
+/* The tool with axis k over a ball at `centre`, moved out along `d` by what has to be free: along a wall that
  * the ball touches the shaft may go. */
-static bool tool_clears(struct look *l, struct vec3 centre, struct vec3 d, struct vec3 axis)
+static bool tool_clears(struct look *l, struct vec3 centre, struct vec3 d, size_t k)
 {
     const struct reach *r = l->r;
+    struct vec3 axis = r->options->axis->item[k];
     double clear = r->options->radius;
-    return !tool_is_blocked(l, vec_along(centre, FREE, d), axis, 0.9 * FREE) &&
-           !kdtree_any_beside(r->solid_tree, vec_along(centre, 2 * clear, axis),
-                              vec_along(centre, r->far, axis), LINE * clear);
+    return !tool_is_blocked(r, vec_along(centre, FREE, d), axis, 0.9 * FREE, &l->met[k]) &&
+           !kdtree_find_beside(r->solid_tree, vec_along(centre, 2 * clear, axis),
+                               vec_along(centre, r->far, axis), LINE * clear, &l->beyond[k]);
 }
 
 /* No sparse point is in the tool that stands at `centre` with that axis. */
@@ -329,7 +324,7 @@ static size_t take_nearest(struct look *l)
 }
 
 /* An axis for the ball at `centre`, of those that are free the nearest to `d` first. */
-static bool find_axis(struct look *l, struct vec3 centre, struct vec3 d, struct vec3 *found)
+static bool find_axis(struct look *l, struct vec3 centre, struct vec3 d, size_t *found)
 {
     const struct vec3s *axis = l->r->options->axis;
     struct vec3 out = vec_along(centre, FREE, d);
@@ -339,8 +334,8 @@ static bool find_axis(struct look *l, struct vec3 centre, struct vec3 d, struct 
         l->left[l->n] = l->n;
     }
     for (int tries = 0; tries < LEANS && l->n > 0;) {
-        *found = axis->item[take_nearest(l)];
-        if (!is_axis_open(l, out, *found))
+        *found = take_nearest(l);
+        if (!is_axis_open(l, out, axis->item[*found]))
             continue;
         if (tool_clears(l, centre, d, *found))
             return true;
@@ -442,17 +437,37 @@ static bool is_failure(const struct reach *r, enum part_class class)
     return class == COVERAGE_OUT_OF_REACH || (r->options->whole && class == COVERAGE_KEPT_OFF);
 }
 
+static struct look look_new(const struct reach *r)
+{
+    size_t n = r->options->axis->n;
+    struct look l = {.r = r,
+                     .met = mem_alloc(n, sizeof *l.met),
+                     .beyond = mem_alloc(n, sizeof *l.beyond),
+                     .share = mem_alloc(n, sizeof *l.share),
+                     .left = mem_alloc(n, sizeof *l.left)};
+
+    for (size_t k = 0; k < n; k++)
+        l.met[k].n = l.beyond[k].n = 0;
+    return l;
+}
+
+static void look_free(struct look *l)
+{
+    array_free(&l->near);
+    free(l->met);
+    free(l->beyond);
+    free(l->share);
+    free(l->left);
+}
+
 static void look_at_cells(void *context, size_t from, size_t to)
 {
     struct reach *r = context;
-    struct look l = {.r = r};
-    l.share = mem_alloc(r->options->axis->n, sizeof *l.share);
-    l.left = mem_alloc(r->options->axis->n, sizeof *l.left);
+    struct look l = look_new(r);
     for (size_t cell = from * GROUP; cell < to * GROUP && cell + 1 < r->first.n; cell++) {
         struct access access = {0};
         enum part_class last = COVERAGE_OUT_OF_REACH;
         int failures = 0;
-        l.blocked = false;
         for (size_t k = r->first.item[cell]; k < r->first.item[cell + 1]; k++) {
             size_t i = r->order.item[k];
             bool under = r->under && r->under[i];
@@ -465,9 +480,7 @@ static void look_at_cells(void *context, size_t from, size_t to)
             r->of[i] = (unsigned char)found;
         }
     }
-    array_free(&l.near);
-    free(l.share);
-    free(l.left);
+    look_free(&l);
 }
 
 /* ---- all */

@@ -94,7 +94,7 @@ static void limit_rate(const struct toolpath *t, struct run *run, int *state)
         return;
     for (size_t i = 0; i < run->n; i++) {
         const struct run_point *p = &run->item[i];
-        if (!gouge_holder_clear(guard, &t->rule.holder, p->ball, p->axis, -slack))
+        if (!gouge_holder_clear(guard, &t->rule.holder, p->ball, p->axis, -slack, NULL))
             state[i] = AXIS_PLAN_SKIP;
         else if (i > 0 && state[i] == AXIS_PLAN_CUT && !holder_sweep_clear(&sweep, p - 1, p))
             state[i] = AXIS_PLAN_BREAK;

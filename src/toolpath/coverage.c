@@ -129,12 +129,13 @@ static struct vec3 guess_normal(const struct covering *w, struct vec3 p)
  * ball is then clear, mm. */
 static double find_touch(const struct coverage_options *o, struct vec3 p, struct vec3 *d)
 {
-    struct vec3 turning = *d;
+    struct vec3 turning = *d, q = p; /* what the ball was deepest at before, it is likely again */
     double best = HUGE_VAL, before = HUGE_VAL;
 
     for (int turn = 0; turn < TURNS && best > o->tolerance / 2; turn++) {
-        struct vec3 q, c = vec_along(p, o->radius, turning);
-        double depth = o->radius - gouge_nearest(o->guard, c, o->radius, &q);
+        struct vec3 c = vec_along(p, o->radius, turning);
+        double within = fmin(o->radius, vec_distance(c, q));
+        double depth = o->radius - gouge_nearest(o->guard, c, within, &q);
         if (depth < best) {
             best = depth;
             *d = turning;
@@ -164,36 +165,54 @@ static struct vec3 spread(int k, int n)
     return sphere_spiral(k, 1 - (2 * k + 1.0) / n);
 }
 
-static bool comes_along(const struct coverage_options *o, struct vec3 c, struct vec3 axis)
+/* What was in the way of the tool before, of each way and each axis. */
+struct hindrance {
+    struct gouge_ways ways;
+    struct kdtree_touch *axis; /* of the axes that there are, else of AXES */
+};
+
+static struct hindrance hindrance_new(const struct coverage_options *o)
 {
-    return gouge_holder_clear(o->guard, o->holder, c, axis, -o->tolerance);
+    size_t n = o->axes.n > AXES ? o->axes.n : AXES;
+    struct hindrance h = {.axis = mem_alloc(n, sizeof *h.axis)};
+
+    for (size_t k = 0; k < n; k++)
+        h.axis[k].n = 0;
+    return h;
+}
+
+static bool comes_along(const struct coverage_options *o, struct vec3 c, struct vec3 axis,
+                        struct kdtree_touch *touch)
+{
+    return gouge_holder_clear(o->guard, o->holder, c, axis, -o->tolerance, touch);
 }
 
 static bool comes_by(const struct coverage_options *o, struct vec3 c, struct vec3 d,
-                     struct vec3 axis)
+                     struct vec3 axis, struct kdtree_touch *touch)
 {
     const double flattest = 0.05; /* cosine */
 
-    return vec_dot(axis, d) > flattest && comes_along(o, c, axis);
+    return vec_dot(axis, d) > flattest && comes_along(o, c, axis, touch);
 }
 
 /* True if the tool can stand at a ball that touches along d: on its only axis, on any of those that
  * there are, or of many that come from above, on the ball's side. */
-static bool has_axis(const struct coverage_options *o, struct vec3 c, struct vec3 d)
+static bool has_axis(const struct coverage_options *o, struct vec3 c, struct vec3 d,
+                     struct hindrance *h)
 {
     if (o->upright)
         return gouge_open(o->guard, c, o->axis, o->radius, o->tolerance);
-    if (!gouge_open_anyhow(o->guard, c, d, o->radius, o->tolerance))
+    if (!gouge_open_anyhow(o->guard, c, d, o->radius, o->tolerance, &h->ways))
         return false;
     for (size_t k = 0; k < o->axes.n; k++)
-        if (comes_by(o, c, d, o->axes.item[k]))
+        if (comes_by(o, c, d, o->axes.item[k], &h->axis[k]))
             return true;
     if (o->axes.n > 0)
         return false;
-    if (!o->holder || o->holder->n == 0 || (d.z >= 0 && comes_along(o, c, d)))
+    if (!o->holder || o->holder->n == 0 || (d.z >= 0 && comes_along(o, c, d, NULL)))
         return true;
     for (int k = 0; k < AXES; k++)
-        if (comes_by(o, c, d, spread(k, 2 * AXES)))
+        if (comes_by(o, c, d, spread(k, 2 * AXES), &h->axis[k]))
             return true;
     return false;
 }
@@ -244,7 +263,7 @@ static bool is_behind(const struct side *side, struct vec3 d)
  * comes as near as what is there is worth.  *direction: of the nearest, else as it was.  Behind the
  * points is material, though none stands for it. */
 static double find_reach(const struct coverage_options *o, struct vec3 p, const struct side *side,
-                         const struct vec3 begin[3], struct vec3 *direction)
+                         const struct vec3 begin[3], struct vec3 *direction, struct hindrance *h)
 {
     double nearest = HUGE_VAL;
 
@@ -255,7 +274,7 @@ static double find_reach(const struct coverage_options *o, struct vec3 p, const 
         double lift = o->guard ? find_touch(o, p, &d) : 0;
         if (lift >= nearest || is_behind(side, d))
             continue;
-        if (!o->guard || has_axis(o, vec_along(p, o->radius + lift, d), d)) {
+        if (!o->guard || has_axis(o, vec_along(p, o->radius + lift, d), d, h)) {
             *direction = d;
             nearest = lift;
         }
@@ -324,7 +343,8 @@ static bool is_under_roof(const struct covering *w, size_t i, struct vec3 c, dou
 
 /* How near to point i along d a ball is clear of the points, in the open, and its tool comes, mm;
  * HUGE_VAL: not so near that it cuts the point. */
-static double find_open_along(const struct covering *w, size_t i, struct vec3 d)
+static double find_open_along(const struct covering *w, size_t i, struct vec3 d,
+                              struct hindrance *h)
 {
     const struct coverage_options *o = w->options;
     struct vec3 p = w->coverage->point[i].p, c = vec_along(p, o->radius, d);
@@ -336,13 +356,13 @@ static double find_open_along(const struct covering *w, size_t i, struct vec3 d)
     c = vec_along(c, lift, d);
     if (smaller <= SPARSE * o->radius && is_under_roof(w, i, c, o->radius - smaller))
         return HUGE_VAL;
-    return has_axis(o, c, d) ? lift : HUGE_VAL;
+    return has_axis(o, c, d, h) ? lift : HUGE_VAL;
 }
 
 /* Along the normal and BALLS directions evenly over the sphere: the first that serves, in
  * *direction, and how near it comes. */
 static double find_open(const struct covering *w, size_t i, const struct side *side,
-                        struct vec3 *direction)
+                        struct vec3 *direction, struct hindrance *h)
 {
     enum { BALLS = 160 };
     double near = HUGE_VAL;
@@ -352,7 +372,7 @@ static double find_open(const struct covering *w, size_t i, const struct side *s
         double share = vec_dot(d, side->normal);
         if ((side->sure ? share : fabs(share)) < AHEAD)
             continue;
-        near = find_open_along(w, i, d);
+        near = find_open_along(w, i, d, h);
         *direction = near < HUGE_VAL ? d : *direction;
     }
     return near;
@@ -360,7 +380,7 @@ static double find_open(const struct covering *w, size_t i, const struct side *s
 
 /* What is known of a point that is not cut, once.  What turning does not find a search about
  * may. */
-static void look_at_point(const struct covering *w, size_t i)
+static void look_at_point(const struct covering *w, size_t i, struct hindrance *h)
 {
     const struct coverage_options *o = w->options;
     struct coverage_point *point = &w->coverage->point[i];
@@ -370,15 +390,18 @@ static void look_at_point(const struct covering *w, size_t i)
 
     point->normal = normal;
     w->coverage->kept[i] = false;
-    w->coverage->reach[i] = find_reach(o, point->p, &side, begin, &point->normal);
+    w->coverage->reach[i] = find_reach(o, point->p, &side, begin, &point->normal, h);
     if (o->guard && w->coverage->reach[i] > o->near)
-        w->coverage->reach[i] = find_open(w, i, &side, &point->normal);
+        w->coverage->reach[i] = find_open(w, i, &side, &point->normal, h);
     if (!o->assumed || w->coverage->reach[i] > o->near)
         return;
     struct coverage_options assumed = *o;
     assumed.guard = o->assumed;
     struct vec3 again[3] = {point->normal, normal, up};
-    w->coverage->kept[i] = find_reach(&assumed, point->p, &side, again, &direction) > o->near;
+    struct hindrance none = hindrance_new(&assumed); /* the guard is another one */
+    w->coverage->kept[i] =
+        find_reach(&assumed, point->p, &side, again, &direction, &none) > o->near;
+    free(none.axis);
     if (!w->coverage->kept[i])
         point->normal = direction;
 }
@@ -397,6 +420,7 @@ static void cover_points(void *context, size_t from, size_t to)
     const struct covering *w = context;
     const struct coverage_options *o = w->options;
     double within = o->radius + o->limit;
+    struct hindrance h = hindrance_new(o);
 
     for (size_t i = from; i < to; i++) {
         struct coverage_point *point = &w->coverage->point[i];
@@ -411,10 +435,11 @@ static void cover_points(void *context, size_t from, size_t to)
         far = kdtree_nearest_segment(w->path, point->p, point->p, far, &nearest);
         point->height = far - o->radius;
         if (!w->coverage->known[i] && point->height > o->limit)
-            look_at_point(w, i);
+            look_at_point(w, i, &h);
         w->coverage->known[i] = true;
         point->state = state_of(w, i);
     }
+    free(h.axis);
 }
 
 static bool any_unsure(const struct covering *w)
@@ -429,14 +454,16 @@ static bool any_unsure(const struct covering *w)
 static void look_again(void *context, size_t from, size_t to)
 {
     const struct covering *w = context;
+    struct hindrance h = hindrance_new(w->options);
 
     for (size_t i = from; i < to; i++) {
         if (!w->unsure[i])
             continue;
         w->unsure[i] = false;
-        look_at_point(w, i);
+        look_at_point(w, i, &h);
         w->coverage->point[i].state = state_of(w, i);
     }
+    free(h.axis);
 }
 
 void coverage_cut(struct coverage *coverage, const struct coverage_options *options,

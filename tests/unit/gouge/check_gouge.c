@@ -125,6 +125,7 @@ START_TEST(holders_are_clear_where_no_point_is_nearer)
 {
     struct gouge_check *guard = make_guard();
     struct holder holder = {.n = 1, .part = {{2, 4, 6}}};
+    struct kdtree_touch met = {.n = 0}, last = {.n = 0};
     int clear = 0;
     for (int i = 0; i < 400; i++) {
         struct vec3 c = vec(uniform(-10, 10), uniform(-10, 10), uniform(-4, 14));
@@ -133,7 +134,15 @@ START_TEST(holders_are_clear_where_no_point_is_nearer)
         for (int k = 0; k < POINTS; k++)
             nearest = fmin(nearest, holder_distance(&holder, c, axis, cloud[k]));
         ck_assert_double_eq(gouge_holder(guard, &holder, c, axis, 99), fmin(nearest, 99));
-        ck_assert_int_eq(gouge_holder_clear(guard, &holder, c, axis, least), nearest >= least);
+        ck_assert_int_eq(gouge_holder_clear(guard, &holder, c, axis, least, NULL),
+                         nearest >= least);
+        ck_assert_int_eq(gouge_holder_clear(guard, &holder, c, axis, least, &met),
+                         nearest >= least);
+        double nearly = gouge_holder_nearly(guard, &holder, c, axis, least, 99, &last);
+        ck_assert_int_eq(nearly >= least, nearest >= least || nearly == least);
+        ck_assert(nearest >= least - 0.001 || nearly < least);
+        ck_assert(nearly <= nearest + 0.001 &&
+                  nearly >= nearest - 0.001001 - 0.3 * fabs(nearest - least));
         clear += nearest >= least;
     }
     ck_assert(clear > 50 && clear < 350);
@@ -226,6 +235,51 @@ START_TEST(clear_along_is_what_the_depth_along_says)
 }
 END_TEST
 
+/* The nearest that a holder comes is found pose by pose, and of ways that come within a step of
+ * what is asked nothing is said. */
+START_TEST(holders_are_clear_on_their_way)
+{
+    struct gouge_check *guard = make_guard();
+    struct holder holder = {.n = 2, .part = {{2, 2, 6}, {4, 5, 9}}};
+    struct kdtree_touch met = {.n = 0};
+    int clear = 0, sure = 0;
+    for (int i = 0; i < 300; i++) {
+        struct vec3 a = vec(uniform(-10, 10), uniform(-10, 10), uniform(-4, 14));
+        struct vec3 b = vec_along(a, uniform(0, 6), direction()), axis = direction();
+        double least = uniform(-1, 1), nearest = HUGE_VAL;
+        for (int k = 0; k <= 600; k++)
+            nearest =
+                fmin(nearest, gouge_holder(guard, &holder, vec_mix(a, b, k / 600.0), axis, 99));
+        bool said = gouge_holder_clear_along(guard, &holder, a, b, axis, least, &met);
+        if (fabs(nearest - least) > GOUGE_STEP)
+            ck_assert_int_eq(said, nearest >= least);
+        sure += fabs(nearest - least) > GOUGE_STEP;
+        clear += said;
+    }
+    ck_assert_int_gt(sure, 250);
+    ck_assert(clear > 30 && clear < 270);
+    gouge_free(guard);
+}
+END_TEST
+
+/* What was in the way before is told first and changes no answer. */
+START_TEST(open_anyhow_by_what_was_in_the_way)
+{
+    struct gouge_check *guard = make_guard();
+    struct gouge_ways ways = {.normal = {.n = 0}};
+    int open = 0;
+    for (int i = 0; i < 400; i++) {
+        struct vec3 c = vec(uniform(-9, 9), uniform(-9, 9), uniform(-9, 6)), normal = direction();
+        bool said = gouge_open_anyhow(guard, c, normal, 2.5, 0.1, &ways);
+        ck_assert_int_eq(said, gouge_open_anyhow(guard, c, normal, 2.5, 0.1, NULL));
+        open += said;
+    }
+    ck_assert_int_gt(open, 40);
+    ck_assert_int_lt(open, 360);
+    gouge_free(guard);
+}
+END_TEST
+
 START_TEST(without_points_all_is_clear)
 {
     struct gouge_check *guard = gouge_from_points(NULL, 0);
@@ -248,6 +302,8 @@ int main(void)
     tcase_add_test(tests, curved_facets_keep_to_a_sphere);
     tcase_add_test(tests, facet_over_a_step_is_flat);
     tcase_add_test(tests, clear_along_is_what_the_depth_along_says);
+    tcase_add_test(tests, holders_are_clear_on_their_way);
+    tcase_add_test(tests, open_anyhow_by_what_was_in_the_way);
     tcase_add_test(tests, without_points_all_is_clear);
     suite_add_tcase(suite, tests);
     SRunner *runner = srunner_create(suite);

@@ -107,6 +107,21 @@ START_TEST(bound_of_a_box)
 }
 END_TEST
 
+/* A wall that a stack all but touches, or is a little in, is told by its box as a whole, though its
+ * middle is far off: also by a tool that leans along it. */
+START_TEST(bound_beside_a_wall)
+{
+    const struct holder tool = {2, {{5, 5, 20}, {5, 5, 10}}};
+    struct vec3 c = vec(2, -3, 5);
+    for (int i = 0; i < 9; i++) {
+        double lean = RADIANS(10 * (i - 4)), off = 5 - 0.003 * (i % 3 - 1);
+        struct vec3 axis = vec(sin(lean), 0, cos(lean));
+        struct vec3 middle = vec(c.x + 25, c.y + off, c.z + 15), wall = vec(40, 0, 30);
+        ck_assert_double_eq_tol(holder_bound(&tool, c, axis, middle, wall), off - 5, 1e-8);
+    }
+}
+END_TEST
+
 /* The same for a cylinder; the distance itself where it is below what is asked for. */
 START_TEST(bound_beside_a_cylinder)
 {
@@ -293,6 +308,7 @@ int main(void)
     tcase_add_test(t, distances_known_by_hand);
     tcase_add_test(t, distance_is_the_largest_ball);
     tcase_add_test(t, bound_of_a_box);
+    tcase_add_test(t, bound_beside_a_wall);
     tcase_add_test(t, bound_beside_a_cylinder);
     tcase_add_test(t, profile_is_the_union);
     tcase_add_test(t, widened_with_the_height);

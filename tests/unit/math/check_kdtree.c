@@ -123,6 +123,7 @@ START_TEST(segments_as_one_by_one)
         for (int i = 0; i < N; i++)
             point[i] = make_point(kind);
         struct kdtree *tree = kdtree_new(point, N);
+        struct kdtree_touch met = {.n = 0};
         for (int query = 0; query < 60; query++) {
             struct vec3 a = make_point(0), b = query % 3 ? make_point(0) : a;
             double step = vec_distance(a, b) / STEPS, nearest = HUGE_VAL;
@@ -139,6 +140,11 @@ START_TEST(segments_as_one_by_one)
             ck_assert(none == N || found == 0);
             ck_assert(kdtree_nearest_segment(tree, a, b, found * 1.01 + 1e-9, &none) == found);
             ck_assert(kdtree_nearest_among(point, N, a, b, 1e9) == found); /* the same digits */
+            double within = found * 1.01 + 1e-9;
+            ck_assert(kdtree_any_beside(tree, a, b, within));
+            ck_assert(kdtree_find_beside(tree, a, b, within, &met));
+            ck_assert(kdtree_nearest_among(met.p, met.n, a, b, 1e9) < within);
+            ck_assert(!kdtree_find_beside(tree, a, b, found * (1 - 1e-9), &met));
             ck_assert(kdtree_nearest_among(point, N, a, b, found / 2) == found / 2);
         }
         kdtree_free(tree);
