@@ -86,7 +86,7 @@ once := io/nurbs/% nurbs/trim_% nurbs/construct nurbs/uv_polygon machine/machine
   mesh/mesh_clip mesh/mesh_repair toolpath/pass_extend toolpath/rest_% base/cli \
   io/path/path_tool io/mesh/ply io/mesh/ply_source toolpath/scallop gouge/link% nurbs/pullback \
   toolpath/passes cloud/sheets cloud/edge_flank cloud/edge_meet cloud/cone_tip curve/edge_curve \
-  curve/run gouge/gouge_refit
+  gouge/gouge_refit
 $(once:%=$(BUILD)/src/%.o): CFLAGS := $(CFLAGS:-O3=-O2)
 # Of these, IGES and STEP files and where rest passes go, also without what makes -O2 longer.
 small := io/nurbs/nurbs_text% machine/machine machine/machine_options machine/template base/cli \
@@ -104,7 +104,8 @@ small := io/nurbs/nurbs_text% machine/machine machine/machine_options machine/te
   toolpath/passes toolpath/scallop gouge/axis_lone cloud/edge_flank cloud/edge_meet \
   cloud/edge_wide cloud/edge_slope cloud/edge_foot stage/normals stage/path_judged \
   stage/surface_contacts nurbs/trim_crossings planecut \
-  nurbs/trim_seam cloud/rounding cloud/believed cloud/edge_along cloud/scan_edges gouge/guard_points
+  nurbs/trim_seam cloud/rounding cloud/believed cloud/edge_along cloud/scan_edges \
+  gouge/guard_points gouge/guard_mesh gouge/axis_plan curve/run
 $(small:%=$(BUILD)/src/%.o): CFLAGS := $(patsubst -O2,-Os,$(CFLAGS:-O3=-Os))
 
 # The file VERSION is what `--version`, the tarball and the packages say.

@@ -66,8 +66,9 @@ double holder_distance_below(const struct holder *holder, struct vec3 centre, st
  * A lower bound of the distance of all places in the box about `middle` that reaches `half` along
  * X, Y and Z: the distance of its middle less its half diagonal; and no place is deeper than it is
  * far from any segment of the outline, which (the distance from a segment is convex) is largest at
- * a corner of the box, nor than it is beside the outline at its own height.  Of cylinders, and of those about other parts, by how far the box reaches
- * across and along them.
+ * a corner of the box, nor than it is beside the outline at its own height.  Of cylinders, and of
+ * those about other parts, by how far the box reaches across and along them; a flat box by how far
+ * across itself, too.
  */
 double holder_bound(const struct holder *holder, struct vec3 centre, struct vec3 axis,
                     struct vec3 middle, struct vec3 half);

@@ -189,8 +189,8 @@ bool gouge_open_anyhow(const struct gouge_check *guard, struct vec3 c, struct ve
     return false;
 }
 
-/* Of gouge_holder_nearly: what a clearance may be too large by at `level`, mm, and of what it is over
- * it. */
+/* Of gouge_holder_nearly: what a clearance may be too large by at `level`, mm, and of what it is
+ * over it. */
 static const double NEARLY = 0.001, SHARE = 0.3;
 
 /* Shank and holder in one pose. */

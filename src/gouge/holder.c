@@ -164,8 +164,8 @@ static bool is_flat(struct vec3 half, struct vec3 *along)
     return true;
 }
 
-/* How near to the axis a box comes, whose middle is at d from a place of it and lies `aside`, across
- * the axis: on the way to the middle; or, of a flat box, as of a wall, across that. */
+/* How near to the axis a box comes, whose middle is at d from a place of it and lies `aside`,
+ * across the axis: on the way to the middle; or, of a flat box, as of a wall, across that. */
 static double nearest_aside(struct vec3 axis, struct vec3 d, struct vec3 aside, struct vec3 half)
 {
     const double upright = 0.5; /* of X, Y or Z across the axis, at least */

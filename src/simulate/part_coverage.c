@@ -275,8 +275,8 @@ static bool tool_is_blocked(const struct reach *r, struct vec3 centre, struct ve
     return s.tool->n > 0 && kdtree_any_lower(r->solid_tree, &field, least, met);
 }
 
-/* The tool with axis k over a ball at `centre`, moved out along `d` by what has to be free: along a wall that
- * the ball touches the shaft may go. */
+/* The tool with axis k over a ball at `centre`, moved out along `d` by what has to be free: along a
+ * wall that the ball touches the shaft may go. */
 static bool tool_clears(struct look *l, struct vec3 centre, struct vec3 d, size_t k)
 {
     const struct reach *r = l->r;
