@@ -120,13 +120,6 @@ bool gouge_open_anyhow(const struct gouge_check *guard, struct vec3 c, struct ve
 double gouge_holder(const struct gouge_check *guard, const struct holder *holder, struct vec3 c,
                     struct vec3 axis, double below);
 
-/* They are clear by so much at least, and no more than 0.001 mm and 0.3 of what they are over
- * `level` is missing; what is up to 0.001 mm below `level` may be `level`.  Much quicker, above all
- * beside a wall, all of which is as near.  `touch` as of kdtree_lowest. */
-double gouge_holder_nearly(const struct gouge_check *guard, const struct holder *holder,
-                           struct vec3 c, struct vec3 axis, double level, double below,
-                           struct kdtree_touch *touch);
-
 /* True if they are no nearer than `least`.  Quicker than to ask how near.  `touch` as of
  * kdtree_any_lower. */
 bool gouge_holder_clear(const struct gouge_check *guard, const struct holder *holder, struct vec3 c,

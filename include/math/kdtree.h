@@ -63,7 +63,7 @@ struct kdtree_touch {
 };
 
 /* The same where many segments are asked about.  `touch`: points of the tree that are likely so
- * near, to be tried first; afterwards the one that was, if one is. */
+ * near, to be tried first (NULL: none); afterwards the one that was, if one is. */
 bool kdtree_find_beside(const struct kdtree *tree, struct vec3 a, struct vec3 b, double within,
                         struct kdtree_touch *touch);
 
@@ -75,9 +75,6 @@ struct kdtree_field {
      * is above `below` may be any such value. */
     double (*bound)(const void *context, struct vec3 middle, struct vec3 half, double below);
     const void *context;
-    /* What is found may be more than the lowest, by `slack` and by `share` of what it is over
-     * `level`, and is found the sooner; all 0: it is the lowest. */
-    double slack, share, level;
 };
 
 /* The lowest value at a point, if that is below `below`; else `below`.  `touch`: points of the tree

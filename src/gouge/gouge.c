@@ -189,10 +189,6 @@ bool gouge_open_anyhow(const struct gouge_check *guard, struct vec3 c, struct ve
     return false;
 }
 
-/* Of gouge_holder_nearly: what a clearance may be too large by at `level`, mm, and of what it is
- * over it. */
-static const double NEARLY = 0.001, SHARE = 0.3;
-
 /* Shank and holder in one pose. */
 struct holder_pose {
     const struct holder *holder;
@@ -218,27 +214,16 @@ double gouge_holder(const struct gouge_check *guard, const struct holder *holder
                     struct vec3 axis, double below)
 {
     struct holder_pose pose = {holder, c, axis};
-    struct kdtree_field field = {from_holder, bound_from_holder, &pose, 0, 0, 0};
+    struct kdtree_field field = {from_holder, bound_from_holder, &pose};
 
     return holder->n > 0 ? kdtree_lowest(guard->tree, &field, below, NULL) : below;
-}
-
-double gouge_holder_nearly(const struct gouge_check *guard, const struct holder *holder,
-                           struct vec3 c, struct vec3 axis, double level, double below,
-                           struct kdtree_touch *touch)
-{
-    struct holder_pose pose = {holder, c, axis};
-    struct kdtree_field field = {from_holder, bound_from_holder, &pose, NEARLY, SHARE, level};
-    double most = holder->n > 0 ? kdtree_lowest(guard->tree, &field, below, touch) : below;
-
-    return most > level ? fmax(level, most - NEARLY - SHARE * (most - level)) : most;
 }
 
 bool gouge_holder_clear(const struct gouge_check *guard, const struct holder *holder, struct vec3 c,
                         struct vec3 axis, double least, struct kdtree_touch *touch)
 {
     struct holder_pose pose = {holder, c, axis};
-    struct kdtree_field field = {from_holder, bound_from_holder, &pose, 0, 0, 0};
+    struct kdtree_field field = {from_holder, bound_from_holder, &pose};
 
     return holder->n == 0 || !kdtree_any_lower(guard->tree, &field, least, touch);
 }
@@ -285,10 +270,17 @@ bool gouge_holder_clear_along(const struct gouge_check *guard, const struct hold
                               struct vec3 a, struct vec3 b, struct vec3 axis, double least,
                               struct kdtree_touch *touch)
 {
-    struct holder_way way = {holder, a, vec_sub(b, a), axis, vec_distance(a, b)};
-    struct kdtree_field field = {from_way, bound_from_way, &way, 0, 0, 0};
+    const double piece = 1; /* mm: what is about a short way is soon told */
+    double pieces = fmax(1, ceil(vec_distance(a, b) / piece));
 
-    return holder->n == 0 || !kdtree_any_lower(guard->tree, &field, least, touch);
+    for (double i = 0; i < pieces && holder->n > 0; i++) {
+        struct vec3 from = vec_mix(a, b, i / pieces), to = vec_mix(a, b, (i + 1) / pieces);
+        struct holder_way way = {holder, from, vec_sub(to, from), axis, vec_distance(from, to)};
+        struct kdtree_field field = {from_way, bound_from_way, &way};
+        if (kdtree_any_lower(guard->tree, &field, least, touch))
+            return false;
+    }
+    return true;
 }
 
 /* One point of each box that is small enough. */

@@ -16,8 +16,7 @@ double holder_sweep_clearance(const struct holder_sweep *sweep, const struct run
  * times the turn.  So where the two clearances together are more than that, some clearance is left
  * everywhere between. */
 static bool is_clear_between(const struct holder_sweep *sweep, struct run_point a, double clear_a,
-                             struct run_point b, double clear_b, int halvings,
-                             struct kdtree_touch *touch)
+                             struct run_point b, double clear_b, int halvings)
 {
     double moved =
         vec_distance(a.ball, b.ball) + holder_reach(sweep->holder) * vec_angle(a.axis, b.axis);
@@ -28,23 +27,20 @@ static bool is_clear_between(const struct holder_sweep *sweep, struct run_point 
         return true;
     struct run_point m = {.ball = vec_mix(a.ball, b.ball, 0.5),
                           .axis = vec_slerp(a.axis, b.axis, 0.5)};
-    double clear_m = gouge_holder_nearly(sweep->guard, sweep->holder, m.ball, m.axis, -sweep->slack,
-                                         moved, touch);
-    return is_clear_between(sweep, a, clear_a, m, clear_m, halvings - 1, touch) &&
-           is_clear_between(sweep, m, clear_m, b, clear_b, halvings - 1, touch);
+    double clear_m = holder_sweep_clearance(sweep, &m, moved);
+    return is_clear_between(sweep, a, clear_a, m, clear_m, halvings - 1) &&
+           is_clear_between(sweep, m, clear_m, b, clear_b, halvings - 1);
 }
 
 bool holder_sweep_clear_between(const struct holder_sweep *sweep, const struct run_point *from,
                                 double clear_from, const struct run_point *to, double clear_to)
 {
-    struct kdtree_touch touch = {.n = 0};
-
     if (sweep->holder->n > 0 && fmin(clear_from, clear_to) >= -sweep->slack &&
         vec_angle(from->axis, to->axis) <= STILL)
         return gouge_holder_clear_along(sweep->guard, sweep->holder, from->ball, to->ball,
-                                        from->axis, -sweep->slack, &touch);
+                                        from->axis, -sweep->slack, NULL);
     return sweep->holder->n == 0 ||
-           is_clear_between(sweep, *from, clear_from, *to, clear_to, HALVINGS, &touch);
+           is_clear_between(sweep, *from, clear_from, *to, clear_to, HALVINGS);
 }
 
 bool holder_sweep_clear(const struct holder_sweep *sweep, const struct run_point *from,

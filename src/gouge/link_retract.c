@@ -87,23 +87,10 @@ static bool is_holder_clear(const struct follower *f, struct vec3 at)
                               f->blocked);
 }
 
-/* Shank and holder are clear all the way: step by step, each no longer than what they are clear
- * by. */
 static bool is_holder_clear_along(const struct follower *f, struct vec3 from, struct vec3 to)
 {
-    const double far = 10; /* mm: more clearance than that is not measured */
-    struct kdtree_touch touch = {.n = 0};
-    double length = vec_distance(from, to), at = 0;
-
-    while (f->options->holder->n > 0 && at <= length) {
-        struct vec3 c = vec_mix(from, to, length > 0 ? at / length : 0);
-        double clear = gouge_holder_nearly(f->options->lift->guard, f->options->holder, c, f->axis,
-                                           f->holder, f->holder + far, &touch);
-        if (clear < f->holder)
-            return false;
-        at += fmax(clear - f->holder, SHORTEST);
-    }
-    return true;
+    return gouge_holder_clear_along(f->options->lift->guard, f->options->holder, from, to, f->axis,
+                                    f->holder, f->blocked);
 }
 
 /* Straight from one corner to the next of some; what is soon told first. */

@@ -262,14 +262,6 @@ static void offer_lowest(struct lowest *s, struct vec3 p)
     }
 }
 
-/* What cannot be lower than this is not looked at. */
-static double worth_of(const struct lowest *s)
-{
-    double over = s->best - s->field->level;
-
-    return s->best - s->field->slack - (over > 0 ? s->field->share * over : 0);
-}
-
 static void search_lowest(struct lowest *s, size_t from, size_t to, size_t number)
 {
     if (to - from <= KD_LEAF) {
@@ -284,7 +276,7 @@ static void search_lowest(struct lowest *s, size_t from, size_t to, size_t numbe
 
     offer_lowest(s, place_of(&s->tree->point[middle]));
     for (int turn = 0; turn < 2; turn++, left = !left) {
-        if ((left ? first : second) > worth_of(s))
+        if ((left ? first : second) > s->best)
             continue;
         if (left)
             search_lowest(s, from, middle, 2 * number);

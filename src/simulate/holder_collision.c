@@ -190,7 +190,7 @@ static double bound_of_box(const void *context, struct vec3 middle, struct vec3 
 static void search_points(const struct collision_body *o, struct holder_search *holder)
 {
     struct body_search context = {o, holder};
-    const struct kdtree_field field = {value_of_point, bound_of_box, &context, 0, 0, 0};
+    const struct kdtree_field field = {value_of_point, bound_of_box, &context};
     if (!(holder->enough > -HUGE_VAL) || !kdtree_any_lower(o->tree, &field, holder->enough, NULL))
         kdtree_lowest(o->tree, &field, holder->distance, NULL);
 }

@@ -271,7 +271,7 @@ static bool tool_is_blocked(const struct reach *r, struct vec3 centre, struct ve
                             double least, struct kdtree_touch *met)
 {
     struct stand s = {r->options->tool, centre, axis};
-    const struct kdtree_field field = {stand_distance, stand_bound, &s, 0, 0, 0};
+    const struct kdtree_field field = {stand_distance, stand_bound, &s};
     return s.tool->n > 0 && kdtree_any_lower(r->solid_tree, &field, least, met);
 }
 

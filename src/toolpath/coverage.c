@@ -181,6 +181,22 @@ static struct hindrance hindrance_new(const struct coverage_options *o)
     return h;
 }
 
+/* Of the guard, and of what is assumed beside it. */
+struct hindrances {
+    struct hindrance guard, assumed;
+};
+
+static struct hindrances hindrances_new(const struct coverage_options *o)
+{
+    return (struct hindrances){hindrance_new(o), hindrance_new(o)};
+}
+
+static void hindrances_free(struct hindrances *h)
+{
+    free(h->guard.axis);
+    free(h->assumed.axis);
+}
+
 static bool comes_along(const struct coverage_options *o, struct vec3 c, struct vec3 axis,
                         struct kdtree_touch *touch)
 {
@@ -380,7 +396,7 @@ static double find_open(const struct covering *w, size_t i, const struct side *s
 
 /* What is known of a point that is not cut, once.  What turning does not find a search about
  * may. */
-static void look_at_point(const struct covering *w, size_t i, struct hindrance *h)
+static void look_at_point(const struct covering *w, size_t i, struct hindrances *h)
 {
     const struct coverage_options *o = w->options;
     struct coverage_point *point = &w->coverage->point[i];
@@ -390,18 +406,16 @@ static void look_at_point(const struct covering *w, size_t i, struct hindrance *
 
     point->normal = normal;
     w->coverage->kept[i] = false;
-    w->coverage->reach[i] = find_reach(o, point->p, &side, begin, &point->normal, h);
+    w->coverage->reach[i] = find_reach(o, point->p, &side, begin, &point->normal, &h->guard);
     if (o->guard && w->coverage->reach[i] > o->near)
-        w->coverage->reach[i] = find_open(w, i, &side, &point->normal, h);
+        w->coverage->reach[i] = find_open(w, i, &side, &point->normal, &h->guard);
     if (!o->assumed || w->coverage->reach[i] > o->near)
         return;
     struct coverage_options assumed = *o;
     assumed.guard = o->assumed;
     struct vec3 again[3] = {point->normal, normal, up};
-    struct hindrance none = hindrance_new(&assumed); /* the guard is another one */
     w->coverage->kept[i] =
-        find_reach(&assumed, point->p, &side, again, &direction, &none) > o->near;
-    free(none.axis);
+        find_reach(&assumed, point->p, &side, again, &direction, &h->assumed) > o->near;
     if (!w->coverage->kept[i])
         point->normal = direction;
 }
@@ -420,7 +434,7 @@ static void cover_points(void *context, size_t from, size_t to)
     const struct covering *w = context;
     const struct coverage_options *o = w->options;
     double within = o->radius + o->limit;
-    struct hindrance h = hindrance_new(o);
+    struct hindrances h = hindrances_new(o);
 
     for (size_t i = from; i < to; i++) {
         struct coverage_point *point = &w->coverage->point[i];
@@ -439,7 +453,7 @@ static void cover_points(void *context, size_t from, size_t to)
         w->coverage->known[i] = true;
         point->state = state_of(w, i);
     }
-    free(h.axis);
+    hindrances_free(&h);
 }
 
 static bool any_unsure(const struct covering *w)
@@ -454,7 +468,7 @@ static bool any_unsure(const struct covering *w)
 static void look_again(void *context, size_t from, size_t to)
 {
     const struct covering *w = context;
-    struct hindrance h = hindrance_new(w->options);
+    struct hindrances h = hindrances_new(w->options);
 
     for (size_t i = from; i < to; i++) {
         if (!w->unsure[i])
@@ -463,7 +477,7 @@ static void look_again(void *context, size_t from, size_t to)
         look_at_point(w, i, &h);
         w->coverage->point[i].state = state_of(w, i);
     }
-    free(h.axis);
+    hindrances_free(&h);
 }
 
 void coverage_cut(struct coverage *coverage, const struct coverage_options *options,
