@@ -26,22 +26,25 @@ struct believed {
     double sigma;       /* what points may be off their surface by: what the user says, or the noise
                            measured where it is the scanner's and there are no two sheets but at
                            a few places (or of the even places, noise.h); else 0 */
-    size_t outliers;
+    size_t outliers, beneath; /* points of these marks (outliers.h) */
     struct sheets sheets;
     double apart; /* half their distance, mm; 0 where there are none but at a few places */
 };
 
-/* Marks outliers with 1 in out[], in the order of the grid, beside what is marked; no point of the
- * grid may be there twice. */
+/* Marks outliers in out[] as outliers.h does, in the order of the grid, beside what is marked; no
+ * point of the grid may be there twice. */
 struct believed believed_in_grid(const struct point_grid *point_grid,
                                  const struct believed_options *options, unsigned char *out);
 
 /*
- * The same of n points in any order, which stay in it: out[i] becomes 1 for an outlier (and each
- * that is equal to one), else 0.  -1: too many points.
+ * The same of n points in any order, which stay in it: out[i] becomes the mark of an outlier (and
+ * of each that is equal to one), else 0.  -1: too many points.
  */
 int believed_find(const struct vec3 *point, size_t n, const struct believed_options *options,
                   unsigned char *out, struct believed *believed, struct error *error);
+
+/* Takes the mark off points that are beneath the surface: who guards or judges believes them. */
+void believed_keep_beneath(unsigned char *out, size_t n);
 
 /*
  * Spreads heights that were rounded, unless each point is believed as it is, or even so there is no

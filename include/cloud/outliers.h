@@ -2,13 +2,18 @@
  * outliers - points of a scan that are not on its surface: points twice, outliers, points under a
  * roof.
  *
- * Each function marks points of `point_grid` in out[] (as many bytes as points) with 1, beside what
- * is marked already, and returns how many it marked; point_grid_remove takes them out.
+ * Each function marks points of `point_grid` in out[] (as many bytes as points) with OUTLIERS_OUT,
+ * beside what is marked already, and returns how many it marked; point_grid_remove takes them out.
  */
 #ifndef CLOUDMILL_OUTLIERS_H
 #define CLOUDMILL_OUTLIERS_H
 
 #include "math/point_grid.h"
+
+/* Marks: nothing bears the point out; or so, but it lies no higher than what is about it, so that a
+ * tool that touches it goes deeper than what else is there: no mesh goes through it, but who guards
+ * a scan or judges by it believes it, which costs nothing where no tool comes. */
+enum { OUTLIERS_OUT = 1, OUTLIERS_BENEATH };
 
 /* Neighbours that a quadric goes through; points of the largest clump that may be an outlier;
  * points of the smallest feature that is none; points in a row that are none. */
@@ -37,7 +42,10 @@ enum { OUTLIERS_NEAR = 24, OUTLIERS_CLUMP = 8, OUTLIERS_FEATURE = 2, OUTLIERS_RO
 size_t outliers_twice(const struct point_grid *point_grid, unsigned char *out);
 
 /*
- * Outliers, `sigma` being the noise of the scan (mm, noise.h): points that
+ * Outliers, `sigma` being the noise of the scan (mm, noise.h), each marked OUTLIERS_BENEATH where
+ * it is under the quadric, or where, seen from above, two points and more within two and a half
+ * spacings are higher, and more than three times as many as are lower; else OUTLIERS_OUT: points
+ * that
  *   - are isolated: the nearest neighbour number OUTLIERS_CLUMP is more than OUTLIERS_ISOLATED
  *     times as far as that of the points next to them (after the local outlier factor: Breunig,
  *     Kriegel, Ng, Sander 2000), except a sparse surface beside a dense one, as a wall's: more than

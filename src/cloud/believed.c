@@ -12,6 +12,15 @@
 /* Of the places looked at: where no more are of two sheets, these tell nothing of the noise. */
 static const double FEW = 0.02;
 
+static size_t count_beneath(const unsigned char *out, size_t n)
+{
+    size_t found = 0;
+
+    for (size_t i = 0; i < n; i++)
+        found += out[i] == OUTLIERS_BENEATH;
+    return found;
+}
+
 struct believed believed_in_grid(const struct point_grid *point_grid,
                                  const struct believed_options *options, unsigned char *out)
 {
@@ -23,6 +32,7 @@ struct believed believed_in_grid(const struct point_grid *point_grid,
         b.outliers = outliers_floating(point_grid, sigma, options->threads, out);
     else if (measured || sigma > 0)
         b.outliers = outliers_isolated(point_grid, sigma, options->threads, out);
+    b.beneath = count_beneath(out, point_grid->n);
     b.sheets = sheets_find(point_grid, out, options->threads);
     bool sheets = (double)b.sheets.places > FEW * (double)b.sheets.looked;
     if (sheets)
@@ -34,17 +44,37 @@ struct believed believed_in_grid(const struct point_grid *point_grid,
     return b;
 }
 
-/* The points marked, in order, at the start of the grid's. */
-static size_t gather_marked(struct point_grid *point_grid, const unsigned char *out)
+void believed_keep_beneath(unsigned char *out, size_t n)
 {
-    size_t found = 0;
+    for (size_t i = 0; i < n; i++)
+        if (out[i] == OUTLIERS_BENEATH)
+            out[i] = 0;
+}
+
+/* The points of that mark, in order. */
+static struct vec3s gather_marked(const struct point_grid *point_grid, const unsigned char *out,
+                                  unsigned char mark)
+{
+    struct vec3s found = {0};
 
     for (size_t i = 0; i < point_grid->n; i++)
-        if (out[i])
-            point_grid->point[found++] = point_grid->point[i];
-    if (found > 0)
-        qsort(point_grid->point, found, sizeof *point_grid->point, vec_compare);
+        if (out[i] == mark)
+            *array_push(&found) = point_grid->point[i];
+    if (found.n > 0)
+        qsort(found.item, found.n, sizeof *found.item, vec_compare);
     return found;
+}
+
+/* Marks in out[] the points, in any order, that are marked so in the grid's order. */
+static void mark_alike(const struct point_grid *point_grid, const unsigned char *of_grid,
+                       unsigned char mark, const struct vec3 *point, size_t n, unsigned char *out)
+{
+    struct vec3s marked = gather_marked(point_grid, of_grid, mark);
+
+    for (size_t i = 0; marked.n > 0 && i < n; i++)
+        if (bsearch(&point[i], marked.item, marked.n, sizeof *marked.item, vec_compare))
+            out[i] = mark;
+    array_free(&marked);
 }
 
 int believed_find(const struct vec3 *point, size_t n, const struct believed_options *options,
@@ -66,11 +96,13 @@ int believed_find(const struct vec3 *point, size_t n, const struct believed_opti
     }
     outliers_twice(&point_grid, out);
     point_grid_remove(&point_grid, out);
+    unsigned char *of_grid = mem_alloc(point_grid.n + 1, 1);
+    memset(of_grid, 0, point_grid.n);
     memset(out, 0, n);
-    *believed = believed_in_grid(&point_grid, options, out);
-    size_t marked = gather_marked(&point_grid, out);
-    for (size_t i = 0; i < n; i++)
-        out[i] = marked > 0 && bsearch(&point[i], copy, marked, sizeof *copy, vec_compare);
+    *believed = believed_in_grid(&point_grid, options, of_grid);
+    mark_alike(&point_grid, of_grid, OUTLIERS_OUT, point, n, out);
+    mark_alike(&point_grid, of_grid, OUTLIERS_BENEATH, point, n, out);
+    free(of_grid);
     point_grid_free(&point_grid);
     free(copy);
     return 0;

@@ -23,6 +23,7 @@ struct search {
     const struct point_grid *point_grid;
     double sigma, spacing;
     unsigned char *out;
+    bool *under;   /* the surface of its neighbours, point by point */
     bool floating; /* only what is apart from the rest */
     double *top;   /* of each cell, once it is asked for */
 };
@@ -168,7 +169,8 @@ static bool is_outlier(const struct search *s, size_t i)
     double spread = refit_robustly(hood.point, NEAR, s->sigma, &q, off);
     if (stand_out(off, fmax(least, spreads * spread)) >= FEW)
         return false;
-    if (is_over(&q)) {
+    s->under[i] = !is_over(&q);
+    if (!s->under[i]) {
         if (is_top(&q, hood.point, hood.spacing, fmax(least, spreads / 2 * spread)))
             return false;
         least = fmax(least, OUTLIERS_OVER * hood.spacing);
@@ -313,7 +315,7 @@ static size_t count_marked(const unsigned char *out, size_t n)
 {
     size_t found = 0;
     for (size_t i = 0; i < n; i++)
-        found += out[i];
+        found += out[i] != 0;
     return found;
 }
 
@@ -321,16 +323,21 @@ static size_t mark_and_keep(const struct point_grid *b, double sigma, int thread
                             unsigned char *out)
 {
     unsigned char *own = mem_alloc(b->n + 1, 1);
+    bool *under = mem_alloc(b->n + 1, sizeof *under);
     size_t found = 0;
 
     memset(own, 0, b->n);
-    struct search s = {b, sigma, point_grid_spacing(b), own, floating, NULL};
+    memset(under, 0, b->n * sizeof *under);
+    struct search s = {b, sigma, point_grid_spacing(b), own, under, floating, NULL};
     parallel_for(threads, blocks_across(b->columns) * blocks_across(b->rows), mark_isolated, &s);
     outliers_keep(b, sigma, own);
     for (size_t i = 0; i < b->n; i++) {
-        found += own[i] && !out[i];
-        out[i] |= own[i];
+        if (!own[i] || out[i])
+            continue;
+        found++;
+        out[i] = under[i] || outliers_is_beneath(b, own, i) ? OUTLIERS_BENEATH : OUTLIERS_OUT;
     }
+    free(under);
     free(own);
     return found;
 }
@@ -409,7 +416,8 @@ static void mark_under_roof(void *context, size_t from, size_t to)
             for (size_t r = r0; r <= r1; r++)
                 for (size_t c = c0; c <= c1; c++)
                     above |= eighths_above(b, r * b->columns + c, b->point[i], s->spacing / 2);
-            s->out[i] |= above == 0xFF;
+            if (above == 0xFF && !s->out[i])
+                s->out[i] = OUTLIERS_OUT;
         }
     }
 }
@@ -417,8 +425,10 @@ static void mark_under_roof(void *context, size_t from, size_t to)
 size_t outliers_under_roof(const struct point_grid *b, int threads, unsigned char *out)
 {
     size_t before = count_marked(out, b->n);
-    struct search s = {b,   0,     point_grid_spacing(b),
-                       out, false, mem_alloc(b->columns * b->rows, sizeof *s.top)};
+    struct search s = {.point_grid = b,
+                       .spacing = point_grid_spacing(b),
+                       .out = out,
+                       .top = mem_alloc(b->columns * b->rows, sizeof *s.top)};
     parallel_for(threads, b->columns * b->rows, find_tops, &s);
     parallel_for(threads, b->columns * b->rows, mark_under_roof, &s);
     free(s.top);

@@ -289,6 +289,16 @@ static bool is_on_step(const struct point_grid *b, const unsigned char *out, siz
     return fabs(quadric_off(&q, b->point[i])) <= much * sqrt(squares / (double)n);
 }
 
+bool outliers_is_beneath(const struct point_grid *b, const unsigned char *out, size_t i)
+{
+    enum { FEWEST = 2, TIMES = 3 };
+    struct vec3 near[MOST];
+    size_t above = 0, below = 0;
+
+    gather_seen_from_above(b, out, i, near, &above, &below);
+    return above >= FEWEST && above > TIMES * below;
+}
+
 /* How far point i is over the middle one of those not marked near it, seen from above. */
 static double height_over(const struct point_grid *b, const unsigned char *out, size_t i)
 {

@@ -26,6 +26,9 @@ bool outliers_hood_find(const struct point_grid *point_grid, size_t i, struct ou
  * it; `sigma`: the noise of the scan, mm. */
 double outliers_least(const struct outliers_hood *hood, double sigma);
 
+/* Seen from above, within 2.5 spacings, nearly all points not marked are higher than point i. */
+bool outliers_is_beneath(const struct point_grid *point_grid, const unsigned char *out, size_t i);
+
 /* Takes the mark (1) off points in out[], as many as points, that others bear out: several in a row
  * from the surface on, as on a needle, or beside each other, as on a thin rib or plate; points on
  * the surface that others make, as on one side of a thin edge or a wall seen at few places; points

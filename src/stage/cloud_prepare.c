@@ -165,19 +165,19 @@ int cloud_prepare_clean(struct vec3s *points, double spacing, double noise,
 }
 
 static void write_points(const char *file, const char *what, const char *name,
-                         const struct vec3s *raw, const unsigned char *out, unsigned char which)
+                         const struct vec3s *raw, const unsigned char *out, bool wanted)
 {
     struct out *o = out_open(file);
     size_t n = 0;
 
     for (size_t i = 0; i < raw->n; i++)
-        n += out[i] == which;
+        n += (out[i] != 0) == wanted;
     out_printf(o, "# %zu %s of ", n, what);
     for (const char *p = name; *p; p++)
         out_bytes(o, (unsigned char)*p < ' ' ? "?" : p, 1);
     out_text(o, "\n");
     for (size_t i = 0; i < raw->n; i++) {
-        if (out[i] != which)
+        if ((out[i] != 0) != wanted)
             continue;
         out_exact(o, raw->item[i].x);
         out_text(o, " ");
@@ -206,11 +206,11 @@ int cloud_prepare_write_clean(const char *file, const char *name, const struct v
     for (size_t i = 0; i < raw->n; i++)
         if (!out[i])
             *array_push(kept) = raw->item[i];
-    write_points(file, "points believed", name, raw, out, 0);
+    write_points(file, "points believed", name, raw, out, false);
     char *other = mem_alloc(length + strlen(suffix) + 1, 1);
     memcpy(other, file, length);
     memcpy(other + length, suffix, strlen(suffix) + 1);
-    write_points(other, "outliers", name, raw, out, 1);
+    write_points(other, "outliers", name, raw, out, true);
     free(other);
     free(out);
     return 0;

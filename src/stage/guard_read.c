@@ -258,7 +258,19 @@ static void unround(const struct vec3s *points, const struct guard_read_options 
             rounded);
 }
 
-/* What the scan is to be taken as; its outliers go. */
+static void say_outliers(const struct believed *believed)
+{
+    size_t out = believed->outliers - believed->beneath;
+
+    if (out > 0)
+        say("left out %zu outlier%s of the scan that guards", out, out == 1 ? "" : "s");
+    if (believed->beneath > 0)
+        say("%zu outlier%s of the scan, no higher than what is about %s, guard%s all the same",
+            believed->beneath, believed->beneath == 1 ? "" : "s",
+            believed->beneath == 1 ? "it" : "them", believed->beneath == 1 ? "s" : "");
+}
+
+/* What the scan is to be taken as; its outliers go, but for those beneath its surface. */
 static struct believed believe(struct point_grid *point_grid, double noise, int threads)
 {
     const struct believed_options options = {.noise = noise, .threads = threads};
@@ -269,9 +281,8 @@ static struct believed believe(struct point_grid *point_grid, double noise, int 
     point_grid_remove(point_grid, out);
     memset(out, 0, point_grid->n);
     struct believed believed = believed_in_grid(point_grid, &options, out);
-    if (believed.outliers > 0)
-        say("left out %zu outlier%s of the scan that guards", believed.outliers,
-            believed.outliers == 1 ? "" : "s");
+    say_outliers(&believed);
+    believed_keep_beneath(out, point_grid->n);
     point_grid_remove(point_grid, out);
     free(out);
     say_sheets(&believed.sheets);

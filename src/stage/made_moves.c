@@ -31,6 +31,7 @@ static struct gouge_check *believed_guard(struct vec3s *point, double noise, int
 
     believed_unround(point->item, point->n, noise, threads);
     if (believed_find(point->item, point->n, &options, out, &believed, error) == 0) {
+        believed_keep_beneath(out, point->n);
         for (size_t i = 0; i < point->n; i++)
             if (!out[i])
                 *array_push(&kept) = point->item[i];

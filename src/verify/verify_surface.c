@@ -52,6 +52,7 @@ int verify_surface_find(struct vec3s *point, double noise, double radius, int th
     struct point_grid grid;
     unsigned char *out = mem_alloc(point->n, 1);
     int result = believed_find(point->item, point->n, &options, out, &believed, error);
+    believed_keep_beneath(out, point->n);
     if (result == 0)
         part_outliers(point, out, &surface->outliers);
     free(out);

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include "cloud/believed.h"
+#include "cloud/outliers.h"
 #include "noisy.h"
 #include "panel.h"
 
@@ -45,20 +46,23 @@ START_TEST(strays)
         scan.item[i * scan.n / STRAYS].z += (i % 2 ? 1 : -1) * (1 + 8 * noisy_uniform());
     struct vec3 stray = scan.item[0];
     *array_push(&scan) = stray; /* twice */
-    size_t n = scan.n - 1, right = 0, right_above = 0, all = 0;
+    size_t n = scan.n - 1, right = 0, right_above = 0, beneath = 0, all = 0;
     believe(-1);
     for (size_t i = 0; i < STRAYS; i++) {
-        right += out[i * n / STRAYS];
-        right_above += i % 2 && out[i * n / STRAYS];
+        right += out[i * n / STRAYS] != 0;
+        right_above += i % 2 && out[i * n / STRAYS] == OUTLIERS_OUT;
+        beneath += i % 2 == 0 && out[i * n / STRAYS] == OUTLIERS_BENEATH;
     }
     for (size_t i = 0; i < n; i++)
-        all += out[i];
+        all += out[i] != 0;
     const double mean = 0.1 * STRAYS / 2;
     ck_assert_uint_ge(right_above, STRAYS / 2 - 2);
     ck_assert_double_le((double)(STRAYS - right), mean + 4 * sqrt(0.9 * mean));
     ck_assert_uint_le(all - right, 1);
     ck_assert_uint_eq(out[n], out[0]);
     ck_assert_uint_eq(found.outliers, all);
+    ck_assert_uint_eq(found.beneath, beneath);
+    ck_assert_uint_ge(beneath, (right - right_above) * 9 / 10);
     ck_assert_double_eq_tol(found.sigma, sigma, 0.002);
     ck_assert_uint_eq(found.sheets.places, 0);
     believe(0);

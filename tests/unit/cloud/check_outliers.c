@@ -330,13 +330,44 @@ START_TEST(little_over_a_surface)
     for (size_t i = 0; i < point_grid.n; i++) {
         struct vec3 p = point_grid.point[i];
         for (size_t k = 0; k < KINDS; k++)
-            found[k] += out[i] && fabs(p.z - panel_height(p.x, p.y) - off[k]) < 0.01;
+            if (out[i] && fabs(p.z - panel_height(p.x, p.y) - off[k]) < 0.01) {
+                found[k]++;
+                ck_assert_int_eq(out[i], k == BELOW ? OUTLIERS_BENEATH : OUTLIERS_OUT);
+            }
     }
     ck_assert_uint_eq(found[OVER], 0);
     /* but where points are far apart; beside a border or a gap */
     ck_assert_uint_ge(found[HIGH], EACH - by_chance(0.3));
     ck_assert_uint_ge(found[BELOW], EACH - by_chance(0.12 * EACH));
     ck_assert_uint_eq(all, found[HIGH] + found[BELOW]);
+}
+END_TEST
+
+/* A step of 3 mm whose flank leans out by 0.8 mm and was seen at one place only, 0.3 mm under its
+ * rim: a tool that is not told of it would cut it.  Dust that floats beside the rim is none. */
+START_TEST(beneath_a_rim)
+{
+    const struct vec3 seen = {0.6, 1.23, -0.3}, dust = {-4.2, -8.1, 2.5};
+    size_t beneath = 0;
+
+    noisy_seed(41 + (unsigned)_i);
+    for (int i = 0; i < 9000; i++) {
+        double x = 40 * noisy_uniform() - 20, y = 40 * noisy_uniform() - 20;
+        if (x < 0 || x > 0.8)
+            *array_push(&scan) = vec(x, y, x < 0 ? 0 : -3);
+    }
+    *array_push(&scan) = seen;
+    *array_push(&scan) = dust;
+    sort();
+    outliers_isolated(&point_grid, 0, 2, out);
+    for (size_t i = 0; i < point_grid.n; i++) {
+        if (vec_distance(point_grid.point[i], dust) > 0)
+            ck_assert_int_ne(out[i], OUTLIERS_OUT);
+        else
+            ck_assert_int_eq(out[i], OUTLIERS_OUT);
+        beneath += out[i] == OUTLIERS_BENEATH;
+    }
+    ck_assert_uint_le(beneath, 1);
 }
 END_TEST
 
@@ -574,6 +605,7 @@ int main(void)
     tcase_add_test(tests, marks_in_a_row);
     tcase_add_test(tests, mark_on_a_needle);
     tcase_add_loop_test(tests, little_over_a_surface, 0, 3);
+    tcase_add_loop_test(tests, beneath_a_rim, 0, 8);
     tcase_add_loop_test(tests, tops, 0, 6);
     tcase_add_loop_test(tests, few_of_a_surface, 0, 4);
     tcase_add_loop_test(tests, marks_of_a_plate, 0, 4);
