@@ -93,6 +93,15 @@ static double axis_off(const struct step s[2])
     return vec_angle(vec_unit(even), s[0].a[1]);
 }
 
+/* A step turns the axis as the one before or after it does, by the millimetre and to half of it: so
+ * a row may end, where the axis turns back on the way that leaves it. */
+static bool turns_as(const struct step *s, const struct step *other)
+{
+    struct vec3 by = vec_scale(1 / s->length, vec_sub(s->a[1], s->a[0]));
+    struct vec3 by_other = vec_scale(1 / other->length, vec_sub(other->a[1], other->a[0]));
+    return vec_distance(by, by_other) < vec_length(by) / HALF;
+}
+
 /* The axis there; `amid`: a step is before the four, and one after them. */
 static void look_at_axis(const struct step *s, bool amid, struct swerves *found)
 {
@@ -100,8 +109,9 @@ static void look_at_axis(const struct step *s, bool amid, struct swerves *found)
     around = fmax(around, vec_angle(s[0].a[0], s[0].a[1]));
     around = fmax(around, vec_angle(s[3].a[0], s[3].a[1]));
     bool steady = off > STEADY * around;
-    bool smooth =
-        amid && off > HALF * around && off > SMOOTH * fmax(axis_off(s - 1), axis_off(s + 3));
+    bool smooth = amid && off > HALF * around &&
+                  off > SMOOTH * fmax(axis_off(s - 1), axis_off(s + 3)) && !turns_as(s + 1, s) &&
+                  !turns_as(s + 2, s + 3);
     struct vec3 out = s[1].turn[1],
                 back = s[2].turn[0]; /* a curve turns over, if it does, evenly */
     bool turns_over = vec_length(out) > off / HALF && vec_length(back) > off / HALF &&

@@ -104,6 +104,29 @@ START_TEST(an_axis_that_turns)
 }
 END_TEST
 
+/* The axis turns ever faster to where a row ends, and back on the long way that leaves it: off an
+ * even turn, by the lengths, at one place only, but the row turned it as fast before.  Not
+ * so where it all but stands. */
+START_TEST(a_row_that_ends)
+{
+    const double x[STEPS] = {0.5, 0.55, 0.59, 0.62, 0.66, 0.82, 9.2, 17.6, 17.7};
+    const double lean[2][STEPS] = {{0, 0, 1, 2.5, 5.5, 19, 9, 4, 4}, {0, 0, 0, 1, 2, 19, 4, 4, 4}};
+    struct trial t;
+    int block;
+    trial_begin(&t);
+    for (int i = 0; i < STEPS; i++) {
+        double angle = RADIANS(lean[_i][i]);
+        struct vec3 axis = vec(sin(angle), 0, cos(angle)), ball = vec(x[i], 0, 3);
+        struct nc_piece *piece = t.motion.piece.item + i;
+        piece->p[1] = vec_along(ball, -t.v.options.radius, axis);
+        piece->q[1] = axis;
+        if (i + 1 < STEPS)
+            put(&t, i, ball, axis);
+    }
+    ck_assert_uint_eq(said(&t, &block), (size_t)_i);
+}
+END_TEST
+
 /* What parts do: a row up a step or over a ridge, round a corner, and back beside itself. */
 static const double shapes[][STEPS][2] = {
     {{.5, 0}, {1, 0}, {1.5, 0}, {1.5, 1}, {2, 1}, {2.5, 1}, {3, 1}, {3.5, 1}, {4, 1}},
@@ -131,6 +154,7 @@ int main(void)
     TCase *tests = tcase_create("verify_swerve");
     tcase_add_loop_test(tests, one_place, 0, sizeof places / sizeof *places);
     tcase_add_loop_test(tests, an_axis_that_turns, 0, 3);
+    tcase_add_loop_test(tests, a_row_that_ends, 0, 2);
     tcase_add_loop_test(tests, shapes_of_parts, 0, sizeof shapes / sizeof *shapes);
     suite_add_tcase(suite, tests);
     SRunner *runner = srunner_create(suite);
