@@ -103,9 +103,9 @@ small := io/nurbs/nurbs_text% machine/machine machine/machine_options machine/te
   nurbs/trim_tidy nurbs/trim_order nurbs/trim_follow nurbs/trim_loops nurbs/pullback cloud/sheets \
   toolpath/passes toolpath/scallop gouge/axis_lone cloud/edge_flank cloud/edge_meet \
   cloud/edge_wide cloud/edge_slope cloud/edge_foot stage/normals stage/path_judged \
-  stage/surface_contacts nurbs/trim_crossings planecut \
+  stage/surface_contacts nurbs/trim_crossings planecut stage/cloud_prepare \
   nurbs/trim_seam cloud/rounding cloud/believed cloud/edge_along cloud/scan_edges \
-  gouge/guard_points gouge/guard_mesh gouge/axis_plan curve/run
+  gouge/guard_points gouge/guard_mesh gouge/axis_plan curve/run cloud/edge_fill
 $(small:%=$(BUILD)/src/%.o): CFLAGS := $(patsubst -O2,-Os,$(CFLAGS:-O3=-Os))
 
 # The file VERSION is what `--version`, the tarball and the packages say.

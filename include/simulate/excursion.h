@@ -8,6 +8,8 @@
  * the other end of the tool turns it over.  A curve also counts if it ends over the part, up the
  * tool or up Z, and a straight block comes down again, and so does the end of any block there if a
  * curve comes down from it at a sharp angle.
+ * A few straight blocks count that turn off the row at a sharp angle, go far aside, and turn back
+ * onto it so.
  * Links from pass to pass, up, across and down in blocks of their own or as a curve that is off the
  * part over more spans than a pole reaches, do not count, nor does a pass that goes out beside the
  * part.  Lengths in mm.

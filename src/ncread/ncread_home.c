@@ -134,6 +134,16 @@ static void go_home(struct ncread *c, bool all, bool top)
     c->home.high = c->home.high || z;
 }
 
+/* All of them by a bare G28 or G30, which moves none on some controls: ncpost names Z. */
+static void go_home_bare(struct ncread *c)
+{
+    const char *own = c->options->home;
+    if (ncread_ours(c) && (!own || strchr(own, 'Z')))
+        ncread_watch_remark(c, c->line, c->block,
+                            "goes home without an axis: a control may move none, or all at once");
+    go_home(c, true, false);
+}
+
 /* The same by coordinates of the machine, Z to this one. */
 static void go_in_machine(struct ncread *c, double z)
 {
@@ -170,8 +180,10 @@ void ncread_home_words(struct ncread *c)
         check_number(c);
     if (machine && !back && !top)
         go_in_machine(c, z);
+    else if (back && !c->home.z && !names_beside(c))
+        go_home_bare(c);
     else if (machine || back || top)
-        go_home(c, back && !c->home.z && !names_beside(c), top);
+        go_home(c, false, top);
 }
 
 void ncread_home_text(struct ncread *c, int n, const char *const word[])

@@ -16,8 +16,43 @@ static int tenths(double code)
     return code >= 0 && 10 * code < NCREAD_LOST_G - 0.5 ? (int)lround(10 * code) : -1;
 }
 
+static const char *const reset_word[NCREAD_LOST_RESETS] = {"TRAFOOF", "CYCLE800", "PLANE RESET",
+                                                           "FUNCTION RESET TCPM", "M129"};
+
+/* Programs of ncpost that the control's file is of. */
+static bool is_made(const struct ncread *c)
+{
+    return c->options->text && ncread_ours(c) &&
+           ncread_made_for(c->options->head, c->options->control);
+}
+
+/* Tool centre point control is on since the last block, and where a rotary axis stands is not
+ * known: by some controls' parameters it is what the words after it are reckoned from. */
+static void look_at_frame(struct ncread *c)
+{
+    bool goes_on = c->tcp && !c->lost.tcp, known = true;
+    c->lost.tcp = c->tcp;
+    for (int i = 0; i < c->options->kinematics.n; i++)
+        known = known && c->here.turned[i];
+    if (goes_on && !known && is_made(c) &&
+        strstr(c->options->text->section[SECTION_APPROACH], "{rotary.start}"))
+        ncread_watch_remark(c, c->line, c->block,
+                            "tool centre point control goes on before all rotary axes go to where "
+                            "they start");
+}
+
+void ncread_lost_text(struct ncread *c)
+{
+    look_at_frame(c);
+    for (int k = 0; k < NCREAD_LOST_RESETS; k++) {
+        const char *s = strstr(c->text, reset_word[k]);
+        c->lost.reset[k] = c->lost.reset[k] || (s && s < c->text + strcspn(c->text, ";"));
+    }
+}
+
 void ncread_lost_words(struct ncread *c)
 {
+    ncread_lost_text(c);
     for (size_t i = 0; i < c->words.n; i++) {
         const struct ncread_word *w = &c->words.item[i];
         int code = strcmp(w->name, "G") == 0 && w->values == 1 ? tenths(w->value[0]) : -1;
@@ -96,6 +131,16 @@ static bool has_word(const char *text, const char *word)
     return s && !isalnum((unsigned char)s[strlen(word)]) && s[strlen(word)] != '.';
 }
 
+/* Those of the key `safe` that end tool centre point control or a tilted plane, of a program that
+ * has the first on. */
+static void look_at_resets(struct ncread *c)
+{
+    const char *safe = c->options->safe;
+    for (int k = 0; k < NCREAD_LOST_RESETS && safe && c->tcp; k++)
+        if (has_word(safe, reset_word[k]) && !c->lost.reset[k])
+            tell(c, reset_word[k], "at its start");
+}
+
 bool ncread_lost_edge(const struct ncread *c)
 {
     const char *change = c->options->tool_change;
@@ -122,11 +167,12 @@ void ncread_lost_tell(struct ncread *c)
     const struct control_text *text = c->options->text;
     bool linuxcnc = c->options->dialect == &ncread_linuxcnc;
     bool siemens = c->options->dialect == &ncread_siemens;
-    if (!text || !ncread_ours(c) || !ncread_made_for(c->options->head, c->options->control))
+    if (!is_made(c))
         return;
     look_at_section(c, SECTION_START, "at its start");
     look_at_section(c, SECTION_APPROACH, "in its approach");
     look_at_safe(c);
+    look_at_resets(c);
     look_at_tool(c);
     /* without both it blends corners as far as it likes */
     if (linuxcnc && has_word(text->section[SECTION_START], "G61") && !c->lost.g[610] &&

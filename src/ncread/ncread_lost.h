@@ -9,16 +9,21 @@
 
 struct ncread;
 
-enum { NCREAD_LOST_G = 10000 };
+enum { NCREAD_LOST_G = 10000, NCREAD_LOST_RESETS = 5 };
 
 /* Which stood in the program so far. */
 struct ncread_lost {
     bool g[NCREAD_LOST_G]; /* by ten times their number */
     bool oriwks;
+    bool tcp;                       /* tool centre point control was on before the block */
+    bool reset[NCREAD_LOST_RESETS]; /* words that end what the program before may have left on */
 };
 
 /* The words of the block just read. */
 void ncread_lost_words(struct ncread *c);
+
+/* The same of a block of plain language. */
+void ncread_lost_text(struct ncread *c);
 
 /* D of the tool's call is the number of its length, as the control's file says (Fagor). */
 bool ncread_lost_edge(const struct ncread *c);

@@ -275,6 +275,9 @@ void ncread_watch_text(struct ncread *c, int n, const char *const word[])
 {
     if (ncread_tool_called(n, word))
         set_value(c, TOOL, *word[2] == '"' ? named(c->text) : strtod(word[2], NULL));
+    if (ncread_tool_called(n, word) && c->tcp && ncread_ours(c))
+        ncread_watch_remark(c, c->line, c->block,
+                            "a tool is called where tool centre point control is on");
     if (n > 2 && strcmp(word[0], "CYCL") == 0 &&
         (strncmp(word[2], "7.", 2) == 0 || strcmp(word[2], "247") == 0))
         set_offset_text(c);
@@ -285,6 +288,7 @@ void ncread_watch_text(struct ncread *c, int n, const char *const word[])
         if (word[i][0] == 'M')
             watch_m(c, strtod(word[i] + 1, NULL));
     ncread_home_text(c, n, word);
+    ncread_lost_text(c);
 }
 
 void ncread_watch_remark(struct ncread *c, size_t line, long block, const char *text)

@@ -6,6 +6,7 @@
 #include "math/kdtree.h"
 
 #define RISES 0.5    /* cosine between the tool axis and the way up, at least */
+#define ALONG 0.8    /* the same of a few straight blocks out along the tool and back: a link */
 #define OVER 0.9     /* the same between up and what the end of a curve stands over */
 #define NEAR_END 0.1 /* of a piece, from its end: how it goes there */
 #define MOST 0.5     /* of its height: so far a spike amid a link rises over both its feet */
@@ -13,6 +14,7 @@
 #define ASIDE_RADII 2 /* two straight blocks, or an arc, are told that go aside by so many radii */
 #define ASIDE_MORE 10 /* and mm more, for nobody knows what stands beside the part, ... */
 #define ASIDE_CURVE 3 /* ... and curves so many times as far: they may run out of a row and back */
+#define SHARP 0.78    /* radians that the course bends where straight blocks turn aside, and back */
 #define SMOOTH 0.17 /* radians that the course bends where an arc goes on from what is before it */
 
 /* Spans of a curve: no pole or coefficient reaches over more than six; the last pole, which is the
@@ -216,6 +218,32 @@ static double aside(const struct search *s, size_t piece)
     return p->shape == SHAPE_LINE || p->shape == SHAPE_ARC ? off : ASIDE_CURVE * off;
 }
 
+/* A few straight blocks that turn off the row, go far aside and come back onto it at once: one
+ * place's word thrown aside, which the blocks after it have not said anew. */
+static void look_at_detour(struct search *s, size_t from, size_t to)
+{
+    const struct centre_segment *segment = s->path->item;
+    const struct nc_piece *piece = s->motion->piece.item;
+    size_t first = segment[from].piece, last = segment[to].piece, top = from;
+    struct vec3 a = segment[from].a, b = segment[to].b;
+    double most = 0;
+
+    if (first == 0 || last + 1 == s->motion->piece.n || last - first >= REACH ||
+        piece[first - 1].rapid || piece[last + 1].rapid ||
+        fmax(clearance(s, a), clearance(s, b)) > s->options->band)
+        return;
+    for (size_t i = from; i < to; i++) {
+        double high = vec_length(rise_over_line(a, b, segment[i].b));
+        top = high > most ? i : top;
+        most = fmax(most, high);
+    }
+    struct vec3 rise = rise_over_line(a, b, segment[top].b);
+    double height = clearance(s, segment[top].b);
+    if (height > aside(s, first) && up_the_tool(s, from, top, to, rise) < ALONG * most &&
+        bend_before(s, first) > SHARP && bend_before(s, last + 1) > SHARP)
+        add_excursion(s, top, height);
+}
+
 /* A stretch of segments off the part, both ends among them. */
 static void look_at_stretch(struct search *s, size_t from, size_t to)
 {
@@ -226,6 +254,7 @@ static void look_at_stretch(struct search *s, size_t from, size_t to)
     if (s->motion->piece.item[segment[from].piece].shape == SHAPE_LINE && !is_spike(s, from, to)) {
         look_at_spikes(s, from, to);
         look_at_last_line(s, from, to);
+        look_at_detour(s, from, to);
         return;
     }
     for (size_t i = from; i < to; i++) {

@@ -26,7 +26,11 @@ void say_skipped(const char *file, const struct cloud_count *c)
         say("%s: ignored %zu comment%s", file, c->comments, c->comments == 1 ? "" : "s");
     if (c->indexed)
         say("%s: the first column numbers the rows: x y z are the three after it", file);
-    if (c->columns > 3 + (size_t)c->indexed)
+    if (c->placed)
+        say("%s: the heading says which columns are x y z", file);
+    if (c->placed && c->columns > 3)
+        say("%s: ignored the others of %zu columns", file, c->columns);
+    else if (c->columns > 3 + (size_t)c->indexed)
         say("%s: ignored the columns after the %s (up to %zu)", file,
             c->indexed ? "fourth" : "third", c->columns);
     if (c->facets > 0)

@@ -47,6 +47,11 @@ static void judge_only_tool(struct verdict *v, size_t cut)
         finding_add(v, true, cut, "the program's head says tool %d, it takes tool %d", said, tool);
     if (said > 0 && tool == 0 && v->program.calls)
         finding_add(v, true, cut, "the program's head says tool %d, it calls none", said);
+    if (said > 0 && v->program.motion->offset > 0 && v->program.motion->offset != said)
+        finding_add(v, false, cut,
+                    "tool %d cuts with the length of another number, %d: nobody knows whether that "
+                    "was asked for without the path (-p)",
+                    said, v->program.motion->offset);
 }
 
 /* Without a path its head alone knows that no coolant was asked for. */

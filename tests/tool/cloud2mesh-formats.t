@@ -63,6 +63,12 @@ done
 has "withheld points are told" 'v12.las: left out 1 point that the file marks as withheld' said-v12.las
 has "so are numbers of rows" 'numbered.txt: the first column numbers the rows: x y z are the three' said-numbered.txt
 has "with columns after the points" 'numbered.csv: ignored the columns after the fourth' said-numbered.csv
+awk 'BEGIN { print "r,g,b,x,y,z"; for (i = 0; i < 30; i++) for (k = 0; k < 30; k++)
+	print "1,2,3," i "," k "," i * k / 90 }' >named.csv
+cloud2mesh named.csv 2>said >named.ply
+has "columns that a heading names" 'named.csv: the heading says which columns are x y z' said
+has "and the others" 'named.csv: ignored the others of 6 columns' said
+hasnt "none of them wrongly" 'after the third' said
 has "an STL is told to be a mesh" 'ascii.stl: a mesh: the corners of its 300 facets' said-ascii.stl
 
 refused() { # FILE REGEX

@@ -52,7 +52,40 @@ lost 's/^(N[0-9]+) G61$/\1/' "cuts without G61 or G64$all" "without it"
 post siemens table-ac dome.cl
 lost 's/ORIWKS //' "cuts without ORIWKS$all after TRAORI"
 
+lost '1,/TRAFOOF/s/^(N[0-9]+) TRAFOOF$/\1/' "cuts without TRAFOOF$all at its start"
+lost '1,/CYCLE800/s/^(N[0-9]+) CYCLE800\(\)$/\1/' "cuts without CYCLE800$all at its start"
+post heidenhain table-ac dome.cl
+lost 's/^([0-9]+) PLANE RESET STAY$/\1 ;/' "cuts without PLANE RESET$all at its start"
+lost '1,/RESET TCPM/s/^([0-9]+) FUNCTION RESET TCPM$/\1 ;/' \
+	"cuts without FUNCTION RESET TCPM$all at its start"
+meshnorm -q -r 5 --scallop 0.2 --fixed 0,0,1 -o up.cl dome.ply
+for c in heidenhain siemens; do
+	post $c three-axis up.cl
+	judge 0 "a machine that turns nothing has no plane to reset" good.nc
+done
+
+# ---- where the rotary axes stand when tool centre point control goes on; a way home of no axis
+for c in fanuc siemens heidenhain; do
+	post $c table-ac dome.cl
+	lost 's/^(N?[0-9]+) (G0 A.*C.*|L A\+0 C\+0 R0 FMAX)$/\1 ;/' \
+		"tool centre point control goes on before all rotary axes go to where they start"
+done
+post fanuc table-ac dome.cl
+lost 's/^(N[0-9]+) G91 G28 Z0\.$/\1 G91 G28/' "goes home without an axis"
+
 # ---- the tool, its edge and its length
+sed 's/G43.4 H1/G43.4 H2/' good.nc >bad.nc
+judge 0 "another length may be meant" bad.nc
+has "but it is told" 'notice: .*tool 1 cuts with the length of another number, 2' err
+sed 's/^LOADTL.*/LOADTL\/1,ADJUST,2/' dome.cl >other.cl
+post fanuc table-ac other.cl
+judge 0 "as the path asks for" good.nc -p other.cl
+hasnt "nothing is told" 'another number' err
+post heidenhain table-ac dome.cl
+awk '/TOOL CALL 1 / { call = $0; sub(/^[0-9]+ /, "", call) } { print } NR > 60 && !done++ {
+	print $1 + 0, call }' good.nc | awk '{ $1 = NR - 1; print }' >bad.nc
+judge 3 "the tool is called amid a cut" bad.nc
+has "is told" 'N[0-9]+ .*: a tool is called where tool centre point control is on' err
 for c in fanuc siemens linuxcnc; do
 	machine=table-ac
 	[ $c = linuxcnc ] && machine=linuxcnc-xyzac
@@ -150,5 +183,9 @@ awk '/^N[0-9]+ X-?[0-9.]+ / && NR > 60 && !done++ { sub(/ X[-0-9.]+/, " X-95.") 
 	good.nc >bad.nc
 judge 3 "a place far beside it" bad.nc
 has "is told" 'the ball leaves the part amid a cut, [0-9.]+ mm off it at -9[45]' err
+awk '/^N[0-9]+ X/ && NR > 60 && done < 3 { done++; if (done == 1) sub(/ Y[-0-9.]+/, " Y-95.")
+	else sub(/ Y[-0-9.]+/, "") } { print }' good.nc >bad.nc
+judge 3 "several blocks far beside it" bad.nc
+has "are told" 'the ball leaves the part amid a cut, [0-9.]+ mm off it at [-0-9.]+ -9[45]' err
 
 done_testing

@@ -129,6 +129,19 @@ ncpost -q -c siemens -o lid.mpf lid.arc
 status 0 "accepted by the mesh as a part" ncverify -g box.ply --partial lid.mpf
 
 # Where a path takes long, that is said before.
+# ---- facets that the file's counts leave out would neither be cut nor guard; what stands before
+awk 'NR == 2 { $2 -= 2 } { print }' block.off >less.off
+status 1 "an OFF of more faces than it says" planecut -r 2 --avoid -o less.cl less.off
+has "is refused with its line" 'less.off:[0-9]+: more than the [0-9]+ faces of the OFF' "$TMP/err"
+ok "nothing is written" [ ! -e less.cl ]
+{ head -c 80 /dev/zero && printf '\001\000\000\000' && head -c 100 /dev/zero; } >less.stl
+status 1 "a binary STL of more facets than it says" planecut -r 2 --avoid less.stl
+has "is refused" 'less.stl: more than the 1 facets of the binary STL.s count' "$TMP/err"
+{ echo '# a block' && echo && sed '1s/.*/OFF # with words/' block.off; } >said.off
+planecut -q -r 2 --scallop 0.05 --avoid -o said.cl said.off
+sed 's/said\.off/block.off/' said.cl >said
+same "words before an OFF" block.cl said
+
 printf 'OFF\n4 2 0\n0 0 0\n20 0 0\n20 20 0\n0 20 0\n3 0 1 2\n3 0 2 3\n' >flat.off
 status 0 "very many rows" planecut -r 0.4 -s 0.04 --ball-only -o flat.cl flat.off
 has "are said" '10 m in [0-9]* strips, much for a ball of radius 0.4' err

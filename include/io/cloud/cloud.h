@@ -28,6 +28,7 @@ struct cloud_count {
     size_t withheld;         /* points that a LAS file marks as deleted: left out */
     size_t facets;           /* of a mesh (STL, PLY, OFF), whose corners alone are taken */
     bool indexed;            /* the first column numbers the rows: x y z are the next three */
+    bool placed;             /* x y z are the columns that a heading calls so, not the first */
     size_t columns;          /* most columns of a row, of those that were read one by one */
     size_t first_not_finite; /* line of the first of them, 0: the format has no lines */
     size_t open_end;         /* line of a last row without a line end, of text; 0: it has one */

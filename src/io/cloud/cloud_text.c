@@ -344,7 +344,8 @@ static int first_line(struct text *t, char *line, size_t n, struct error *error)
         t->numbered.n = 0;
         t->counting = false;
         t->first = t->source->points->n;
-        if (row.columns > 3 && column[0] == 0 && column[1] == 1 && column[2] == 2)
+        t->source->count->placed = column[0] != 0 || column[1] != 1 || column[2] != 2;
+        if (row.columns > 3 && !t->source->count->placed)
             numbered_row(t, line, n);
         return take_row(t, &row, error);
     }

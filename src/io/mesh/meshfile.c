@@ -42,8 +42,22 @@ static bool is_utf16(const char *head, size_t n)
     return false;
 }
 
+/* Past blanks and comments; *n: bytes that are left. */
+static const char *first_word(const char *head, size_t *n)
+{
+    const char *end = head + *n, *s = head;
+
+    while (s < end && (memchr(" \t\r\n#", *s, 5))) {
+        const char *line = *s == '#' ? memchr(s, '\n', (size_t)(end - s)) : s;
+        s = line ? line + 1 : end;
+    }
+    *n = (size_t)(end - s);
+    return s;
+}
+
 bool mesh_says_off(const char *head, size_t n)
 {
+    head = first_word(head, &n);
     return head_begins(head, n, "OFF") || head_begins(head, n, "COFF") ||
            head_begins(head, n, "NOFF");
 }
@@ -66,7 +80,8 @@ int mesh_read_from(struct reader *r, struct mesh *mesh, struct error *error)
         return error_at(error, r->name, 0, "text in UTF-16 encoding, expected UTF-8 or ASCII");
     if (n > 0 && (!text || stl_is_binary(r, head, n)))
         return stl_read_binary(r, mesh, error);
-    if (stl_begins(head, n, "solid"))
+    size_t rest = n;
+    if (stl_begins(first_word(head, &rest), rest, "solid"))
         return stl_read_text(r, mesh, error);
     return ply_read_mesh(r, mesh, error);
 }
@@ -74,10 +89,12 @@ int mesh_read_from(struct reader *r, struct mesh *mesh, struct error *error)
 /* A text STL: the line after its name begins a facet. */
 static bool says_facets(const char *head, size_t n)
 {
+    const char *end = head + n;
+    head = first_word(head, &n);
     const char *line = stl_begins(head, n, "solid") ? memchr(head, '\n', n) : NULL;
-    while (line && line < head + n && memchr("\n\r\t ", *line, 4))
+    while (line && line < end && memchr("\n\r\t ", *line, 4))
         line++;
-    return line && stl_begins(line, (size_t)(head + n - line), "facet");
+    return line && stl_begins(line, (size_t)(end - line), "facet");
 }
 
 bool mesh_is_there(const char *file)

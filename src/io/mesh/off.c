@@ -112,6 +112,18 @@ static int read_face(struct reader *r, struct mesh *mesh, struct error *error)
     return 0;
 }
 
+static int check_end(struct reader *r, double faces, struct error *error)
+{
+    const char *s;
+    int got = next_line(r, &s, error);
+
+    return got <= 0 ? got
+                    : error_at(error, r->name, r->line,
+                               "more than the %.0f faces of the OFF file's counts, expected the "
+                               "end of the file",
+                               faces);
+}
+
 int off_read(struct reader *r, struct mesh *mesh, struct error *error)
 {
     double count[2] = {0, 0};
@@ -122,5 +134,5 @@ int off_read(struct reader *r, struct mesh *mesh, struct error *error)
         status = read_vertex(r, normals, mesh, error);
     for (double i = 0; status == 0 && i < count[1]; i++)
         status = read_face(r, mesh, error);
-    return status;
+    return status == 0 ? check_end(r, count[1], error) : status;
 }

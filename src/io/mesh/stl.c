@@ -80,6 +80,14 @@ int stl_read_binary(struct reader *r, struct mesh *mesh, struct error *error)
         if (add_facet(r, 0, corner, mesh, error) < 0)
             return -1;
     }
+    got = reader_bytes(r, facet, FACET, error); /* less may be what a writer filled it up with */
+    if (got < 0)
+        return -1;
+    if (got == FACET)
+        return error_at(error, r->name, 0,
+                        "more than the %lu facets of the binary STL's count, expected the end of "
+                        "the file",
+                        (unsigned long)facets);
     return check_end(r, mesh, error);
 }
 

@@ -44,7 +44,7 @@ static void cut(double z)
     c.here = (struct ncread_place){.known = {true, true, true}, .at = {1, 2, z}};
 }
 
-enum { NOTHING, EARLY, STRAY, BLIND };
+enum { NOTHING, EARLY, STRAY, BARE, BLIND };
 static const struct {
     bool ours, pieces, tracked;
     const char *before, *block;
@@ -56,7 +56,8 @@ static const struct {
     {true, false, true, "", "G0 X1.", 0, EARLY},
     {true, false, true, "", "G0 X1. Z5.", 0, NOTHING},
     {true, false, true, "G28 Z0.", "G0 X1.", 0, NOTHING},
-    {true, false, true, "G28", "G0 X1.", 0, NOTHING},
+    {false, false, true, "G28", "G0 X1.", 0, NOTHING},
+    {true, false, true, "G28", "G0 X1.", 0, BARE},
     {true, false, true, "G53 Z0.", "G0 X1.", 0, NOTHING},
     {true, false, true, "G53 X0.", "M5", 0, EARLY},
     {true, false, true, "T1 M6", "G0 X1.", 0, EARLY},
@@ -82,7 +83,7 @@ static const struct {
     {true, true, true, "", "G28 X0. Y0.", 5, EARLY},
     {false, true, true, "", "G28 X0. Y0.", 5, BLIND},
     {true, true, true, "", "G28 X0. Z0.", 5, BLIND},
-    {true, true, true, "", "G28", 5, BLIND},
+    {false, true, true, "", "G28", 5, BLIND},
     {false, true, true, "", "G53 A0.", 5, BLIND},
     {false, true, true, "G28 Z0.", "G28 X0. Y0.", 5, NOTHING},
     {false, true, true, "", "G28 Z0.", 5, NOTHING},
@@ -91,7 +92,8 @@ static const struct {
 START_TEST(moves)
 {
     static const char *const text[] = {NULL, "X, Y or a rotary axis goes at rapid before Z",
-                                       "a rapid move to a place of the work without tool"};
+                                       "a rapid move to a place of the work without tool",
+                                       "goes home without an axis"};
     begin(move[_i].ours);
     if (move[_i].pieces)
         cut(5);
@@ -100,7 +102,7 @@ START_TEST(moves)
     if (!move[_i].pieces)
         c.here = (struct ncread_place){0};
     go(move[_i].block, move[_i].z, move[_i].tracked);
-    int found = move[_i].found, remark = found == EARLY || found == STRAY;
+    int found = move[_i].found, remark = found > NOTHING && found < BLIND;
     ck_assert_uint_eq(motion.remark.n, (size_t)remark);
     ck_assert_uint_eq(motion.blind.n, (size_t)(found == BLIND));
     if (remark) {

@@ -225,6 +225,22 @@ START_TEST(beside_the_part_is_none)
 }
 END_TEST
 
+/* Three straight blocks: out at right angles to the row, along it, and back. */
+START_TEST(a_detour_beside_the_part)
+{
+    const double far[PIECES + 1] = {0, 0, 30, 30, 0, 0, 0},
+                              near[PIECES + 1] = {0, 0, 20, 20, 0, 0, 0};
+    const double on[PIECES + 1] = {0, 0, 2, 12, 30, 30, 30};
+    struct excursion out = over(level, far, SHAPE_LINE);
+    ck_assert_uint_eq(out.count, 1);
+    ck_assert_uint_eq(out.piece, 1);
+    ck_assert_double_gt(out.height, 20);
+    ck_assert_uint_eq(over(level, near, SHAPE_LINE).count, 0);
+    ck_assert_uint_eq(over(level, on, SHAPE_LINE).count, 0);
+    ck_assert_uint_eq(over(far, level, SHAPE_LINE).count, 0); /* a link */
+}
+END_TEST
+
 /* Where nobody knows what stands: two straight blocks by two radii and 10 mm, curves by more. */
 START_TEST(far_beside_the_part)
 {
@@ -308,6 +324,7 @@ int main(void)
     tcase_add_test(tcase, less_than_the_band_is_none);
     tcase_add_test(tcase, a_spike_of_two_blocks);
     tcase_add_test(tcase, a_spike_amid_a_link);
+    tcase_add_test(tcase, a_detour_beside_the_part);
     tcase_add_test(tcase, a_sharp_way_in_is_none);
     tcase_add_test(tcase, up_across_and_down_is_a_way);
     tcase_add_test(tcase, beside_the_part_is_none);
