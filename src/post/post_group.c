@@ -134,7 +134,8 @@ static int leave_part(struct nc_planner *planner, const struct path_item *item)
 
 /*
  * Without tool-centre-point control a rapid is many blocks: where it leads to another solution, the
- * axes turn before it, where the tool stands off the part.
+ * axes turn before it, where the tool stands off the part; or after it, where it leads up and the
+ * tool axis stays (post_motion_rapid).
  */
 static void turn_before_rapid(struct nc_planner *planner, const struct path_item *item)
 {
@@ -143,8 +144,10 @@ static void turn_before_rapid(struct nc_planner *planner, const struct path_item
     struct machine_pose to;
     bool doubt = planner->doubtful;
     int over;
+    bool rises = vec_distance(planner->state.pose.a, item->to.a) == 0 &&
+                 item->to.p.z > planner->state.pose.p.z;
     if (planner->follow.mode == INTERPOLATE_JOINT && planner->off_part && planner->state.begun &&
-        post_ik_reach(planner, item->to, 1, &to) == 0 &&
+        !rises && post_ik_reach(planner, item->to, 1, &to) == 0 &&
         ik_choose(chain, planner->state.pose.a, to.at.q, true, -1, q, &over) == 0 &&
         ik_travel(chain, q, planner->state.at.q) > far_turn)
         post_block_turn(planner, q);

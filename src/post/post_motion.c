@@ -10,7 +10,8 @@
 #include "post_way.h"
 
 enum { ARC_DEPTH_MAX = 5, LEAST_CURVE = 10 /* last digits: the poles of less are no curve */ };
-static const double rapid_chord = 1; /* mm, where a rapid has to be split at all */
+static const double rapid_chord = 1;   /* mm, where a rapid has to be split at all */
+static const double far_turn = PI / 6; /* radians: to another solution, or whole turns */
 
 /*
  * Where the tool axis goes by way of, half-way on: between two directions that both lean far, the
@@ -32,6 +33,34 @@ static int rapid_from_here(struct nc_planner *planner, struct pose to)
     struct pose_deviation any = {chord, HUGE_VAL};
     struct motion motion = motion_line(planner->state.pose, to);
     return post_straight_blocks(planner, &motion, 0, 1, NC_RAPID, any);
+}
+
+/*
+ * A rapid way along which the tool axis stays, but a rotary axis turns back far about it, as at the
+ * end of its travel: the tool sweeps round, and does so where the way is highest.  1: it is none,
+ * and nothing is done.
+ */
+static int rapid_turned(struct nc_planner *planner, const struct pose *to)
+{
+    const struct nc_state *state = &planner->state;
+    const struct kinematic_chain *chain = &planner->machine->chain;
+    const double q[ROTARY_MAX] = {state->at.q[0], state->at.q[1]};
+    struct machine_pose target;
+    if (planner->follow.mode == INTERPOLATE_VECTOR || vec_distance(state->pose.a, to->a) > 0 ||
+        post_ik_linear_over(planner, to->p, q) >= 0)
+        return 1;
+    if (post_ik_reach(planner, *to, 1, &target) != 0)
+        return -1;
+    if (ik_most_turn(chain, target.at.q, q) < far_turn)
+        return 1;
+    bool rises = to->p.z > state->pose.p.z;
+    struct machine_pose still = rises ? post_ik_pose(planner, *to, q) : target;
+    if (!rises)
+        post_block_turn(planner, target.at.q);
+    post_block_straight(planner, NC_RAPID, &still, to);
+    if (rises)
+        post_block_turn(planner, target.at.q);
+    return 0;
 }
 
 /* The first motion of a tool: to where the rotary axes may turn, and on from there. */
@@ -56,6 +85,9 @@ int post_motion_rapid(struct nc_planner *planner, struct pose to)
     struct machine_pose target;
     if (!planner->state.begun)
         return rapid_from_home(planner, to);
+    int turned = rapid_turned(planner, &to);
+    if (turned <= 0)
+        return turned;
     if (planner->follow.mode == INTERPOLATE_VECTOR &&
         !rotary_reaches_between(&planner->machine->chain, planner->state.pose.a, to.a)) {
         if (post_ik_reach(planner, to, 1, &target) != 0 ||

@@ -425,4 +425,24 @@ leaves table-bc 30 20 190 220 30
 leaves table-bc 30 20 170 130 -30
 leaves nutating-head 90 20 -60 -100 -90
 leaves nutating-head 90 20 -120 -60 90
+# ---- a rotary axis that turns back far between two passes does so above the part: the way up to
+# the clearance plane is led first, whatever the control.
+awk 'function put(t, up, rapid) { a = t * 3.14159265358979 / 180; s = sin(1.2)
+		if (rapid) print "RAPID"
+		printf "GOTO/%.6f,%.6f,%.6f,%.9f,%.9f,%.9f\n", 20 * sin(a), -20 * cos(a), up, s * sin(a),
+			-s * cos(a), cos(1.2) }
+	BEGIN { print "PARTNO/WIND\nUNITS/MM\nMULTAX/ON\nCUTTER/10,5,0,5,0,0,60\nLOADTL/1"
+		print "SPINDL/RPM,8000,CLW"
+		for (p = 0; p < 2; p++) { from = p ? 330 : 0; to = p ? 560 : 330
+			put(from, 60, 1); put(from, 20, 1); print "FEDRAT/800"
+			for (t = from; t <= to; t += 2) put(t, 0, 0)
+			put(to, 20, 1); put(to, 60, 1) }
+		print "FINI" }' >wind.cl
+for control in fanuc linuxcnc siemens; do
+	ncpost -q -c $control -m head-ca -o wind.nc wind.cl
+	awk 'NR > 100 && !up && /G0/ { up = NR } up && NR == up + 1 { print }' wind.nc >next
+	has "$control: up" ' Z' next
+	hasnt "$control: without a turn" ' [AXYC]=?-?[0-9]' next
+done
+
 done_testing
