@@ -24,6 +24,9 @@ void post_block_straight(struct nc_planner *planner, enum nc_kind kind,
  * without tool-centre-point control. */
 enum { POST_BLOCK_TURN = 2 };
 
+/* Radians: rotary axes that turn by more off the part go to another solution, or whole turns. */
+#define POST_FAR_TURN (PI / 6)
+
 /* The rotary axes turn to q in n blocks alike, the tip at rest. */
 void post_block_stand(struct nc_planner *planner, enum nc_kind kind, const double q[], int n);
 

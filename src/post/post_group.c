@@ -16,8 +16,6 @@
 
 /* ---- a group: planned with each block the nearest way, or along what the look ahead found */
 
-static const double far_turn = PI / 6; /* radians: to another solution, or whole turns */
-
 /* What a group that is planned again has to take back. */
 struct checkpoint {
     struct nc_state state;
@@ -122,7 +120,7 @@ static int leave_part(struct nc_planner *planner, const struct path_item *item)
     planner->aim.n = 0;
     int result = post_ik_reach(planner, item->to, 1, &to);
     if (result == 0 && ik_travel(&planner->machine->chain, planner->state.at.q, to.at.q) >
-                           2 * vec_angle(planner->state.pose.a, item->to.a) + far_turn) {
+                           2 * vec_angle(planner->state.pose.a, item->to.a) + POST_FAR_TURN) {
         planner->state.why = NC_WHY_RETRACT;
         result = post_motion_leave(planner, post_rewind_retracted(planner));
     }
@@ -149,7 +147,7 @@ static void turn_before_rapid(struct nc_planner *planner, const struct path_item
     if (planner->follow.mode == INTERPOLATE_JOINT && planner->off_part && planner->state.begun &&
         !rises && post_ik_reach(planner, item->to, 1, &to) == 0 &&
         ik_choose(chain, planner->state.pose.a, to.at.q, true, -1, q, &over) == 0 &&
-        ik_travel(chain, q, planner->state.at.q) > far_turn)
+        ik_travel(chain, q, planner->state.at.q) > POST_FAR_TURN)
         post_block_turn(planner, q);
     planner->off_part = true;
     planner->doubtful = doubt;

@@ -10,8 +10,7 @@
 #include "post_way.h"
 
 enum { ARC_DEPTH_MAX = 5, LEAST_CURVE = 10 /* last digits: the poles of less are no curve */ };
-static const double rapid_chord = 1;   /* mm, where a rapid has to be split at all */
-static const double far_turn = PI / 6; /* radians: to another solution, or whole turns */
+static const double rapid_chord = 1; /* mm, where a rapid has to be split at all */
 
 /*
  * Where the tool axis goes by way of, half-way on: between two directions that both lean far, the
@@ -51,7 +50,7 @@ static int rapid_turned(struct nc_planner *planner, const struct pose *to)
         return 1;
     if (post_ik_reach(planner, *to, 1, &target) != 0)
         return -1;
-    if (ik_most_turn(chain, target.at.q, q) < far_turn)
+    if (ik_most_turn(chain, target.at.q, q) < POST_FAR_TURN)
         return 1;
     bool rises = to->p.z > state->pose.p.z;
     struct machine_pose still = rises ? post_ik_pose(planner, *to, q) : target;

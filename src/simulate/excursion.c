@@ -176,6 +176,22 @@ static struct vec3 rise_over_line(struct vec3 from, struct vec3 to, struct vec3 
     return vec_sub(p, vec_segment_nearest(from, to, p));
 }
 
+/* Of the segments from one to another the one whose end is furthest off the line between both ends,
+ * and how far: *most. */
+static size_t top_between(const struct centre_segment *segment, size_t from, size_t to,
+                          double *most)
+{
+    size_t top = from;
+
+    *most = 0;
+    for (size_t i = from; i < to; i++) {
+        double high = vec_length(rise_over_line(segment[from].a, segment[to].b, segment[i].b));
+        top = high > *most ? i : top;
+        *most = fmax(*most, high);
+    }
+    return top;
+}
+
 /* How far a rise goes up the axis of its top or of one of its feet: poles thrown past the other end
  * of the tool turn it over. */
 static double up_the_tool(const struct search *s, size_t from, size_t top, size_t to,
@@ -224,19 +240,15 @@ static void look_at_detour(struct search *s, size_t from, size_t to)
 {
     const struct centre_segment *segment = s->path->item;
     const struct nc_piece *piece = s->motion->piece.item;
-    size_t first = segment[from].piece, last = segment[to].piece, top = from;
+    size_t first = segment[from].piece, last = segment[to].piece;
     struct vec3 a = segment[from].a, b = segment[to].b;
-    double most = 0;
+    double most;
 
     if (first == 0 || last + 1 == s->motion->piece.n || last - first >= REACH ||
         piece[first - 1].rapid || piece[last + 1].rapid ||
         fmax(clearance(s, a), clearance(s, b)) > s->options->band)
         return;
-    for (size_t i = from; i < to; i++) {
-        double high = vec_length(rise_over_line(a, b, segment[i].b));
-        top = high > most ? i : top;
-        most = fmax(most, high);
-    }
+    size_t top = top_between(segment, from, to, &most);
     struct vec3 rise = rise_over_line(a, b, segment[top].b);
     double height = clearance(s, segment[top].b);
     if (height > aside(s, first) && up_the_tool(s, from, top, to, rise) < ALONG * most &&
@@ -249,19 +261,14 @@ static void look_at_stretch(struct search *s, size_t from, size_t to)
 {
     const struct centre_segment *segment = s->path->item;
     struct vec3 a = segment[from].a, b = segment[to].b;
-    size_t top = from;
-    double most = 0, band = s->options->band;
+    double most, band = s->options->band;
     if (s->motion->piece.item[segment[from].piece].shape == SHAPE_LINE && !is_spike(s, from, to)) {
         look_at_spikes(s, from, to);
         look_at_last_line(s, from, to);
         look_at_detour(s, from, to);
         return;
     }
-    for (size_t i = from; i < to; i++) {
-        double high = vec_length(rise_over_line(a, b, segment[i].b));
-        top = high > most ? i : top;
-        most = fmax(most, high);
-    }
+    size_t top = top_between(segment, from, to, &most);
     if (fmax(most, vec_distance(a, b)) <= band || clearance(s, a) > band)
         return;
     size_t spans = segment[to].piece - segment[from].piece;
