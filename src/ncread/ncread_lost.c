@@ -44,7 +44,7 @@ static void look_at_frame(struct ncread *c)
 void ncread_lost_text(struct ncread *c)
 {
     look_at_frame(c);
-    for (int k = 0; k < NCREAD_LOST_RESETS; k++) {
+    for (int k = 0; k < NCREAD_LOST_RESETS && !c->watch.cuts; k++) { /* the first cut asks for it */
         const char *s = strstr(c->text, reset_word[k]);
         c->lost.reset[k] = c->lost.reset[k] || (s && s < c->text + strcspn(c->text, ";"));
     }
